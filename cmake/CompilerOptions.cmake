@@ -1,0 +1,10 @@
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+add_library(pcl_shape_warnings INTERFACE)
+target_compile_options(pcl_shape_warnings INTERFACE -Wall -Wextra -Wconversion)
+if(PCL_SHAPE_WERROR)
+  target_compile_options(pcl_shape_warnings INTERFACE -Werror)
+endif()
