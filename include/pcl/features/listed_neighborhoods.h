@@ -1,0 +1,80 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include <pcl/features/neighborhood_sweep.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace pcl {
+
+/** \brief The statistics of NeighborhoodSweep over neighbors that somebody else finds:
+ * what the features use when a search method is set. \ingroup features
+ */
+class PCL_SHAPE_EXPORTS ListedNeighborhoods {
+public:
+  /** \brief Writes the indices of the surface points around the query that is at this
+   * position of the results. Called from several threads at once, for finite queries
+   * only. */
+  using Find = std::function<void(std::size_t position, std::vector<std::int32_t>&)>;
+
+  /** \param[in] surface the points that `find` finds; not copied
+   * \param[in] find finds the neighbors */
+  ListedNeighborhoods(const XYZView& surface, Find find)
+  : surface_(surface)
+  , find_(std::move(find))
+  {}
+
+  /** \brief Ask about these points instead of the surface's own. */
+  void
+  setQueries(const XYZView& queries)
+  {
+    queries_ = queries;
+    own_queries_ = true;
+  }
+
+  /** \copydoc NeighborhoodSweep::setQueryIndices */
+  void
+  setQueryIndices(const std::int32_t* indices, std::size_t size)
+  {
+    indices_ = indices;
+    indices_size_ = size;
+  }
+
+  /** \param[in] threads 0 for all cores */
+  void
+  setNumberOfThreads(unsigned threads)
+  {
+    threads_ = threads;
+  }
+
+  /** \brief As NeighborhoodSweep::computeNormals(). */
+  bool computeNormals(float* normals, float* curvature, std::size_t stride) const;
+
+  /** \brief As NeighborhoodSweep::computeINAD(). */
+  bool computeINAD(const XYZView& normals, double outlier_rate, float* mu_sigma) const;
+
+private:
+  template <typename Visit>
+  void forEachQuery(const Visit& visit) const;
+
+  XYZView surface_;
+  Find find_;
+  XYZView queries_;
+  bool own_queries_ = false;
+  const std::int32_t* indices_ = nullptr;
+  std::size_t indices_size_ = 0;
+  unsigned threads_ = 0;
+};
+
+} // namespace pcl

@@ -1,0 +1,121 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include <pcl/features/shape_histogram.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl {
+
+/** \brief How the INAD of a surface is computed. Either both radii or k is positive. */
+struct INADParameters {
+  double normal_radius = 0.025; ///< metres, neighborhood of the normals
+  double radius = 0.025;        ///< metres, neighborhood of the angles
+  int k = 0;                    ///< nearest points, for normals and angles alike
+  double outlier_rate = 2.0;    ///< c, 0 for no rejection
+
+  /** \brief The paper's setting for planar and curved surfaces: 25 mm, 25 mm. */
+  static INADParameters
+  surfaces()
+  {
+    return {};
+  }
+
+  /** \brief The paper's setting for edges: normals over 15 mm, angles over 6 mm. */
+  static INADParameters
+  edges()
+  {
+    return {0.015, 0.006, 0, 2.0};
+  }
+};
+
+/** \brief Named shape histograms on the same bins, with the parameters of their INAD.
+ *
+ * With one class, the likelihood of a pair is the histogram's; with several, the
+ * posterior of each class by Bayes' rule over the histograms' densities and the
+ * classes' priors. \ingroup features
+ */
+class PCL_SHAPE_EXPORTS ShapeModel {
+public:
+  struct Class {
+    std::string name;
+    ShapeHistogram histogram;
+    double prior = 1.0; ///< positive; only the ratios count
+  };
+
+  /** \brief A model without classes. \throws pcl::BadArgumentException for bad
+   * parameters */
+  explicit ShapeModel(const INADParameters& parameters = {});
+
+  /** \brief The histogram of an ideal plane, all of it in bin (0, 0), named "planar".
+   */
+  static ShapeModel idealPlane(const INADParameters& parameters = {},
+                               std::size_t bins = 10);
+
+  /** \brief Read a model file (JSON).
+   * \throws pcl::IOException naming the file, what is wrong with it and what is allowed
+   */
+  static ShapeModel load(const std::string& file_name);
+
+  /** \brief Write a model file: complete, or not at all.
+   * \throws pcl::IOException if that fails, pcl::BadArgumentException for a model
+   * without a class
+   */
+  void save(const std::string& file_name) const;
+
+  /** \brief Add a class, or merge into the one of that name.
+   * \throws pcl::BadArgumentException for an empty name, an empty histogram, a prior
+   * that is not positive and finite, or bins other than those of the other classes
+   */
+  void
+  add(const std::string& name, const ShapeHistogram& histogram, double prior = 1.0);
+
+  /** \brief One value a class: the likelihood (one class) or the posteriors (several).
+   * NaN where the pair is NaN or, with several classes, where every density is below
+   * floor(). \param[out] values classes().size() floats
+   */
+  void evaluate(const INAD& inad, float* values) const;
+
+  /** \brief What in `parameters` differs from the model's by more than 1e-6 of its
+   * value: a sentence that names the parameter and both values, empty if nothing does.
+   */
+  std::string disagreement(const INADParameters& parameters) const;
+
+  const std::vector<Class>&
+  classes() const
+  {
+    return classes_;
+  }
+
+  const INADParameters&
+  parameters() const
+  {
+    return parameters_;
+  }
+
+  /** \brief The density, 1/rad^2, below which a class says nothing about a pair. */
+  double
+  floor() const
+  {
+    return floor_;
+  }
+
+  /** \throws pcl::BadArgumentException if it is negative or not finite */
+  void setFloor(double floor);
+
+private:
+  INADParameters parameters_;
+  std::vector<Class> classes_;
+  double floor_ = 0.0;
+};
+
+} // namespace pcl

@@ -1,0 +1,136 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include <pcl/features/impl/cloud_neighborhoods.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace detail {
+namespace {
+
+bool
+isFinite(const float* p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+std::size_t
+countFinite(const XYZView& points)
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.size; ++i) {
+    count += isFinite(points[i]) ? 1 : 0;
+  }
+  return count;
+}
+
+std::string
+problemOfCloud(const std::string& name, const XYZView& points)
+{
+  if (points.size == 0) {
+    return name + " is empty: at least one point is needed";
+  }
+  if (points.size >
+      static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
+    return name + " has " + std::to_string(points.size) +
+           " points: at most 2^31 - 1 are allowed";
+  }
+  for (std::size_t i = 0; i < points.size; ++i) {
+    if (isFinite(points[i])) {
+      return {};
+    }
+  }
+  return name + " has no finite point: at least one of its " +
+         std::to_string(points.size) + " points must be finite";
+}
+
+std::string
+problemOfIndices(const pcl::Indices& indices, std::size_t size)
+{
+  const auto bad = std::find_if(indices.begin(), indices.end(), [size](index_t i) {
+    return i < 0 || static_cast<std::size_t>(i) >= size;
+  });
+  if (bad == indices.end()) {
+    return {};
+  }
+  return "index " + std::to_string(*bad) + " (at position " +
+         std::to_string(bad - indices.begin()) + ") is out of range: 0 to " +
+         std::to_string(size - 1) + " are allowed";
+}
+
+std::string
+problemOfSize(double radius, int k, const XYZView& surface)
+{
+  if (radius != 0.0 && k != 0) {
+    return "both radius (" + std::to_string(radius) + " m) and k (" +
+           std::to_string(k) + ") are set: set one of them to 0";
+  }
+  if (radius == 0.0 && k == 0) {
+    return "neither radius nor k is set: set one of them to a positive number";
+  }
+  if (k != 0) {
+    const std::size_t most = countFinite(surface);
+    return k > 0 && static_cast<std::size_t>(k) <= most
+               ? std::string()
+               : "k is " + std::to_string(k) + ": 1 to " + std::to_string(most) +
+                     ", the number of finite points, is allowed";
+  }
+  return radius > 0.0 && std::isfinite(radius)
+             ? std::string()
+             : "radius is " + std::to_string(radius) +
+                   " m: it must be positive and finite";
+}
+
+} // namespace
+
+std::string
+problemOf(const NeighborhoodRequest& request)
+{
+  std::string problem = problemOfCloud("the input cloud", request.input);
+  if (problem.empty() && request.surface.first != request.input.first) {
+    problem = problemOfCloud("the search surface", request.surface);
+  }
+  if (problem.empty() && request.indices) {
+    problem = problemOfIndices(*request.indices, request.input.size);
+  }
+  if (problem.empty()) {
+    problem = problemOfSize(request.radius, request.k, request.surface);
+  }
+  return problem;
+}
+
+std::string
+problemOfNormals(std::size_t normals, std::size_t surface)
+{
+  return normals == surface
+             ? std::string()
+             : std::to_string(normals) + " normals are given for a search surface of " +
+                   std::to_string(surface) + " points: one for each point is needed";
+}
+
+std::string
+problemOfOutlierRate(double rate)
+{
+  return rate >= 0.0 && std::isfinite(rate)
+             ? std::string()
+             : "outlier rate is " + std::to_string(rate) +
+                   ": it must be 0 (no rejection) or positive and finite";
+}
+
+bool
+allFinite(const XYZView& points)
+{
+  return countFinite(points) == points.size;
+}
+
+} // namespace detail
+} // namespace pcl

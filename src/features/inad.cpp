@@ -1,0 +1,16 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "point_types.h"
+
+#include <pcl/impl/instantiate.hpp>
+#include <pcl/features/impl/inad.hpp>
+
+PCL_INSTANTIATE_PRODUCT(INADEstimation,
+                        (PCL_SHAPE_POINT_TYPES)(PCL_SHAPE_NORMAL_TYPES)((pcl::INAD)))

@@ -1,0 +1,151 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "../kernels/neighborhood.h"
+#include "../kernels/parallel.h"
+
+#include <pcl/features/listed_neighborhoods.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace {
+
+using namespace kernels;
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+bool
+isFinite(const float* p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+Neighbors
+neighborsAt(const XYZView& surface,
+            const std::vector<std::int32_t>& found,
+            const float* q)
+{
+  Neighbors neighbors;
+  neighbors.reserve(found.size());
+  for (const std::int32_t index : found) {
+    const auto position = static_cast<std::uint32_t>(index);
+    if (isFinite(surface[position])) {
+      neighbors.push_back(neighborAt(surface[position], q, position));
+    }
+  }
+  return neighbors;
+}
+
+/** \brief The position of the nearest neighbor; of equally near ones the first. */
+std::uint32_t
+nearestOf(const Neighbors& neighbors)
+{
+  const auto nearest = std::min_element(
+      neighbors.begin(), neighbors.end(), [](const Neighbor& a, const Neighbor& b) {
+        return a.d2 != b.d2 ? a.d2 < b.d2 : a.position < b.position;
+      });
+  return nearest->position;
+}
+
+} // namespace
+
+/** \brief visit(result's position, the query's surface point or -1, neighbors, whether
+ * it is one of them). A query without neighbors or that is not finite is passed over.
+ */
+template <typename Visit>
+void
+ListedNeighborhoods::forEachQuery(const Visit& visit) const
+{
+  const XYZView& points = own_queries_ ? queries_ : surface_;
+  const std::size_t count = indices_ ? indices_size_ : points.size;
+  constexpr std::size_t queries_a_task = 1024;
+  const std::size_t tasks = (count + queries_a_task - 1) / queries_a_task;
+  parallelFor(tasks, threads_, [&](std::size_t task) {
+    std::vector<std::int32_t> found;
+    const std::size_t end = std::min(count, (task + 1) * queries_a_task);
+    for (std::size_t i = task * queries_a_task; i < end; ++i) {
+      const std::size_t point = indices_ ? static_cast<std::size_t>(indices_[i]) : i;
+      const float* q = points[point];
+      if (!isFinite(q)) {
+        continue;
+      }
+      found.clear();
+      find_(i, found);
+      const Neighbors neighbors = neighborsAt(surface_, found, q);
+      if (neighbors.empty()) {
+        continue;
+      }
+      const auto own = static_cast<std::uint32_t>(point);
+      const bool contains_itself =
+          own_queries_
+              ? anyAtQuery(neighbors)
+              : std::any_of(neighbors.begin(),
+                            neighbors.end(),
+                            [own](const Neighbor& n) { return n.position == own; });
+      visit(i, own_queries_ ? nearestOf(neighbors) : own, neighbors, contains_itself);
+    }
+  });
+}
+
+bool
+ListedNeighborhoods::computeNormals(float* normals,
+                                    float* curvature,
+                                    std::size_t stride) const
+{
+  const std::size_t count =
+      indices_ ? indices_size_ : (own_queries_ ? queries_.size : surface_.size);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::fill_n(normals + i * stride, 3, nan);
+    curvature[i * stride] = nan;
+  }
+  forEachQuery([&](std::size_t i,
+                   std::uint32_t,
+                   const Neighbors& neighbors,
+                   bool contains_itself) {
+    const NormalResult result = normalOf(neighbors, contains_itself);
+    float* normal = normals + i * stride;
+    normal[0] = result.x;
+    normal[1] = result.y;
+    normal[2] = result.z;
+    curvature[i * stride] = result.curvature;
+  });
+  bool is_finite = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    is_finite = is_finite && !std::isnan(normals[i * stride]);
+  }
+  return is_finite;
+}
+
+bool
+ListedNeighborhoods::computeINAD(const XYZView& normals,
+                                 double outlier_rate,
+                                 float* mu_sigma) const
+{
+  const UnitNormals unit = unitNormals(normals, nullptr);
+  const float* const arrays[] = {unit.x.data(), unit.y.data(), unit.z.data()};
+  const std::size_t count =
+      indices_ ? indices_size_ : (own_queries_ ? queries_.size : surface_.size);
+  std::fill_n(mu_sigma, 2 * count, nan);
+  forEachQuery([&](std::size_t i,
+                   std::uint32_t own,
+                   const Neighbors& neighbors,
+                   bool contains_itself) {
+    const INADResult result =
+        inadOf(neighbors, unit[own], arrays, contains_itself, outlier_rate);
+    mu_sigma[2 * i] = result.mu;
+    mu_sigma[2 * i + 1] = result.sigma;
+  });
+  return std::none_of(
+      mu_sigma, mu_sigma + 2 * count, [](float v) { return std::isnan(v); });
+}
+
+} // namespace pcl

@@ -1,0 +1,283 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "../kernels/block_sweep.h"
+
+#include <pcl/features/neighborhood_sweep.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace {
+
+using namespace kernels;
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+void
+checkRadius(double radius)
+{
+  if (!(radius > 0.0) || !std::isfinite(radius)) {
+    throw std::invalid_argument("radius " + std::to_string(radius) +
+                                ": it must be positive and finite (metres)");
+  }
+}
+
+void
+checkSize(const NeighborhoodSize& size, std::size_t queries)
+{
+  const int given = (size.radius != 0.0) + (size.radii != nullptr) + (size.k != 0);
+  if (given != 1) {
+    throw std::invalid_argument("set one of radius, radii and k, not " +
+                                std::to_string(given) + " of them");
+  }
+  if (size.radii) {
+    std::for_each(size.radii, size.radii + queries, checkRadius);
+  }
+  else if (size.k == 0) {
+    checkRadius(size.radius);
+  }
+}
+
+bool
+isFinite(const float* p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+std::size_t
+countFinite(const XYZView& points)
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.size; ++i) {
+    count += isFinite(points[i]) ? 1 : 0;
+  }
+  return count;
+}
+
+/** \brief About the distance to the k-th nearest point: the median over a few points.
+ */
+double
+typicalDistance(const XYZView& surface, std::size_t k)
+{
+  constexpr std::size_t samples = 15;
+  std::vector<float> typical;
+  for (std::size_t s = 0; s < samples; ++s) {
+    const float* p = surface[(2 * s + 1) * surface.size / (2 * samples)];
+    std::vector<float> d2;
+    for (std::size_t i = 0; isFinite(p) && i < surface.size; ++i) {
+      const float* q = surface[i];
+      const float dx = q[0] - p[0], dy = q[1] - p[1], dz = q[2] - p[2];
+      const float d = (dx * dx + dy * dy) + dz * dz;
+      if (std::isfinite(d)) {
+        d2.push_back(d);
+      }
+    }
+    if (d2.size() >= k) {
+      const auto kth = d2.begin() + static_cast<std::ptrdiff_t>(k - 1);
+      std::nth_element(d2.begin(), kth, d2.end());
+      typical.push_back(*kth);
+    }
+  }
+  std::sort(typical.begin(), typical.end());
+  const float d2 = typical.empty() ? 0.0f : typical[typical.size() / 2];
+  return d2 > 0.0f ? std::sqrt(static_cast<double>(d2)) : 1.0;
+}
+
+double
+edgeFor(const NeighborhoodSize& size, const XYZView& surface, std::size_t queries)
+{
+  if (size.k > 0) {
+    return typicalDistance(surface, size.k);
+  }
+  if (!size.radii) {
+    return size.radius;
+  }
+  std::vector<float> radii(size.radii, size.radii + queries);
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
+  return *middle;
+}
+
+} // namespace
+
+/** \brief The surface and the queries, sorted for one call. */
+class NeighborhoodSweep::Prepared {
+public:
+  Prepared(const NeighborhoodSweep& sweep, const NeighborhoodSize& size) : sweep_(sweep)
+  {
+    constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
+    if (sweep.surface_.size > most || sweep.size() > most) {
+      throw std::invalid_argument("more than 2^31 - 1 points: split the cloud");
+    }
+    checkSize(size, sweep.size());
+    if (size.k > 0) {
+      const std::size_t finite = countFinite(sweep.surface_);
+      if (size.k > finite) {
+        throw std::invalid_argument("k " + std::to_string(size.k) +
+                                    ": it must be 1 to " + std::to_string(finite) +
+                                    ", the number of finite points");
+      }
+    }
+    if (sweep.size() == 0 || sweep.surface_.size == 0) {
+      return;
+    }
+    const double edge = edgeFor(size, sweep.surface_, sweep.size());
+    surface_ = buildRowIndex(sweep.surface_, nullptr, sweep.surface_.size, edge);
+    if (sweep.own_queries_ || sweep.indices_) {
+      own_queries_ =
+          buildRowIndex(sweep.queryPoints(), sweep.indices_, sweep.size(), edge);
+    }
+    blocks_.emplace(surface_, queries(), size, portableKernels());
+    blocks_->setQueriesOnSurface(!sweep.own_queries_);
+  }
+
+  const RowIndex&
+  surface() const
+  {
+    return surface_;
+  }
+
+  void
+  setNormals(const XYZView& normals)
+  {
+    normals_ = unitNormals(normals, &surface_.order);
+    if (blocks_) {
+      blocks_->setNormals(normals_);
+    }
+  }
+
+  /** \brief kernel(block, results), then store(position, result) for each query. */
+  template <typename Result, typename Kernel, typename Store>
+  void
+  run(const Kernel& kernel, const Store& store) const
+  {
+    if (!blocks_) {
+      return;
+    }
+    blocks_->forEachBlock(sweep_.threads_,
+                          [&](SweepBlock& block, const std::uint32_t* order) {
+                            Result results[block_size];
+                            kernel(block, order, results);
+                            for (std::size_t i = 0; i < block.size; ++i) {
+                              store(order[i], results[i]);
+                            }
+                          });
+  }
+
+private:
+  const RowIndex&
+  queries() const
+  {
+    return own_queries_ ? *own_queries_ : surface_;
+  }
+
+  const NeighborhoodSweep& sweep_;
+  RowIndex surface_;
+  std::optional<RowIndex> own_queries_;
+  UnitNormals normals_;
+  std::optional<BlockSweep> blocks_;
+};
+
+bool
+NeighborhoodSweep::computeNormals(const NeighborhoodSize& neighborhood,
+                                  float* normals,
+                                  float* curvature,
+                                  std::size_t stride) const
+{
+  const Prepared prepared(*this, neighborhood);
+  for (std::size_t i = 0; i < size(); ++i) {
+    std::fill_n(normals + i * stride, 3, nan);
+    curvature[i * stride] = nan;
+  }
+  prepared.run<NormalResult>(
+      [](const SweepBlock& block, const std::uint32_t*, NormalResult* results) {
+        portableKernels().normals(block, results);
+      },
+      [&](std::uint32_t i, const NormalResult& result) {
+        float* normal = normals + i * stride;
+        normal[0] = result.x;
+        normal[1] = result.y;
+        normal[2] = result.z;
+        curvature[i * stride] = result.curvature;
+      });
+  bool is_finite = true;
+  for (std::size_t i = 0; i < size(); ++i) {
+    is_finite = is_finite && !std::isnan(normals[i * stride]);
+  }
+  return is_finite;
+}
+
+bool
+NeighborhoodSweep::computeINAD(const NeighborhoodSize& neighborhood,
+                               const XYZView& normals,
+                               double outlier_rate,
+                               float* mu_sigma) const
+{
+  if (normals.size != surface_.size) {
+    throw std::invalid_argument(std::to_string(normals.size) + " normals for " +
+                                std::to_string(surface_.size) + " surface points");
+  }
+  if (!(outlier_rate >= 0.0) || !std::isfinite(outlier_rate)) {
+    throw std::invalid_argument("outlier rate " + std::to_string(outlier_rate) +
+                                ": it must be 0 (no rejection) or positive");
+  }
+  Prepared prepared(*this, neighborhood);
+  prepared.setNormals(normals);
+  std::fill_n(mu_sigma, 2 * size(), nan);
+  prepared.run<INADResult>(
+      [&](SweepBlock& block, const std::uint32_t* order, INADResult* results) {
+        for (std::size_t i = 0; block.queries_on_surface && i < block.size; ++i) {
+          const UnitNormal own = unitNormal(normals[surfaceIndex(order[i])]);
+          block.qnx[i] = own.x;
+          block.qny[i] = own.y;
+          block.qnz[i] = own.z;
+        }
+        portableKernels().inad(block, outlier_rate, results);
+      },
+      [&](std::uint32_t i, const INADResult& result) {
+        mu_sigma[2 * i] = result.mu;
+        mu_sigma[2 * i + 1] = result.sigma;
+      });
+  return std::none_of(
+      mu_sigma, mu_sigma + 2 * size(), [](float v) { return std::isnan(v); });
+}
+
+void
+NeighborhoodSweep::countNeighbors(const NeighborhoodSize& neighborhood,
+                                  std::uint32_t* counts) const
+{
+  const Prepared prepared(*this, neighborhood);
+  std::fill_n(counts, size(), 0);
+  prepared.run<std::uint32_t>(
+      [](const SweepBlock& block, const std::uint32_t*, std::uint32_t* results) {
+        portableKernels().count(block, results);
+      },
+      [&](std::uint32_t i, std::uint32_t count) { counts[i] = count; });
+}
+
+void
+NeighborhoodSweep::computeDistanceToNearest(std::size_t k, float* distances) const
+{
+  const Prepared prepared(*this, NeighborhoodSize::ofNearest(k));
+  std::fill_n(distances, size(), nan);
+  prepared.run<float>(
+      [](const SweepBlock& block, const std::uint32_t*, float* results) {
+        std::copy_n(block.tie_d2, block.size, results);
+      },
+      [&](std::uint32_t i, float d2) { distances[i] = std::sqrt(d2); });
+}
+
+} // namespace pcl

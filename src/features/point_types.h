@@ -1,0 +1,21 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include <pcl/point_types.h>
+
+// The point types that the classes are compiled for; others: define PCL_NO_PRECOMPILE.
+// clang-format off
+#define PCL_SHAPE_POINT_TYPES \
+  (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZRGB)(pcl::PointXYZRGBA)(pcl::PointXYZL) \
+  (pcl::PointNormal)(pcl::PointXYZRGBNormal)
+#define PCL_SHAPE_NORMAL_TYPES \
+  (pcl::Normal)(pcl::PointNormal)(pcl::PointXYZRGBNormal)
+// clang-format on

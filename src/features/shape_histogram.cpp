@@ -1,0 +1,189 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "errors.h"
+
+#include <pcl/features/shape_histogram.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace pcl {
+namespace {
+
+constexpr std::size_t most_bins = 4096;
+
+void
+checkBins(const char* name, std::size_t bins)
+{
+  if (bins < 1 || bins > most_bins) {
+    raise<BadArgumentException>(
+        textOf(name, " is ", bins, ": 1 to ", most_bins, " are allowed"));
+  }
+}
+
+void
+checkRange(const char* name, double range)
+{
+  if (!(range > 0.0) || !std::isfinite(range)) {
+    raise<BadArgumentException>(
+        textOf(name, " is ", range, " rad: it must be positive and finite"));
+  }
+}
+
+bool
+isNaN(const INAD& inad)
+{
+  return std::isnan(inad.mu) || std::isnan(inad.sigma);
+}
+
+} // namespace
+
+ShapeHistogram::ShapeHistogram(std::size_t mu_bins,
+                               std::size_t sigma_bins,
+                               double mu_range,
+                               double sigma_range)
+: mu_bins_(mu_bins)
+, sigma_bins_(sigma_bins)
+, mu_range_(mu_range)
+, sigma_range_(sigma_range)
+{
+  checkBins("mu_bins", mu_bins);
+  checkBins("sigma_bins", sigma_bins);
+  checkRange("mu_range", mu_range);
+  checkRange("sigma_range", sigma_range);
+  counts_.resize(mu_bins * sigma_bins);
+}
+
+std::size_t
+ShapeHistogram::binOf(const INAD& inad) const
+{
+  const double i = std::floor(inad.mu * static_cast<double>(mu_bins_) / mu_range_);
+  const double j =
+      std::floor(inad.sigma * static_cast<double>(sigma_bins_) / sigma_range_);
+  const bool is_inside = i >= 0.0 && i < static_cast<double>(mu_bins_) && j >= 0.0 &&
+                         j < static_cast<double>(sigma_bins_);
+  return is_inside
+             ? static_cast<std::size_t>(i) * sigma_bins_ + static_cast<std::size_t>(j)
+             : counts_.size();
+}
+
+void
+ShapeHistogram::add(const INAD& inad)
+{
+  if (isNaN(inad)) {
+    return;
+  }
+  const std::size_t bin = binOf(inad);
+  if (bin == counts_.size()) {
+    ++outside_;
+    return;
+  }
+  peak_ = std::max(peak_, ++counts_[bin]);
+  ++total_;
+}
+
+void
+ShapeHistogram::add(const PointCloud<INAD>& cloud)
+{
+  for (const INAD& inad : cloud) {
+    add(inad);
+  }
+}
+
+void
+ShapeHistogram::add(std::size_t mu_bin, std::size_t sigma_bin, std::uint64_t count)
+{
+  if (mu_bin >= mu_bins_ || sigma_bin >= sigma_bins_) {
+    raise<BadArgumentException>(textOf("bin (",
+                                       mu_bin,
+                                       ", ",
+                                       sigma_bin,
+                                       ") of a histogram of ",
+                                       mu_bins_,
+                                       " x ",
+                                       sigma_bins_,
+                                       " bins"));
+  }
+  if (count > std::numeric_limits<std::uint64_t>::max() - total_) {
+    raise<BadArgumentException>(
+        textOf("count ",
+               count,
+               " of bin (",
+               mu_bin,
+               ", ",
+               sigma_bin,
+               "): the sum of all counts must stay below 2^64"));
+  }
+  std::uint64_t& bin = counts_[mu_bin * sigma_bins_ + sigma_bin];
+  bin += count;
+  total_ += count;
+  peak_ = std::max(peak_, bin);
+}
+
+void
+ShapeHistogram::merge(const ShapeHistogram& other)
+{
+  if (!sameBins(other)) {
+    raise<BadArgumentException>(textOf("histograms of ",
+                                       mu_bins_,
+                                       " x ",
+                                       sigma_bins_,
+                                       " and ",
+                                       other.mu_bins_,
+                                       " x ",
+                                       other.sigma_bins_,
+                                       " bins, or of other ranges, cannot be merged"));
+  }
+  for (std::size_t i = 0; i < mu_bins_; ++i) {
+    for (std::size_t j = 0; j < sigma_bins_; ++j) {
+      add(i, j, other.count(i, j));
+    }
+  }
+  outside_ += other.outside_;
+}
+
+float
+ShapeHistogram::likelihood(const INAD& inad) const
+{
+  if (isNaN(inad)) {
+    return std::numeric_limits<float>::quiet_NaN();
+  }
+  const std::size_t bin = binOf(inad);
+  if (bin == counts_.size() || peak_ == 0) {
+    return 0.0f;
+  }
+  return static_cast<float>(static_cast<double>(counts_[bin]) /
+                            static_cast<double>(peak_));
+}
+
+double
+ShapeHistogram::density(const INAD& inad) const
+{
+  if (isNaN(inad)) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const std::size_t bin = binOf(inad);
+  if (bin == counts_.size() || total_ == 0) {
+    return 0.0;
+  }
+  const double area = mu_range_ * sigma_range_ / static_cast<double>(counts_.size());
+  return static_cast<double>(counts_[bin]) / (static_cast<double>(total_) * area);
+}
+
+bool
+ShapeHistogram::sameBins(const ShapeHistogram& other) const
+{
+  return mu_bins_ == other.mu_bins_ && sigma_bins_ == other.sigma_bins_ &&
+         mu_range_ == other.mu_range_ && sigma_range_ == other.sigma_range_;
+}
+
+} // namespace pcl

@@ -1,0 +1,93 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "neighborhood.h"
+#include "parallel.h"
+#include "row_index.h"
+#include "run_finder.h"
+#include "sweep_block.h"
+
+#include <vector>
+
+namespace pcl {
+namespace kernels {
+
+/** \brief Walks over the queries in blocks with the surface points around them. */
+class BlockSweep {
+public:
+  /** \param[in] surface, queries sorted with the same edge
+   * \param[in] neighborhood radii are by position among the queries given to the index
+   */
+  BlockSweep(const RowIndex& surface,
+             const RowIndex& queries,
+             const NeighborhoodSize& neighborhood,
+             const KernelTable& kernels);
+
+  void
+  setNormals(const UnitNormals& normals)
+  {
+    normals_ = &normals;
+  }
+
+  void
+  setQueriesOnSurface(bool on_surface)
+  {
+    on_surface_ = on_surface;
+  }
+
+  /** \brief visit(block, order): order[i] is the position of the block's query i. */
+  template <typename Visit>
+  void
+  forEachBlock(unsigned threads, const Visit& visit) const
+  {
+    constexpr std::size_t blocks_a_task = 64;
+    const std::size_t count = blocks_.size() - 1;
+    parallelFor(
+        (count + blocks_a_task - 1) / blocks_a_task, threads, [&](std::size_t t) {
+          RunFinder finder(surface_);
+          double reach = queries_.edge;
+          const std::size_t end = std::min(count, (t + 1) * blocks_a_task);
+          for (std::size_t b = t * blocks_a_task; b < end; ++b) {
+            SweepBlock block = queriesOf(b);
+            findCandidates(block, boxOf(b), finder, reach);
+            visit(block, queries_.order.data() + blocks_[b]);
+          }
+        });
+  }
+
+private:
+  void splitIntoBlocks();
+
+  Box boxOf(std::size_t block) const;
+
+  SweepBlock queriesOf(std::size_t block) const;
+
+  void findCandidates(SweepBlock& block,
+                      const Box& box,
+                      RunFinder& finder,
+                      double& reach) const;
+
+  void findNearest(SweepBlock& block,
+                   const Box& box,
+                   RunFinder& finder,
+                   double& reach) const;
+
+  const RowIndex& surface_;
+  const RowIndex& queries_;
+  NeighborhoodSize neighborhood_;
+  const KernelTable& kernels_;
+  const UnitNormals* normals_ = nullptr;
+  bool on_surface_ = true;
+  std::vector<std::uint32_t> blocks_; ///< first query of each, and an end mark
+};
+
+} // namespace kernels
+} // namespace pcl

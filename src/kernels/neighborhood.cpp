@@ -1,0 +1,189 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "neighborhood.h"
+
+#include "angle.h"
+#include "angle_sums.h"
+#include "geometry_check.h"
+#include "symmetric_eigen.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace kernels {
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr std::size_t min_neighbors = NeighborhoodSweep::min_neighbors;
+
+/** \brief What offsets are multiplied by to become integers of at most 20 bits, fewer
+ * if there are so many that sums of their squares would not fit in 63 bits. */
+double
+integerScale(const Neighbors& neighbors)
+{
+  float longest = 0.0f;
+  for (const Neighbor& n : neighbors) {
+    longest = std::max(longest, n.d2);
+  }
+  int exponent = 0;
+  std::frexp(std::sqrt(longest), &exponent);
+  int bits = 20;
+  for (std::size_t n = neighbors.size() >> 22; n > 0; n >>= 2) {
+    --bits;
+  }
+  return std::ldexp(1.0, bits - exponent);
+}
+
+/** \brief Covariance of the neighbors' offsets from the query, from exact sums of
+ * integers: the order of the neighbors does not matter. */
+Symmetric3
+covarianceOf(const Neighbors& neighbors)
+{
+  const double scale = integerScale(neighbors);
+  std::int64_t sx = 0, sy = 0, sz = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+  for (const Neighbor& n : neighbors) {
+    const auto dx = static_cast<std::int64_t>(std::lrint(n.dx * scale));
+    const auto dy = static_cast<std::int64_t>(std::lrint(n.dy * scale));
+    const auto dz = static_cast<std::int64_t>(std::lrint(n.dz * scale));
+    sx += dx, sy += dy, sz += dz;
+    xx += dx * dx, xy += dx * dy, xz += dx * dz;
+    yy += dy * dy, yz += dy * dz, zz += dz * dz;
+  }
+  const double m = 1.0 / static_cast<double>(neighbors.size());
+  const auto central = [m](std::int64_t ab, std::int64_t a, std::int64_t b) {
+    return m * (static_cast<double>(ab) -
+                m * static_cast<double>(a) * static_cast<double>(b));
+  };
+  return {central(xx, sx, sx),
+          central(xy, sx, sy),
+          central(xz, sx, sz),
+          central(yy, sy, sy),
+          central(yz, sy, sz),
+          central(zz, sz, sz)};
+}
+
+/** \brief The angles to all neighbors with a normal, in units; the query's own is left
+ * out. */
+void
+collectAngles(const Neighbors& neighbors,
+              const UnitNormal& own,
+              const float* const normals[3],
+              bool contains_itself,
+              std::vector<std::uint32_t>& angles)
+{
+  angles.clear();
+  bool skip_itself = contains_itself;
+  for (const Neighbor& n : neighbors) {
+    const UnitNormal other{
+        normals[0][n.position], normals[1][n.position], normals[2][n.position]};
+    if (std::isnan(other.x)) {
+      continue;
+    }
+    const float chord = squaredChord(own.x, own.y, own.z, other.x, other.y, other.z);
+    const std::uint32_t angle = toUnits(angleOfChord(chord));
+    if (skip_itself && n.d2 == 0.0f && angle == 0) {
+      skip_itself = false;
+      continue;
+    }
+    angles.push_back(angle);
+  }
+}
+
+AngleSums
+sumIf(const std::vector<std::uint32_t>& angles, const KeptRange& range)
+{
+  AngleSums sums;
+  for (const std::uint32_t angle : angles) {
+    if (range.contains(angle)) {
+      sums.add(angle);
+    }
+  }
+  return sums;
+}
+
+INADResult
+toINAD(const AngleSums& sums)
+{
+  return {static_cast<float>(sums.mean() / units_per_radian),
+          static_cast<float>(sums.standardDeviation() / units_per_radian)};
+}
+
+} // namespace
+
+UnitNormal
+unitNormal(const float* normal)
+{
+  const double x = normal[0], y = normal[1], z = normal[2];
+  const double length = std::sqrt(x * x + y * y + z * z);
+  if (!(length > 0.0) || !std::isfinite(length)) {
+    return {nan, nan, nan};
+  }
+  return {static_cast<float>(x / length),
+          static_cast<float>(y / length),
+          static_cast<float>(z / length)};
+}
+
+UnitNormals
+unitNormals(const XYZView& normals, const std::vector<std::uint32_t>* order)
+{
+  const std::size_t count = order ? order->size() : normals.size;
+  UnitNormals unit;
+  for (auto* array : {&unit.x, &unit.y, &unit.z}) {
+    array->resize(count);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const UnitNormal n = unitNormal(normals[order ? (*order)[i] : i]);
+    unit.x[i] = n.x;
+    unit.y[i] = n.y;
+    unit.z[i] = n.z;
+  }
+  return unit;
+}
+
+bool
+anyAtQuery(const Neighbors& neighbors)
+{
+  return std::any_of(neighbors.begin(), neighbors.end(), [](const Neighbor& n) {
+    return n.d2 == 0.0f;
+  });
+}
+
+NormalResult
+normalOf(const Neighbors& neighbors, bool contains_itself)
+{
+  const std::size_t others = neighbors.size() - (contains_itself ? 1 : 0);
+  return others < min_neighbors ? NormalResult{nan, nan, nan, nan}
+                                : normalOfCovariance(covarianceOf(neighbors));
+}
+
+INADResult
+inadOf(const Neighbors& neighbors,
+       const UnitNormal& own,
+       const float* const normals[3],
+       bool contains_itself,
+       double outlier_rate)
+{
+  if (std::isnan(own.x)) {
+    return {nan, nan};
+  }
+  thread_local std::vector<std::uint32_t> angles;
+  collectAngles(neighbors, own, normals, contains_itself, angles);
+  if (angles.size() < min_neighbors || !spansSurface(neighbors)) {
+    return {nan, nan};
+  }
+  const AngleSums all = sumIf(angles, {});
+  const AngleSums kept = sumIf(angles, keptRange(all, outlier_rate));
+  return toINAD(kept.count == 0 ? all : kept);
+}
+
+} // namespace kernels
+} // namespace pcl

@@ -1,0 +1,80 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "sweep_block.h"
+
+#include <pcl/features/neighborhood_sweep.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace kernels {
+
+/** \brief A neighbor as seen from the query. */
+struct Neighbor {
+  float dx, dy, dz, d2;
+  std::uint32_t position; ///< of the surface point
+};
+
+using Neighbors = std::vector<Neighbor>;
+
+/** \brief The surface point at `position`, seen from a query. */
+inline Neighbor
+neighborAt(const float* surface_point, const float* query, std::uint32_t position)
+{
+  const float dx = surface_point[0] - query[0];
+  const float dy = surface_point[1] - query[1];
+  const float dz = surface_point[2] - query[2];
+  return {dx, dy, dz, (dx * dx + dy * dy) + dz * dz, position};
+}
+
+struct UnitNormal {
+  float x, y, z;
+};
+
+/** \brief Unit normals as structure of arrays; NaN where one is missing. */
+struct UnitNormals {
+  std::vector<float> x, y, z;
+
+  UnitNormal
+  operator[](std::uint32_t position) const
+  {
+    return {x[position], y[position], z[position]};
+  }
+};
+
+/** \brief NaN for a normal that is not finite or of length 0. */
+UnitNormal unitNormal(const float* normal);
+
+/** \brief The normals of points order[0], order[1], ...; of all points if order is
+ * null. */
+UnitNormals unitNormals(const XYZView& normals,
+                        const std::vector<std::uint32_t>* order);
+
+/** \brief Whether a neighbor is at the query's position. */
+bool anyAtQuery(const Neighbors& neighbors);
+
+/** \param[in] contains_itself the query's own point is one of the neighbors */
+NormalResult normalOf(const Neighbors& neighbors, bool contains_itself);
+
+/** \param[in] own the query's normal
+ * \param[in] contains_itself the query's own point is one of the neighbors, and left
+ * out
+ */
+INADResult inadOf(const Neighbors& neighbors,
+                  const UnitNormal& own,
+                  const float* const normals[3],
+                  bool contains_itself,
+                  double outlier_rate);
+
+} // namespace kernels
+} // namespace pcl

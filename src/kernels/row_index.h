@@ -1,0 +1,64 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include <pcl/features/neighborhood_sweep.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace kernels {
+
+/** \brief A tube of the grid along x that holds points: `iy * edge <= y < (iy+1) *
+ * edge`, z likewise. */
+struct Row {
+  std::int32_t iz;
+  std::int32_t iy;
+  std::uint32_t begin; ///< position of its first point
+};
+
+/** \brief Finite points sorted by (row, x, y, z), as structure of arrays.
+ *
+ * The grid is anchored at the origin, and only rows that hold points are stored: a far
+ * outlier costs one row. Equal points keep the order of their indices.
+ */
+struct RowIndex {
+  double edge = 0.0;
+  std::vector<float> x, y, z;
+  std::vector<std::uint32_t> order; ///< index of each sorted point among those given
+  std::vector<Row> rows;            ///< sorted by (iz, iy), and an end mark
+
+  std::size_t
+  size() const
+  {
+    return order.size();
+  }
+
+  std::size_t
+  rowCount() const
+  {
+    return rows.size() - 1;
+  }
+};
+
+/** \brief The cell of a coordinate, clamped to +-2^30. */
+std::int32_t cellOf(double coordinate, double edge);
+
+/** \brief Sort the finite ones among points[indices[0 .. count)], or among all points
+ * if indices is null. order then holds positions in `indices`. */
+RowIndex buildRowIndex(const XYZView& points,
+                       const std::int32_t* indices,
+                       std::size_t count,
+                       double edge);
+
+} // namespace kernels
+} // namespace pcl

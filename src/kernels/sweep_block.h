@@ -1,0 +1,70 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace pcl {
+namespace kernels {
+
+/** \brief Sorted positions [begin, end) of surface points. */
+struct Run {
+  std::uint32_t begin;
+  std::uint32_t end;
+};
+
+constexpr std::size_t block_size = 16;
+
+/** \brief Some queries that are close together, and the runs of surface points that
+ * hold all their neighbors: what a kernel works on.
+ *
+ * Surface point j is a neighbor of query i if d2 < r2[i], or if d2 == tie_d2[i] and
+ * order[j] <= tie_index[i] (of k nearest points, ties go to the smaller index).
+ */
+struct SweepBlock {
+  const float *x, *y, *z;                                  ///< surface, sorted
+  const float *nx = nullptr, *ny = nullptr, *nz = nullptr; ///< its unit normals, or NaN
+  const std::uint32_t* order;                              ///< its original indices
+  const Run* runs = nullptr;
+  std::size_t run_count = 0;
+
+  std::size_t size = 0; ///< number of queries
+  float qx[block_size], qy[block_size], qz[block_size];
+  float qnx[block_size], qny[block_size], qnz[block_size]; ///< if queries_on_surface
+  float r2[block_size];
+  float tie_d2[block_size];
+  std::uint32_t tie_index[block_size];
+  bool queries_on_surface = true; ///< each query is a surface point
+};
+
+struct NormalResult {
+  float x, y, z, curvature;
+};
+
+struct INADResult {
+  float mu, sigma;
+};
+
+/** \brief The functions that a target (instruction set) provides. */
+struct KernelTable {
+  void (*normals)(const SweepBlock&, NormalResult*);
+  void (*inad)(const SweepBlock&, double outlier_rate, INADResult*);
+  void (*count)(const SweepBlock&, std::uint32_t*);
+  /** Set tie_d2 and tie_index to the k-th nearest point of each query and r2 to tie_d2;
+   * false if the runs hold fewer than k points with d2 < r2 of some query. */
+  bool (*nearest)(SweepBlock&, std::size_t k);
+};
+
+/** \brief Plain C++, for any processor. */
+const KernelTable& portableKernels();
+
+} // namespace kernels
+} // namespace pcl

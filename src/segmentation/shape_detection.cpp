@@ -1,0 +1,43 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "../features/point_types.h"
+
+#include <pcl/impl/instantiate.hpp>
+#include <pcl/segmentation/impl/shape_back_projection.hpp>
+#include <pcl/segmentation/impl/shape_edge_detection.hpp>
+
+namespace pcl {
+namespace detail {
+
+std::string
+problemOfModel(const ShapeModel& model,
+               double threshold,
+               const INADParameters* parameters)
+{
+  if (model.classes().empty()) {
+    return "the model has no class: add() at least one";
+  }
+  if (!(threshold >= 0.0 && threshold <= 1.0)) {
+    return "threshold is " + std::to_string(threshold) + ": 0 to 1 is allowed";
+  }
+  const std::string disagreement = parameters ? model.disagreement(*parameters) : "";
+  return disagreement.empty()
+             ? std::string()
+             : disagreement + ": leave the setting out, make a model with it, or call "
+                              "setIgnoreModelParameters(true)";
+}
+
+} // namespace detail
+} // namespace pcl
+
+PCL_INSTANTIATE_PRODUCT(ShapeBackProjection,
+                        (PCL_SHAPE_POINT_TYPES)(PCL_SHAPE_NORMAL_TYPES))
+PCL_INSTANTIATE_PRODUCT(ShapeEdgeDetection,
+                        (PCL_SHAPE_POINT_TYPES)(PCL_SHAPE_NORMAL_TYPES))
