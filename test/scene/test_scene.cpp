@@ -1,0 +1,206 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "scene/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+using namespace pcl::scene;
+
+namespace {
+
+SceneOptions
+small(std::uint64_t seed, Noise noise = Noise::Kinect)
+{
+  SceneOptions options;
+  options.seed = seed;
+  options.width = 320;
+  options.height = 240;
+  options.noise = noise;
+  return options;
+}
+
+bool
+sameFloats(const std::vector<float>& a, const std::vector<float>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](float x, float y) {
+    return x == y || (std::isnan(x) && std::isnan(y));
+  });
+}
+
+std::uint64_t
+checksum(const Scene& scene)
+{
+  std::uint64_t hash = 0xcbf29ce484222325ULL; // FNV-1a
+  for (const auto* labels : {&scene.surface, &scene.edge, &scene.instance})
+    for (const std::uint32_t value : *labels)
+      hash = (hash ^ value) * 0x100000001b3ULL;
+  return hash;
+}
+
+std::string
+refusal(const SceneOptions& options)
+{
+  try {
+    generateScene(options);
+  }
+  catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool
+contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST(Scene, SameSeedSameScene)
+{
+  const Scene a = generateScene(small(3)), b = generateScene(small(3));
+  EXPECT_TRUE(sameFloats(a.xyz, b.xyz));
+  EXPECT_TRUE(sameFloats(a.normals, b.normals));
+  EXPECT_TRUE(sameFloats(a.crease_mm, b.crease_mm));
+  EXPECT_EQ(a.surface, b.surface);
+  EXPECT_EQ(a.edge, b.edge);
+  EXPECT_EQ(a.instance, b.instance);
+}
+
+TEST(Scene, OtherSeedOtherScene)
+{
+  const Scene a = generateScene(small(3)), b = generateScene(small(4));
+  EXPECT_NE(a.instance, b.instance);
+  EXPECT_FALSE(sameFloats(a.xyz, b.xyz));
+}
+
+TEST(Scene, SameOnEveryMachine)
+{
+  const Scene scene = generateScene(small(7));
+  EXPECT_EQ(checksum(scene), 0x405e6450187bfd9aULL);
+  const std::size_t pixels[] = {200 * 320 + 40, 150 * 320 + 160, 100 * 320 + 200};
+  const double expected[3][3] = {{-0.33596572, 0.22632000, 0.738},
+                                 {0.00161143, 0.09829714, 0.846},
+                                 {0.11509714, -0.05541714, 0.746}};
+  for (int k = 0; k < 3; ++k)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      EXPECT_NEAR(scene.xyz[3 * pixels[k] + axis], expected[k][axis], 1e-6);
+}
+
+TEST(Scene, NoiseDoesNotMoveTheObjects)
+{
+  const Scene exact = generateScene(small(5, Noise::None));
+  const Scene noisy = generateScene(small(5));
+  ASSERT_EQ(exact.objects.size(), noisy.objects.size());
+  for (std::size_t i = 0; i < exact.objects.size(); ++i)
+    EXPECT_EQ(exact.objects[i].origin, noisy.objects[i].origin);
+}
+
+TEST(Scene, WhiteNoiseHasTheGivenDeviationAlongTheRay)
+{
+  SceneOptions options = small(5, Noise::White);
+  options.white_sigma = 0.004;
+  const Scene exact = generateScene(small(5, Noise::None));
+  const Scene noisy = generateScene(options);
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < exact.surface.size(); ++i) {
+    ASSERT_EQ(std::isnan(exact.xyz[3 * i]), std::isnan(noisy.xyz[3 * i]));
+    if (std::isnan(exact.xyz[3 * i]))
+      continue;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      sum += std::pow(noisy.xyz[3 * i + axis] - exact.xyz[3 * i + axis], 2);
+    ++count;
+  }
+  EXPECT_NEAR(std::sqrt(sum / static_cast<double>(count)), 0.004, 0.00008);
+  EXPECT_EQ(exact.surface, noisy.surface);
+  EXPECT_TRUE(sameFloats(exact.crease_mm, noisy.crease_mm));
+}
+
+TEST(Scene, LabelsFollowTheConventions)
+{
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    const Scene scene = generateScene(small(seed));
+    for (std::size_t i = 0; i < scene.surface.size(); ++i) {
+      const float distance = scene.crease_mm[i];
+      if (std::isnan(scene.xyz[3 * i])) {
+        ASSERT_EQ(scene.surface[i], SurfaceVoid);
+        ASSERT_EQ(scene.edge[i], EdgeVoid);
+        ASSERT_EQ(scene.instance[i], 0U);
+        ASSERT_TRUE(std::isnan(distance));
+        continue;
+      }
+      ASSERT_GE(distance, 0.0F);
+      ASSERT_LE(distance, 50.0F);
+      ASSERT_EQ(scene.surface[i] == SurfaceCrease, distance < 10.0F);
+      ASSERT_EQ(scene.edge[i] == EdgeCrease, distance < 5.0F);
+      const bool labelled =
+          scene.surface[i] == SurfacePlanar || scene.surface[i] == SurfaceCurved;
+      ASSERT_EQ(scene.edge[i] == EdgeNot, labelled);
+      ASSERT_LE(scene.instance[i], scene.objects.size());
+      if (scene.instance[i] == 0) {
+        ASSERT_NE(scene.surface[i], SurfaceCurved);
+      }
+    }
+  }
+}
+
+TEST(Scene, HasEveryShapeAndFillsThePicture)
+{
+  SceneOptions options;
+  options.seed = 11;
+  const Scene scene = generateScene(options);
+  ASSERT_EQ(scene.objects.size(), 8U);
+  std::set<Shape> shapes;
+  for (const auto& object : scene.objects)
+    shapes.insert(object.shape);
+  EXPECT_EQ(shapes.size(), 5U);
+  std::size_t measured = 0;
+  for (std::size_t i = 0; i < scene.surface.size(); ++i)
+    measured += !std::isnan(scene.xyz[3 * i]);
+  EXPECT_GT(measured, 150000U);
+  EXPECT_LT(measured, 290000U);
+}
+
+TEST(Scene, AsManyObjectsAsAskedFor)
+{
+  for (const unsigned count : {0U, 1U, 2U, 30U}) {
+    SceneOptions options = small(2);
+    options.objects = count;
+    EXPECT_EQ(generateScene(options).objects.size(), count);
+  }
+}
+
+TEST(Scene, RefusesBadOptions)
+{
+  SceneOptions options;
+  options.objects = 31;
+  EXPECT_EQ(refusal(options), "objects is 31, allowed is 0 to 30");
+  options = {};
+  options.width = 15;
+  EXPECT_EQ(refusal(options), "width is 15, allowed is 16 to 4096 pixels");
+  options = {};
+  options.height = 5000;
+  EXPECT_EQ(refusal(options), "height is 5000, allowed is 16 to 4096 pixels");
+  options = {};
+  options.noise = Noise::White;
+  for (const double sigma : {-0.001, 0.2, std::nan(""), HUGE_VAL}) {
+    options.white_sigma = sigma;
+    EXPECT_TRUE(contains(refusal(options), "white_sigma is "));
+    EXPECT_TRUE(contains(refusal(options), "allowed is 0 to 0.1 m"));
+  }
+}
