@@ -130,7 +130,7 @@ ListedNeighborhoods::computeINAD(const XYZView& normals,
                                  double outlier_rate,
                                  float* mu_sigma) const
 {
-  const UnitNormals unit = unitNormals(normals, nullptr);
+  const UnitNormals unit = unitNormals(normals, nullptr, threads_);
   const float* const arrays[] = {unit.x.data(), unit.y.data(), unit.z.data()};
   const std::size_t count =
       indices_ ? indices_size_ : (own_queries_ ? queries_.size : surface_.size);

@@ -8,6 +8,7 @@
  */
 
 #include "../kernels/block_sweep.h"
+#include "../kernels/targets.h"
 
 #include <pcl/features/neighborhood_sweep.h>
 
@@ -135,12 +136,13 @@ public:
       return;
     }
     const double edge = edgeFor(size, sweep.surface_, sweep.size());
-    surface_ = buildRowIndex(sweep.surface_, nullptr, sweep.surface_.size, edge);
+    surface_ = buildRowIndex(
+        sweep.surface_, nullptr, sweep.surface_.size, edge, sweep.threads_);
     if (sweep.own_queries_ || sweep.indices_) {
-      own_queries_ =
-          buildRowIndex(sweep.queryPoints(), sweep.indices_, sweep.size(), edge);
+      own_queries_ = buildRowIndex(
+          sweep.queryPoints(), sweep.indices_, sweep.size(), edge, sweep.threads_);
     }
-    blocks_.emplace(surface_, queries(), size, portableKernels());
+    blocks_.emplace(surface_, queries(), size, kernels::chosenKernels());
     blocks_->setQueriesOnSurface(!sweep.own_queries_);
   }
 
@@ -153,7 +155,7 @@ public:
   void
   setNormals(const XYZView& normals)
   {
-    normals_ = unitNormals(normals, &surface_.order);
+    normals_ = unitNormals(normals, &surface_.order, sweep_.threads_);
     if (blocks_) {
       blocks_->setNormals(normals_);
     }
@@ -204,7 +206,7 @@ NeighborhoodSweep::computeNormals(const NeighborhoodSize& neighborhood,
   }
   prepared.run<NormalResult>(
       [](const SweepBlock& block, const std::uint32_t*, NormalResult* results) {
-        portableKernels().normals(block, results);
+        kernels::chosenKernels().normals(block, results);
       },
       [&](std::uint32_t i, const NormalResult& result) {
         float* normal = normals + i * stride;
@@ -245,7 +247,7 @@ NeighborhoodSweep::computeINAD(const NeighborhoodSize& neighborhood,
           block.qny[i] = own.y;
           block.qnz[i] = own.z;
         }
-        portableKernels().inad(block, outlier_rate, results);
+        kernels::chosenKernels().inad(block, outlier_rate, results);
       },
       [&](std::uint32_t i, const INADResult& result) {
         mu_sigma[2 * i] = result.mu;
@@ -263,7 +265,7 @@ NeighborhoodSweep::countNeighbors(const NeighborhoodSize& neighborhood,
   std::fill_n(counts, size(), 0);
   prepared.run<std::uint32_t>(
       [](const SweepBlock& block, const std::uint32_t*, std::uint32_t* results) {
-        portableKernels().count(block, results);
+        kernels::chosenKernels().count(block, results);
       },
       [&](std::uint32_t i, std::uint32_t count) { counts[i] = count; });
 }
@@ -275,7 +277,7 @@ NeighborhoodSweep::computeDistanceToNearest(std::size_t k, float* distances) con
   std::fill_n(distances, size(), nan);
   prepared.run<float>(
       [](const SweepBlock& block, const std::uint32_t*, float* results) {
-        std::copy_n(block.tie_d2, block.size, results);
+        std::copy_n(block.kth_d2, block.size, results);
       },
       [&](std::uint32_t i, float d2) { distances[i] = std::sqrt(d2); });
 }

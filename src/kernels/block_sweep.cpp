@@ -139,7 +139,11 @@ BlockSweep::findNearest(SweepBlock& block,
     }
     reach *= 1.5;
   }
-  const float largest = *std::max_element(block.r2, block.r2 + block.size);
+  float largest = 0.0f;
+  for (std::size_t i = 0; i < block.size; ++i) {
+    largest =
+        std::isfinite(block.kth_d2[i]) ? std::max(largest, block.kth_d2[i]) : largest;
+  }
   reach = std::max(1.1 * std::sqrt(static_cast<double>(largest)), 1e-3 * queries_.edge);
 }
 

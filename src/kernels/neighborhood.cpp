@@ -10,8 +10,9 @@
 #include "neighborhood.h"
 
 #include "angle.h"
-#include "angle_sums.h"
 #include "geometry_check.h"
+#include "parallel.h"
+#include "row_index.h"
 #include "symmetric_eigen.h"
 
 #include <algorithm>
@@ -110,14 +111,14 @@ sumIf(const std::vector<std::uint32_t>& angles, const KeptRange& range)
   return sums;
 }
 
-INADResult
-toINAD(const AngleSums& sums)
-{
-  return {static_cast<float>(sums.mean() / units_per_radian),
-          static_cast<float>(sums.standardDeviation() / units_per_radian)};
-}
-
 } // namespace
+
+INADResult
+toINAD(const Spread& spread)
+{
+  return {static_cast<float>(spread.mean / units_per_radian),
+          static_cast<float>(spread.sd / units_per_radian)};
+}
 
 UnitNormal
 unitNormal(const float* normal)
@@ -133,19 +134,23 @@ unitNormal(const float* normal)
 }
 
 UnitNormals
-unitNormals(const XYZView& normals, const std::vector<std::uint32_t>* order)
+unitNormals(const XYZView& normals,
+            const std::vector<std::uint32_t>* order,
+            unsigned threads)
 {
   const std::size_t count = order ? order->size() : normals.size;
   UnitNormals unit;
   for (auto* array : {&unit.x, &unit.y, &unit.z}) {
-    array->resize(count);
+    array->resize(count + row_padding);
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    const UnitNormal n = unitNormal(normals[order ? (*order)[i] : i]);
-    unit.x[i] = n.x;
-    unit.y[i] = n.y;
-    unit.z[i] = n.z;
-  }
+  parallelForRanges(count, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const UnitNormal n = unitNormal(normals[order ? (*order)[i] : i]);
+      unit.x[i] = n.x;
+      unit.y[i] = n.y;
+      unit.z[i] = n.z;
+    }
+  });
   return unit;
 }
 
@@ -181,8 +186,8 @@ inadOf(const Neighbors& neighbors,
     return {nan, nan};
   }
   const AngleSums all = sumIf(angles, {});
-  const AngleSums kept = sumIf(angles, keptRange(all, outlier_rate));
-  return toINAD(kept.count == 0 ? all : kept);
+  const AngleSums kept = sumIf(angles, keptRange(all.spread(), outlier_rate));
+  return toINAD((kept.count == 0 ? all : kept).spread());
 }
 
 } // namespace kernels

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include "angle_sums.h"
 #include "sweep_block.h"
 
 #include <pcl/features/neighborhood_sweep.h>
@@ -41,7 +42,8 @@ struct UnitNormal {
   float x, y, z;
 };
 
-/** \brief Unit normals as structure of arrays; NaN where one is missing. */
+/** \brief Unit normals as structure of arrays, padded as RowIndex; NaN where one is
+ * missing. */
 struct UnitNormals {
   std::vector<float> x, y, z;
 
@@ -52,13 +54,17 @@ struct UnitNormals {
   }
 };
 
+/** \brief In radians. */
+INADResult toINAD(const Spread& spread);
+
 /** \brief NaN for a normal that is not finite or of length 0. */
 UnitNormal unitNormal(const float* normal);
 
 /** \brief The normals of points order[0], order[1], ...; of all points if order is
  * null. */
 UnitNormals unitNormals(const XYZView& normals,
-                        const std::vector<std::uint32_t>* order);
+                        const std::vector<std::uint32_t>* order,
+                        unsigned threads);
 
 /** \brief Whether a neighbor is at the query's position. */
 bool anyAtQuery(const Neighbors& neighbors);

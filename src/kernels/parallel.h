@@ -9,12 +9,20 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <exception>
 #include <omp.h>
 
 namespace pcl {
 namespace kernels {
+
+/** \brief 0 stands for all cores. */
+inline unsigned
+threadCount(unsigned threads)
+{
+  return threads == 0 ? static_cast<unsigned>(omp_get_num_procs()) : threads;
+}
 
 /** \brief body(i) for i in [0, count) on `threads` threads (0: all cores). The first
  * exception is thrown again after the loop: none may leave a parallel region. */
@@ -23,8 +31,7 @@ void
 parallelFor(std::size_t count, unsigned threads, const Body& body)
 {
   std::exception_ptr error;
-  const int team = threads == 0 ? omp_get_num_procs() : static_cast<int>(threads);
-#pragma omp parallel for schedule(dynamic) num_threads(team)
+#pragma omp parallel for schedule(dynamic) num_threads(threadCount(threads))
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i) {
     try {
       body(static_cast<std::size_t>(i));
@@ -39,6 +46,17 @@ parallelFor(std::size_t count, unsigned threads, const Body& body)
   if (error) {
     std::rethrow_exception(error);
   }
+}
+
+/** \brief body(begin, end) for consecutive parts of [0, count). */
+template <typename Body>
+void
+parallelForRanges(std::size_t count, unsigned threads, const Body& body)
+{
+  constexpr std::size_t part = 8192;
+  parallelFor((count + part - 1) / part, threads, [&](std::size_t i) {
+    body(i * part, std::min(count, (i + 1) * part));
+  });
 }
 
 } // namespace kernels

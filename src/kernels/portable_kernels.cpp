@@ -7,10 +7,12 @@
  * All rights reserved
  */
 
+#include "geometry_check.h"
 #include "neighborhood.h"
 #include "sweep_block.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -72,35 +74,45 @@ normals(const SweepBlock& block, NormalResult* results)
   }
 }
 
-/** \brief The query's own normal, or that of the nearest surface point. */
-UnitNormal
-queryNormal(const SweepBlock& block, std::size_t query, const Neighbors& neighbors)
+/** \brief The nearest neighbor, of equally near ones the one of the smallest index. */
+const Neighbor*
+nearestOf(const SweepBlock& block, const Neighbors& neighbors)
 {
-  if (block.queries_on_surface) {
-    return {block.qnx[query], block.qny[query], block.qnz[query]};
-  }
   const auto nearest = std::min_element(
       neighbors.begin(), neighbors.end(), [&](const Neighbor& a, const Neighbor& b) {
         return a.d2 != b.d2 ? a.d2 < b.d2
                             : block.order[a.position] < block.order[b.position];
       });
-  if (nearest == neighbors.end()) {
-    return {nan, nan, nan};
-  }
-  const std::uint32_t j = nearest->position;
-  return {block.nx[j], block.ny[j], block.nz[j]};
+  return nearest == neighbors.end() ? nullptr : &*nearest;
+}
+
+void
+setOwnPoint(OwnPoints& own, std::size_t i, const UnitNormal& normal, bool is_neighbor)
+{
+  own.nx[i] = normal.x;
+  own.ny[i] = normal.y;
+  own.nz[i] = normal.z;
+  own.is_neighbor[i] = is_neighbor && !std::isnan(normal.x) ? 1 : 0;
+}
+
+void
+setAnchor(OwnPoints& own, std::size_t i, float x, float y, float z)
+{
+  own.ax[i] = x;
+  own.ay[i] = y;
+  own.az[i] = z;
 }
 
 void
 inad(const SweepBlock& block, double outlier_rate, INADResult* results)
 {
   const float* const normals[] = {block.nx, block.ny, block.nz};
+  const OwnPoints own = ownPointsOf(block);
   for (std::size_t i = 0; i < block.size; ++i) {
-    const Neighbors& neighbors = findNeighbors(block, i);
-    results[i] = inadOf(neighbors,
-                        queryNormal(block, i, neighbors),
+    results[i] = inadOf(findNeighbors(block, i),
+                        {own.nx[i], own.ny[i], own.nz[i]},
                         normals,
-                        containsItself(block, neighbors),
+                        own.is_neighbor[i] != 0,
                         outlier_rate);
   }
 }
@@ -118,25 +130,74 @@ count(const SweepBlock& block, std::uint32_t* results)
 bool
 nearest(SweepBlock& block, std::size_t k)
 {
-  thread_local std::vector<std::pair<float, std::uint32_t>> distances;
+  bool all = true;
   for (std::size_t i = 0; i < block.size; ++i) {
-    distances.clear();
-    for (const Neighbor& n : findNeighbors(block, i)) {
-      distances.emplace_back(n.d2, block.order[n.position]);
-    }
-    if (distances.size() < k) {
-      return false;
-    }
-    const auto kth = distances.begin() + static_cast<std::ptrdiff_t>(k - 1);
-    std::nth_element(distances.begin(), kth, distances.end());
-    block.tie_d2[i] = kth->first;
-    block.tie_index[i] = kth->second;
-    block.r2[i] = kth->first;
+    all = narrowToNearest(block, i, k) && all;
   }
-  return true;
+  return all;
 }
 
 } // namespace
+
+OwnPoints
+ownPointsOf(const SweepBlock& block)
+{
+  OwnPoints own{};
+  for (std::size_t i = 0; i < block.size; ++i) {
+    if (block.queries_on_surface) {
+      setOwnPoint(own, i, {block.qnx[i], block.qny[i], block.qnz[i]}, true);
+      // Another query of the block is a neighbor, if it is near enough.
+      const std::size_t other = i > 0 ? i - 1 : block.size - 1;
+      const float dx = block.qx[other] - block.qx[i];
+      const float dy = block.qy[other] - block.qy[i];
+      const float dz = block.qz[other] - block.qz[i];
+      if ((dx * dx + dy * dy) + dz * dz < block.r2[i]) {
+        setAnchor(own, i, dx, dy, dz);
+      }
+      continue;
+    }
+    const Neighbor* nearest = nearestOf(block, findNeighbors(block, i));
+    if (!nearest) {
+      setOwnPoint(own, i, {nan, nan, nan}, false);
+      continue;
+    }
+    const std::uint32_t j = nearest->position;
+    setOwnPoint(own, i, {block.nx[j], block.ny[j], block.nz[j]}, nearest->d2 == 0.0f);
+    setAnchor(own, i, nearest->dx, nearest->dy, nearest->dz);
+  }
+  return own;
+}
+
+bool
+spansSurface(const SweepBlock& block, std::size_t query)
+{
+  return spansSurface(findNeighbors(block, query));
+}
+
+bool
+isAtSurfacePoint(const SweepBlock& block, std::size_t query)
+{
+  return anyAtQuery(findNeighbors(block, query));
+}
+
+bool
+narrowToNearest(SweepBlock& block, std::size_t query, std::size_t k)
+{
+  thread_local std::vector<std::pair<float, std::uint32_t>> distances;
+  distances.clear();
+  for (const Neighbor& n : findNeighbors(block, query)) {
+    distances.emplace_back(n.d2, block.order[n.position]);
+  }
+  if (distances.size() < k) {
+    block.kth_d2[query] = nan;
+    return false;
+  }
+  const auto kth = distances.begin() + static_cast<std::ptrdiff_t>(k - 1);
+  std::nth_element(distances.begin(), kth, distances.end());
+  block.kth_d2[query] = block.tie_d2[query] = block.r2[query] = kth->first;
+  block.tie_index[query] = kth->second;
+  return true;
+}
 
 const KernelTable&
 portableKernels()

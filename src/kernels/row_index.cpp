@@ -9,58 +9,229 @@
 
 #include "row_index.h"
 
+#include "parallel.h"
+#include "radix_sort.h"
+
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <limits>
 
 namespace pcl {
 namespace kernels {
 namespace {
 
-struct Entry {
-  std::int32_t iz;
-  std::int32_t iy;
-  float x, y, z;
-  std::uint32_t index;
-};
+/** Points are first sorted by cells of this fraction of the edge along x. */
+constexpr double x_cells_an_edge = 8.0;
 
 bool
 isFinite(const float* p)
 {
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  // The difference of a float with itself is 0, unless it is not finite.
+  return (p[0] - p[0]) + (p[1] - p[1]) + (p[2] - p[2]) == 0.0f;
 }
 
-std::vector<Entry>
-finiteEntries(const XYZView& points,
-              const std::int32_t* indices,
-              std::size_t count,
-              double edge)
-{
-  std::vector<Entry> entries;
-  entries.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const float* p = points[indices ? static_cast<std::size_t>(indices[i]) : i];
-    if (isFinite(p)) {
-      entries.push_back({cellOf(p[2], edge),
-                         cellOf(p[1], edge),
-                         p[0],
-                         p[1],
-                         p[2],
-                         static_cast<std::uint32_t>(i)});
+/** \brief The points to sort: some of those given, or all. */
+struct Selection {
+  const XYZView& points;
+  const std::int32_t* indices;
+
+  const float*
+  operator[](std::size_t i) const
+  {
+    return points[indices ? static_cast<std::size_t>(indices[i]) : i];
+  }
+};
+
+struct CellRange {
+  std::int32_t first = std::numeric_limits<std::int32_t>::max();
+  std::int32_t last = std::numeric_limits<std::int32_t>::min();
+
+  void
+  add(std::int32_t cell)
+  {
+    first = std::min(first, cell);
+    last = std::max(last, cell);
+  }
+
+  int
+  bits() const
+  {
+    int bits = 0;
+    for (std::int64_t span = std::int64_t{last} - first; span > 0; span >>= 1) {
+      ++bits;
+    }
+    return bits;
+  }
+};
+
+struct Cells {
+  CellRange x, y, z;
+  std::size_t count = 0; ///< of finite points
+
+  void
+  merge(const Cells& other)
+  {
+    count += other.count;
+    if (other.count > 0) {
+      x.add(other.x.first), x.add(other.x.last);
+      y.add(other.y.first), y.add(other.y.last);
+      z.add(other.z.first), z.add(other.z.last);
     }
   }
+};
+
+constexpr std::size_t part_size = 8192;
+
+std::vector<Cells>
+cellsOfParts(const Selection& points, std::size_t count, double edge, unsigned threads)
+{
+  std::vector<Cells> parts((count + part_size - 1) / part_size);
+  parallelFor(parts.size(), threads, [&](std::size_t part) {
+    Cells cells;
+    for (std::size_t i = part * part_size; i < std::min(count, (part + 1) * part_size);
+         ++i) {
+      const float* p = points[i];
+      if (isFinite(p)) {
+        cells.x.add(cellOf(p[0], edge / x_cells_an_edge));
+        cells.y.add(cellOf(p[1], edge));
+        cells.z.add(cellOf(p[2], edge));
+        ++cells.count;
+      }
+    }
+    parts[part] = cells;
+  });
+  return parts;
+}
+
+/** \brief Keys of (z cell, y cell, x cell): 64 bits, of which x gets what the others
+ * leave. */
+class KeyMaker {
+public:
+  KeyMaker(const Cells& all, double edge)
+  : all_(all)
+  , edge_(edge)
+  , y_bits_(all.y.bits())
+  , x_bits_(std::min(all.x.bits(), 64 - y_bits_ - all.z.bits()))
+  , x_shift_(all.x.bits() - x_bits_)
+  {}
+
+  int
+  bits() const
+  {
+    return x_bits_ + y_bits_ + all_.z.bits();
+  }
+
+  std::uint64_t
+  keyOf(const float* p) const
+  {
+    const std::uint64_t x = offset(cellOf(p[0], edge_ / x_cells_an_edge), all_.x);
+    const std::uint64_t y = offset(cellOf(p[1], edge_), all_.y);
+    const std::uint64_t z = offset(cellOf(p[2], edge_), all_.z);
+    return (((z << y_bits_) | y) << x_bits_) | (x >> x_shift_);
+  }
+
+  std::uint64_t
+  rowOf(std::uint64_t key) const
+  {
+    return key >> x_bits_;
+  }
+
+  Row
+  rowAt(std::uint64_t row, std::uint32_t begin) const
+  {
+    const std::uint64_t y = row & ((std::uint64_t{1} << y_bits_) - 1);
+    return {static_cast<std::int32_t>(static_cast<std::int64_t>(row >> y_bits_) +
+                                      all_.z.first),
+            static_cast<std::int32_t>(static_cast<std::int64_t>(y) + all_.y.first),
+            begin};
+  }
+
+private:
+  static std::uint64_t
+  offset(std::int32_t cell, const CellRange& range)
+  {
+    return static_cast<std::uint64_t>(std::int64_t{cell} - range.first);
+  }
+
+  const Cells& all_;
+  double edge_;
+  int y_bits_, x_bits_, x_shift_;
+};
+
+KeyedIndices
+sortedEntries(const Selection& points,
+              const std::vector<Cells>& parts,
+              std::size_t count,
+              const Cells& all,
+              const KeyMaker& keys,
+              unsigned threads)
+{
+  std::vector<std::size_t> begins(parts.size() + 1, 0);
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    begins[part + 1] = begins[part] + parts[part].count;
+  }
+  KeyedIndices entries;
+  entries.keys.resize(all.count);
+  entries.indices.resize(all.count);
+  parallelFor(parts.size(), threads, [&](std::size_t part) {
+    std::size_t at = begins[part];
+    for (std::size_t i = part * part_size; i < std::min(count, (part + 1) * part_size);
+         ++i) {
+      if (isFinite(points[i])) {
+        entries.keys[at] = keys.keyOf(points[i]);
+        entries.indices[at++] = static_cast<std::uint32_t>(i);
+      }
+    }
+  });
+  radixSort(entries, keys.bits(), threads);
   return entries;
 }
 
+/** \brief Sort a row by x. Its points are in order but within a cell: they move a few
+ * places. Rows that take more than that (coordinates beyond the cells' range) are
+ * sorted anew. */
 void
-appendRow(RowIndex& result, const Entry& entry)
+sortRow(const Selection& points, std::uint32_t* first, std::uint32_t* last)
 {
-  const bool is_new = result.rows.empty() || result.rows.back().iz != entry.iz ||
-                      result.rows.back().iy != entry.iy;
-  if (is_new) {
-    const auto begin = static_cast<std::uint32_t>(result.order.size());
-    result.rows.push_back({entry.iz, entry.iy, begin});
+  const auto x = [&](std::uint32_t i) { return points[i][0]; };
+  std::ptrdiff_t moves_left = 16 * (last - first) + 64;
+  for (std::uint32_t* i = first + 1; i < last; ++i) {
+    const std::uint32_t moved = *i;
+    const float moved_x = x(moved);
+    std::uint32_t* at = i;
+    for (; at > first && x(at[-1]) > moved_x; --at, --moves_left) {
+      *at = at[-1];
+    }
+    *at = moved;
+    if (moves_left < 0) {
+      std::sort(first, last, [&](std::uint32_t a, std::uint32_t b) {
+        return x(a) != x(b) ? x(a) < x(b) : a < b;
+      });
+      return;
+    }
   }
+}
+
+void
+gather(const Selection& points, RowIndex& index, unsigned threads)
+{
+  for (auto* array : {&index.x, &index.y, &index.z}) {
+    array->resize(index.size() + row_padding);
+  }
+  parallelForRanges(index.rowCount(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      std::uint32_t* order = index.order.data();
+      sortRow(points, order + index.rows[row].begin, order + index.rows[row + 1].begin);
+    }
+  });
+  parallelForRanges(index.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const float* p = points[index.order[i]];
+      index.x[i] = p[0];
+      index.y[i] = p[1];
+      index.z[i] = p[2];
+    }
+  });
 }
 
 } // namespace
@@ -69,37 +240,40 @@ std::int32_t
 cellOf(double coordinate, double edge)
 {
   constexpr double limit = 1 << 30;
-  return static_cast<std::int32_t>(
-      std::clamp(std::floor(coordinate / edge), -limit, limit));
+  const double cell = std::min(limit, std::max(-limit, coordinate / edge));
+  const auto truncated = static_cast<std::int32_t>(cell);
+  return truncated - (static_cast<double>(truncated) > cell ? 1 : 0);
 }
 
 RowIndex
 buildRowIndex(const XYZView& points,
               const std::int32_t* indices,
               std::size_t count,
-              double edge)
+              double edge,
+              unsigned threads)
 {
-  auto entries = finiteEntries(points, indices, count, edge);
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return std::tie(a.iz, a.iy, a.x, a.y, a.z, a.index) <
-           std::tie(b.iz, b.iy, b.x, b.y, b.z, b.index);
-  });
-
-  RowIndex result;
-  result.edge = edge;
-  for (auto* array : {&result.x, &result.y, &result.z}) {
-    array->reserve(entries.size());
+  const Selection selection{points, indices};
+  RowIndex index;
+  index.edge = edge;
+  const std::vector<Cells> parts = cellsOfParts(selection, count, edge, threads);
+  Cells all;
+  for (const Cells& part : parts) {
+    all.merge(part);
   }
-  result.order.reserve(entries.size());
-  for (const Entry& entry : entries) {
-    appendRow(result, entry);
-    result.x.push_back(entry.x);
-    result.y.push_back(entry.y);
-    result.z.push_back(entry.z);
-    result.order.push_back(entry.index);
+  if (all.count > 0) {
+    const KeyMaker keys(all, edge);
+    KeyedIndices entries = sortedEntries(selection, parts, count, all, keys, threads);
+    for (std::size_t i = 0; i < entries.keys.size(); ++i) {
+      const std::uint64_t row = keys.rowOf(entries.keys[i]);
+      if (i == 0 || row != keys.rowOf(entries.keys[i - 1])) {
+        index.rows.push_back(keys.rowAt(row, static_cast<std::uint32_t>(i)));
+      }
+    }
+    index.order = std::move(entries.indices);
   }
-  result.rows.push_back({0, 0, static_cast<std::uint32_t>(result.order.size())});
-  return result;
+  index.rows.push_back({0, 0, static_cast<std::uint32_t>(index.order.size())});
+  gather(selection, index, threads);
+  return index;
 }
 
 } // namespace kernels

@@ -26,14 +26,18 @@ struct Row {
   std::uint32_t begin; ///< position of its first point
 };
 
-/** \brief Finite points sorted by (row, x, y, z), as structure of arrays.
+/** \brief Kernels read whole vectors: this many floats behind the last point may be
+ * read. */
+constexpr std::size_t row_padding = 16;
+
+/** \brief Finite points sorted by (row, x), as structure of arrays.
  *
  * The grid is anchored at the origin, and only rows that hold points are stored: a far
- * outlier costs one row. Equal points keep the order of their indices.
+ * outlier costs one row.
  */
 struct RowIndex {
   double edge = 0.0;
-  std::vector<float> x, y, z;
+  std::vector<float> x, y, z;       ///< and row_padding more
   std::vector<std::uint32_t> order; ///< index of each sorted point among those given
   std::vector<Row> rows;            ///< sorted by (iz, iy), and an end mark
 
@@ -58,7 +62,8 @@ std::int32_t cellOf(double coordinate, double edge);
 RowIndex buildRowIndex(const XYZView& points,
                        const std::int32_t* indices,
                        std::size_t count,
-                       double edge);
+                       double edge,
+                       unsigned threads);
 
 } // namespace kernels
 } // namespace pcl

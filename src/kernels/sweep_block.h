@@ -42,6 +42,7 @@ struct SweepBlock {
   float r2[block_size];
   float tie_d2[block_size];
   std::uint32_t tie_index[block_size];
+  float kth_d2[block_size];       ///< set by nearest()
   bool queries_on_surface = true; ///< each query is a surface point
 };
 
@@ -58,13 +59,34 @@ struct KernelTable {
   void (*normals)(const SweepBlock&, NormalResult*);
   void (*inad)(const SweepBlock&, double outlier_rate, INADResult*);
   void (*count)(const SweepBlock&, std::uint32_t*);
-  /** Set tie_d2 and tie_index to the k-th nearest point of each query and r2 to tie_d2;
-   * false if the runs hold fewer than k points with d2 < r2 of some query. */
+  /** Narrow each query's neighbors, which are given by r2, to the k nearest, and set
+   * kth_d2. False if some query has fewer than k: it is left as it is, with kth_d2 NaN.
+   */
   bool (*nearest)(SweepBlock&, std::size_t k);
 };
 
 /** \brief Plain C++, for any processor. */
 const KernelTable& portableKernels();
+
+/** \brief What a query knows of the surface at its own place. */
+struct OwnPoints {
+  float nx[block_size], ny[block_size], nz[block_size]; ///< normals, or NaN
+  float ax[block_size], ay[block_size], az[block_size]; ///< offset of a neighbor, or 0
+  std::uint32_t is_neighbor[block_size]; ///< 1 if the query's own point counts, else 0
+};
+
+/** \brief The own points of a block with normals, from its runs where needed. */
+OwnPoints ownPointsOf(const SweepBlock& block);
+
+/** \brief Whether the neighbors of a query spread over a surface (geometry_check.h). */
+bool spansSurface(const SweepBlock& block, std::size_t query);
+
+/** \brief Whether one of its neighbors is at the query's position. */
+bool isAtSurfacePoint(const SweepBlock& block, std::size_t query);
+
+/** \brief Narrow a query's neighbors to the k nearest; of equally far ones, to those of
+ * the smallest indices. False if there are fewer. */
+bool narrowToNearest(SweepBlock& block, std::size_t query, std::size_t k);
 
 } // namespace kernels
 } // namespace pcl

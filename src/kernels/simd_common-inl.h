@@ -1,0 +1,74 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#if defined(PCL_SHAPE_SIMD_COMMON_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PCL_SHAPE_SIMD_COMMON_INL_H_
+#undef PCL_SHAPE_SIMD_COMMON_INL_H_
+#else
+#define PCL_SHAPE_SIMD_COMMON_INL_H_
+#endif
+
+#include "simd_scratch.h"
+#include "sweep_block.h"
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace pcl {
+namespace kernels {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::CappedTag<float, block_size>;
+using Words = hn::RebindToUnsigned<Floats>;
+using Ints = hn::RebindToSigned<Floats>;
+using Longs = hn::RepartitionToWide<Words>;
+
+constexpr std::size_t lanes =
+    HWY_LANES(float) < block_size ? HWY_LANES(float) : block_size;
+
+/** Highway 1.0.3's Compress copies its table at each call on some targets. */
+template <class D, class V, class M>
+HWY_INLINE std::size_t
+packStore(D d, V v, M mask, hn::TFromD<D>* out)
+{
+#if HWY_TARGET <= HWY_AVX3
+  hn::StoreU(hn::Compress(v, mask), d, out);
+  return hn::CountTrue(d, mask);
+#else
+  std::uint8_t bytes[8];
+  hn::StoreMaskBits(d, mask, bytes);
+  const std::uint32_t bits = bytes[0];
+  const std::uint32_t* table =
+      lanes == 8 ? compress_lanes_8[bits] : compress_lanes_4[bits & 15];
+  hn::StoreU(hn::TableLookupLanes(v, hn::SetTableIndices(d, table)), d, out);
+  return hn::CountTrue(d, mask);
+#endif
+}
+
+/** d^2 as the neighbor rule has it: this file is compiled without fusing. */
+template <class V>
+HWY_INLINE V
+squaredLength(V x, V y, V z)
+{
+  return hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace kernels
+} // namespace pcl
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,183 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#if defined(PCL_SHAPE_SIMD_NORMALS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PCL_SHAPE_SIMD_NORMALS_INL_H_
+#undef PCL_SHAPE_SIMD_NORMALS_INL_H_
+#else
+#define PCL_SHAPE_SIMD_NORMALS_INL_H_
+#endif
+
+#include "moments.h"
+#include "neighborhood.h"
+#include "simd_candidates-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pcl {
+namespace kernels {
+namespace HWY_NAMESPACE {
+
+/** \brief Offsets are counted in 2^(level - 20): the radius is below 2^level. */
+inline int
+levelOf(float r2)
+{
+  int exponent = 0;
+  std::frexp(r2, &exponent);
+  if (std::isinf(r2)) {
+    return 64;
+  }
+  return exponent > 0 ? (exponent + 1) / 2 : exponent / 2;
+}
+
+/** \brief The candidates' coordinates in units from an origin, as 32-bit words. Those
+ * that are no neighbor of anybody may have no meaning. */
+class Quantizer {
+  template <class V>
+  HWY_INLINE auto
+  quantize(V v, std::size_t axis) const
+  {
+    const hn::Rebind<double, hn::Half<Floats>> d;
+    const hn::Rebind<std::int32_t, decltype(d)> i;
+    const auto units = hn::Round(hn::Mul(hn::PromoteTo(d, v), hn::Set(d, scale_)));
+    return hn::DemoteTo(i, hn::Sub(units, hn::Set(d, origin_[axis])));
+  }
+
+public:
+  Quantizer(int level, const double* origin)
+  : scale_(std::ldexp(1.0, offset_bits - level))
+  , origin_(origin)
+  {}
+
+  HWY_INLINE hn::VFromD<Words>
+  operator()(const float* coordinates, std::size_t axis) const
+  {
+    const Floats d;
+    const auto v = hn::LoadU(d, coordinates);
+    const hn::Half<Floats> h;
+    const auto low = quantize(hn::LowerHalf(h, v), axis);
+    const auto high = quantize(hn::UpperHalf(h, v), axis);
+    return hn::BitCast(Words(), hn::Combine(Ints(), high, low));
+  }
+
+private:
+  double scale_;
+  const double* origin_;
+};
+
+/** \brief Writes both halves of the 64-bit products of two vectors of words. */
+HWY_INLINE void
+storeProduct(hn::VFromD<Words> a,
+             hn::VFromD<Words> b,
+             std::uint32_t* low,
+             std::uint32_t* high)
+{
+  const Words w;
+  const Longs l;
+  const auto odd = [&](auto v) {
+    return hn::BitCast(w, hn::ShiftRight<32>(hn::BitCast(l, v)));
+  };
+  const auto even_product = hn::MulEven(a, b);
+  const auto odd_product = hn::MulEven(odd(a), odd(b));
+  const auto mask = hn::Set(l, (std::uint64_t{1} << half_bits) - 1);
+  const auto interleave = [&](auto even, auto odd_lanes) {
+    return hn::BitCast(w, hn::Or(even, hn::ShiftLeft<32>(odd_lanes)));
+  };
+  hn::StoreU(
+      interleave(hn::And(even_product, mask), hn::And(odd_product, mask)), w, low);
+  hn::StoreU(interleave(hn::And(hn::ShiftRight<half_bits>(even_product),
+                                hn::Set(l, 0xffffffffu)),
+                        hn::ShiftRight<half_bits>(odd_product)),
+             w,
+             high);
+}
+
+constexpr std::size_t moment_stride = portion_size + block_size;
+
+/** \brief Moments of each candidate, as moment_count arrays. */
+HWY_INLINE std::uint32_t*
+momentsOf(const Candidates& candidates, const Quantizer& quantizer)
+{
+  std::uint32_t* moments = simdScratch().moments.atLeast(moment_count * moment_stride);
+  const Words w;
+  for (std::size_t c = 0; c < candidates.size; c += lanes) {
+    const auto x = quantizer(candidates.x.data() + c, 0);
+    const auto y = quantizer(candidates.y.data() + c, 1);
+    const auto z = quantizer(candidates.z.data() + c, 2);
+    const auto at = [&](std::size_t moment) {
+      return moments + moment * moment_stride + c;
+    };
+    hn::StoreU(x, w, at(sum_x));
+    hn::StoreU(y, w, at(sum_y));
+    hn::StoreU(z, w, at(sum_z));
+    storeProduct(x, x, at(low_xx), at(high_xx));
+    storeProduct(x, y, at(low_xy), at(high_xy));
+    storeProduct(x, z, at(low_xz), at(high_xz));
+    storeProduct(y, y, at(low_yy), at(high_yy));
+    storeProduct(y, z, at(low_yz), at(high_yz));
+    storeProduct(z, z, at(low_zz), at(high_zz));
+  }
+  return moments;
+}
+
+/** \brief Some lanes' queries and which candidates are their neighbors. */
+template <bool with_ties>
+class QueryLanes {
+public:
+  QueryLanes(const SweepBlock& block,
+             const float* r2,
+             const float* tie_d2,
+             std::size_t first)
+  : x_(hn::LoadU(Floats(), block.qx + first))
+  , y_(hn::LoadU(Floats(), block.qy + first))
+  , z_(hn::LoadU(Floats(), block.qz + first))
+  , r2_(hn::LoadU(Floats(), r2 + first))
+  , tie_d2_(hn::LoadU(Floats(), tie_d2 + first))
+  , tie_index_(hn::BitCast(Ints(), hn::LoadU(Words(), block.tie_index + first)))
+  {}
+
+  HWY_INLINE auto
+  neighborMask(const Candidates& candidates, std::size_t c) const
+  {
+    const Floats d;
+    const auto d2 = squaredLength(hn::Sub(hn::Set(d, candidates.x.data()[c]), x_),
+                                  hn::Sub(hn::Set(d, candidates.y.data()[c]), y_),
+                                  hn::Sub(hn::Set(d, candidates.z.data()[c]), z_));
+    const auto near = hn::Lt(d2, r2_);
+    if constexpr (with_ties) {
+      const auto order =
+          hn::Set(Ints(), static_cast<std::int32_t>(candidates.order.data()[c]));
+      const auto first = hn::RebindMask(d, hn::Not(hn::Gt(order, tie_index_)));
+      return hn::Or(near, hn::And(hn::Eq(d2, tie_d2_), first));
+    }
+    else {
+      return near;
+    }
+  }
+
+private:
+  hn::VFromD<Floats> x_, y_, z_, r2_, tie_d2_;
+  hn::VFromD<Ints> tie_index_;
+};
+
+HWY_INLINE void
+addLanes(hn::VFromD<Words> sums, std::uint64_t* totals)
+{
+  HWY_ALIGN std::uint32_t parts[lanes];
+  hn::Store(sums, Words(), parts);
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    totals[lane] += parts[lane];
+  }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace kernels
+} // namespace pcl
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,271 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#if defined(PCL_SHAPE_SIMD_NORMALS_BLOCK_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PCL_SHAPE_SIMD_NORMALS_BLOCK_INL_H_
+#undef PCL_SHAPE_SIMD_NORMALS_BLOCK_INL_H_
+#else
+#define PCL_SHAPE_SIMD_NORMALS_BLOCK_INL_H_
+#endif
+
+#include "simd_normals-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pcl {
+namespace kernels {
+namespace HWY_NAMESPACE {
+
+/** 512 halves of products fit in 32 bits. */
+constexpr std::size_t candidates_between_widening = 512;
+
+#if HWY_TARGET <= HWY_AVX3
+
+template <class M>
+HWY_INLINE hn::VFromD<Words>
+addWhere(M mask, hn::VFromD<Words> sum, std::uint32_t value)
+{
+  return hn::VFromD<Words>{_mm512_mask_add_epi32(
+      sum.raw, mask.raw, sum.raw, _mm512_set1_epi32(static_cast<int>(value)))};
+}
+
+/** \brief All moments at once: there are registers enough. */
+template <bool with_ties>
+HWY_INLINE void
+addMoments(const QueryLanes<with_ties>& queries,
+           const Candidates& candidates,
+           const std::uint32_t* moments,
+           std::size_t begin,
+           std::size_t end,
+           std::size_t first_lane,
+           BlockMoments& block)
+{
+  hn::VFromD<Words> sums[moment_count + 1];
+  for (auto& sum : sums) {
+    sum = hn::Zero(Words());
+  }
+  for (std::size_t c = begin; c < end; ++c) {
+    const auto mask = queries.neighborMask(candidates, c);
+    HWY_UNROLL(15)
+    for (std::size_t m = 0; m < moment_count; ++m) {
+      sums[m] = addWhere(mask, sums[m], moments[m * moment_stride + c]);
+    }
+    sums[moment_count] = addWhere(mask, sums[moment_count], 1);
+  }
+  for (std::size_t m = 0; m < moment_count; ++m) {
+    addLanes(sums[m], block.values[m] + first_lane);
+  }
+  addLanes(sums[moment_count], block.count + first_lane);
+}
+
+#else
+
+/** \brief A few moments at a time, from stored masks: registers are few. */
+template <std::size_t count>
+HWY_INLINE void
+addSomeMoments(const std::uint32_t* masks,
+               const std::uint32_t* moments,
+               std::size_t begin,
+               std::size_t end,
+               std::uint64_t (*totals)[block_size],
+               std::size_t first_lane)
+{
+  const Words w;
+  hn::VFromD<Words> sums[count];
+  for (auto& sum : sums) {
+    sum = hn::Zero(w);
+  }
+  for (std::size_t c = begin; c < end; ++c) {
+    const auto mask = hn::Load(w, masks + (c - begin) * lanes);
+    HWY_UNROLL(5)
+    for (std::size_t m = 0; m < count; ++m) {
+      sums[m] =
+          hn::Add(sums[m], hn::And(mask, hn::Set(w, moments[m * moment_stride + c])));
+    }
+  }
+  for (std::size_t m = 0; m < count; ++m) {
+    addLanes(sums[m], totals[m] + first_lane);
+  }
+}
+
+template <bool with_ties>
+HWY_INLINE void
+addMoments(const QueryLanes<with_ties>& queries,
+           const Candidates& candidates,
+           const std::uint32_t* moments,
+           std::size_t begin,
+           std::size_t end,
+           std::size_t first_lane,
+           BlockMoments& block)
+{
+  const Words w;
+  std::uint32_t* masks =
+      simdScratch().masks.atLeast(candidates_between_widening * lanes);
+  auto counts = hn::Zero(w);
+  for (std::size_t c = begin; c < end; ++c) {
+    const auto mask =
+        hn::VecFromMask(w, hn::RebindMask(w, queries.neighborMask(candidates, c)));
+    counts = hn::Sub(counts, mask);
+    hn::Store(mask, w, masks + (c - begin) * lanes);
+  }
+  addLanes(counts, block.count + first_lane);
+  constexpr std::size_t part = 5;
+  static_assert(moment_count % part == 0, "whole parts");
+  for (std::size_t m = 0; m < moment_count; m += part) {
+    addSomeMoments<part>(
+        masks, moments + m * moment_stride, begin, end, block.values + m, first_lane);
+  }
+}
+
+#endif
+
+template <bool with_ties>
+HWY_INLINE void
+addPortion(const SweepBlock& block,
+           const float* r2,
+           const float* tie_d2,
+           const Candidates& candidates,
+           const std::uint32_t* moments,
+           BlockMoments& sums)
+{
+  for (std::size_t lane = 0; lane < block.size; lane += lanes) {
+    const QueryLanes<with_ties> queries(block, r2, tie_d2, lane);
+    for (std::size_t c = 0; c < candidates.size; c += candidates_between_widening) {
+      const std::size_t end =
+          std::min(candidates.size, c + candidates_between_widening);
+      addMoments(queries, candidates, moments, c, end, lane, sums);
+    }
+  }
+}
+
+/** \brief Queries of a block whose moments are taken about one origin. */
+struct Group {
+  bool has[block_size] = {};
+  int level = 0;
+};
+
+/** \brief The origin in units: below all neighbors of the group. */
+HWY_INLINE void
+setOrigin(const SweepBlock& block, const Group& group, BlockMoments& sums)
+{
+  const double scale = std::ldexp(1.0, offset_bits - group.level);
+  const float* coordinates[] = {block.qx, block.qy, block.qz};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < block.size; ++i) {
+      sums.own[axis][i] =
+          std::nearbyint(static_cast<double>(coordinates[axis][i]) * scale);
+      least = group.has[i] ? std::min(least, sums.own[axis][i]) : least;
+    }
+    constexpr double below = (1 << offset_bits) + 2;
+    sums.origin[axis] = least - below;
+    for (std::size_t i = 0; i < block.size; ++i) {
+      sums.own[axis][i] -= sums.origin[axis];
+    }
+  }
+}
+
+HWY_INLINE BlockMoments
+sumMoments(const SweepBlock& block, const Group& group)
+{
+  BlockMoments sums{};
+  setOrigin(block, group, sums);
+  const Quantizer quantizer(group.level, sums.origin);
+  float r2[block_size], tie_d2[block_size];
+  for (std::size_t i = 0; i < block_size; ++i) {
+    r2[i] = group.has[i] ? block.r2[i] : -1.0f;
+    tie_d2[i] = group.has[i] ? block.tie_d2[i] : -1.0f;
+  }
+  Candidates& candidates = simdScratch().candidates;
+  CandidatePacker packer(block, candidates);
+  while (!packer.isDone()) {
+    packer.next<false>();
+    const std::uint32_t* moments = momentsOf(candidates, quantizer);
+    if (packer.hasTies()) {
+      addPortion<true>(block, r2, tie_d2, candidates, moments, sums);
+    }
+    else {
+      addPortion<false>(block, r2, tie_d2, candidates, moments, sums);
+    }
+  }
+  return sums;
+}
+
+/** \brief The group of query i: those of its level, if all of them fit around one
+ * origin, else i alone. The sums are exact: which, makes no difference to them. */
+HWY_INLINE Group
+groupOf(const SweepBlock& block, const int* levels, std::size_t query)
+{
+  Group group;
+  group.level = levels[query];
+  const double scale = std::ldexp(1.0, offset_bits - group.level);
+  for (std::size_t i = 0; i < block.size; ++i) {
+    group.has[i] = levels[i] == group.level;
+  }
+  for (const float* coordinates : {block.qx, block.qy, block.qz}) {
+    double least = coordinates[query], most = coordinates[query];
+    for (std::size_t i = 0; i < block.size; ++i) {
+      if (group.has[i]) {
+        least = std::min<double>(least, coordinates[i]);
+        most = std::max<double>(most, coordinates[i]);
+      }
+    }
+    constexpr double most_units = (1 << (offset_bits + 1)) - 16;
+    if (!((most - least) * scale <= most_units)) {
+      group = {};
+      group.level = levels[query];
+      group.has[query] = true;
+      break;
+    }
+  }
+  return group;
+}
+
+inline void
+normals(const SweepBlock& block, NormalResult* results)
+{
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  int levels[block_size];
+  bool done[block_size] = {};
+  for (std::size_t i = 0; i < block.size; ++i) {
+    levels[i] = levelOf(std::max(block.r2[i], block.tie_d2[i]));
+  }
+  const bool on_surface = block.queries_on_surface;
+  for (std::size_t first = 0; first < block.size; ++first) {
+    if (done[first]) {
+      continue;
+    }
+    const Group group = groupOf(block, levels, first);
+    const BlockMoments sums = sumMoments(block, group);
+    BlockCovariances covariances{};
+    NormalResult normals[block_size];
+    for (std::size_t i = 0; i < block.size; ++i) {
+      if (group.has[i] && sums.count[i] > 0) {
+        centerMoments(sums, i, covariances);
+      }
+    }
+    normalsOfCovariances(covariances, block.size, normals);
+    for (std::size_t i = 0; i < block.size; ++i) {
+      if (!group.has[i]) {
+        continue;
+      }
+      done[i] = true;
+      const std::size_t own =
+          on_surface || (sums.count[i] > 0 && isAtSurfacePoint(block, i)) ? 1 : 0;
+      const bool is_known = sums.count[i] >= NeighborhoodSweep::min_neighbors + own;
+      results[i] = is_known ? normals[i] : NormalResult{nan, nan, nan, nan};
+    }
+  }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace kernels
+} // namespace pcl
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,88 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "sweep_block.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <new>
+
+namespace pcl {
+namespace kernels {
+
+/** \brief A buffer that only grows, aligned and padded for vectors of any target.
+ * Growing forgets the contents. */
+template <typename T>
+class AlignedBuffer {
+public:
+  T*
+  atLeast(std::size_t count)
+  {
+    if (count + padding > capacity_) {
+      data_.reset();
+      capacity_ = 2 * (count + padding);
+      data_.reset(static_cast<T*>(
+          ::operator new(capacity_ * sizeof(T), std::align_val_t(alignment))));
+    }
+    return data_.get();
+  }
+
+  T*
+  data() const
+  {
+    return data_.get();
+  }
+
+private:
+  static constexpr std::size_t alignment = 64;
+  static constexpr std::size_t padding = 64;
+
+  struct Delete {
+    void
+    operator()(T* p) const
+    {
+      ::operator delete(p, std::align_val_t(alignment));
+    }
+  };
+
+  std::unique_ptr<T, Delete> data_;
+  std::size_t capacity_ = 0;
+};
+
+/** \brief Candidates are looked at in portions of this size, so that buffers stay small
+ * however many points there are. */
+constexpr std::size_t portion_size = 8192;
+
+/** \brief Surface points near a block of queries, packed. */
+struct Candidates {
+  std::size_t size = 0;
+  AlignedBuffer<float> x, y, z, nx, ny, nz;
+  AlignedBuffer<std::uint32_t> order; ///< original indices, if there are ties
+};
+
+/** \brief What a thread keeps from block to block. */
+struct SimdScratch {
+  Candidates candidates;
+  AlignedBuffer<float> values;          ///< of one query
+  AlignedBuffer<std::uint32_t> angles;  ///< of a block's queries, one after the other
+  AlignedBuffer<std::uint32_t> moments; ///< of the candidates
+  AlignedBuffer<std::uint32_t> masks;
+};
+
+SimdScratch& simdScratch();
+
+/** \brief Rows that move the lanes of set bits to the front, for 4 and 8 lanes. */
+extern const std::uint32_t compress_lanes_4[16][4];
+extern const std::uint32_t compress_lanes_8[256][8];
+
+} // namespace kernels
+} // namespace pcl
