@@ -58,16 +58,5 @@ struct BlockCovariances {
   double yy[block_size], yz[block_size], zz[block_size];
 };
 
-/** \brief Central second moments of query i's neighbors, from exact ones about the
- * query. */
-void centerMoments(const BlockMoments& moments,
-                   std::size_t i,
-                   BlockCovariances& covariances);
-
-/** \brief As normalOfCovariance(), for all queries at once. */
-void normalsOfCovariances(const BlockCovariances& covariances,
-                          std::size_t size,
-                          NormalResult* results);
-
 } // namespace kernels
 } // namespace pcl

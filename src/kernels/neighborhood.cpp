@@ -124,7 +124,12 @@ UnitNormal
 unitNormal(const float* normal)
 {
   const double x = normal[0], y = normal[1], z = normal[2];
-  const double length = std::sqrt(x * x + y * y + z * z);
+  const double squared_length = x * x + y * y + z * z;
+  // Floats cannot do better.
+  if (std::abs(squared_length - 1.0) < 2.5e-7) {
+    return {normal[0], normal[1], normal[2]};
+  }
+  const double length = std::sqrt(squared_length);
   if (!(length > 0.0) || !std::isfinite(length)) {
     return {nan, nan, nan};
   }

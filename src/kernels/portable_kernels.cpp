@@ -103,6 +103,28 @@ setAnchor(OwnPoints& own, std::size_t i, float x, float y, float z)
   own.az[i] = z;
 }
 
+/** \brief Another query of the block is a neighbor, if it is near enough: the first that is
+ * not too near, else the furthest. */
+void
+anchorAtQuery(const SweepBlock& block, std::size_t i, OwnPoints& own)
+{
+  float furthest = 0.0f;
+  for (std::size_t step = 1; step < block.size; ++step) {
+    const std::size_t other = (i + step) % block.size;
+    const float dx = block.qx[other] - block.qx[i];
+    const float dy = block.qy[other] - block.qy[i];
+    const float dz = block.qz[other] - block.qz[i];
+    const float d2 = (dx * dx + dy * dy) + dz * dz;
+    if (d2 < block.r2[i] && d2 > furthest) {
+      furthest = d2;
+      setAnchor(own, i, dx, dy, dz);
+    }
+    if (16.0f * furthest > block.r2[i]) {
+      return;
+    }
+  }
+}
+
 void
 inad(const SweepBlock& block, double outlier_rate, INADResult* results)
 {
@@ -146,14 +168,7 @@ ownPointsOf(const SweepBlock& block)
   for (std::size_t i = 0; i < block.size; ++i) {
     if (block.queries_on_surface) {
       setOwnPoint(own, i, {block.qnx[i], block.qny[i], block.qnz[i]}, true);
-      // Another query of the block is a neighbor, if it is near enough.
-      const std::size_t other = i > 0 ? i - 1 : block.size - 1;
-      const float dx = block.qx[other] - block.qx[i];
-      const float dy = block.qy[other] - block.qy[i];
-      const float dz = block.qz[other] - block.qz[i];
-      if ((dx * dx + dy * dy) + dz * dz < block.r2[i]) {
-        setAnchor(own, i, dx, dy, dz);
-      }
+      anchorAtQuery(block, i, own);
       continue;
     }
     const Neighbor* nearest = nearestOf(block, findNeighbors(block, i));

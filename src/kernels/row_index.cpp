@@ -83,7 +83,10 @@ struct Cells {
 constexpr std::size_t part_size = 8192;
 
 std::vector<Cells>
-cellsOfParts(const Selection& points, std::size_t count, double edge, unsigned threads)
+cellsOfParts(const Selection& points,
+             std::size_t count,
+             double cells_a_metre,
+             unsigned threads)
 {
   std::vector<Cells> parts((count + part_size - 1) / part_size);
   parallelFor(parts.size(), threads, [&](std::size_t part) {
@@ -92,9 +95,9 @@ cellsOfParts(const Selection& points, std::size_t count, double edge, unsigned t
          ++i) {
       const float* p = points[i];
       if (isFinite(p)) {
-        cells.x.add(cellOf(p[0], edge / x_cells_an_edge));
-        cells.y.add(cellOf(p[1], edge));
-        cells.z.add(cellOf(p[2], edge));
+        cells.x.add(cellOf(p[0], x_cells_an_edge * cells_a_metre));
+        cells.y.add(cellOf(p[1], cells_a_metre));
+        cells.z.add(cellOf(p[2], cells_a_metre));
         ++cells.count;
       }
     }
@@ -107,9 +110,9 @@ cellsOfParts(const Selection& points, std::size_t count, double edge, unsigned t
  * leave. */
 class KeyMaker {
 public:
-  KeyMaker(const Cells& all, double edge)
+  KeyMaker(const Cells& all, double cells_a_metre)
   : all_(all)
-  , edge_(edge)
+  , cells_a_metre_(cells_a_metre)
   , y_bits_(all.y.bits())
   , x_bits_(std::min(all.x.bits(), 64 - y_bits_ - all.z.bits()))
   , x_shift_(all.x.bits() - x_bits_)
@@ -124,9 +127,10 @@ public:
   std::uint64_t
   keyOf(const float* p) const
   {
-    const std::uint64_t x = offset(cellOf(p[0], edge_ / x_cells_an_edge), all_.x);
-    const std::uint64_t y = offset(cellOf(p[1], edge_), all_.y);
-    const std::uint64_t z = offset(cellOf(p[2], edge_), all_.z);
+    const std::uint64_t x =
+        offset(cellOf(p[0], x_cells_an_edge * cells_a_metre_), all_.x);
+    const std::uint64_t y = offset(cellOf(p[1], cells_a_metre_), all_.y);
+    const std::uint64_t z = offset(cellOf(p[2], cells_a_metre_), all_.z);
     return (((z << y_bits_) | y) << x_bits_) | (x >> x_shift_);
   }
 
@@ -154,7 +158,7 @@ private:
   }
 
   const Cells& all_;
-  double edge_;
+  double cells_a_metre_;
   int y_bits_, x_bits_, x_shift_;
 };
 
@@ -218,8 +222,11 @@ gather(const Selection& points, RowIndex& index, unsigned threads)
   for (auto* array : {&index.x, &index.y, &index.z}) {
     array->resize(index.size() + row_padding);
   }
-  parallelForRanges(index.rowCount(), threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row) {
+  constexpr std::size_t rows_a_task = 32;
+  const std::size_t tasks = (index.rowCount() + rows_a_task - 1) / rows_a_task;
+  parallelFor(tasks, threads, [&](std::size_t task) {
+    const std::size_t end = std::min(index.rowCount(), (task + 1) * rows_a_task);
+    for (std::size_t row = task * rows_a_task; row < end; ++row) {
       std::uint32_t* order = index.order.data();
       sortRow(points, order + index.rows[row].begin, order + index.rows[row + 1].begin);
     }
@@ -236,15 +243,6 @@ gather(const Selection& points, RowIndex& index, unsigned threads)
 
 } // namespace
 
-std::int32_t
-cellOf(double coordinate, double edge)
-{
-  constexpr double limit = 1 << 30;
-  const double cell = std::min(limit, std::max(-limit, coordinate / edge));
-  const auto truncated = static_cast<std::int32_t>(cell);
-  return truncated - (static_cast<double>(truncated) > cell ? 1 : 0);
-}
-
 RowIndex
 buildRowIndex(const XYZView& points,
               const std::int32_t* indices,
@@ -255,13 +253,14 @@ buildRowIndex(const XYZView& points,
   const Selection selection{points, indices};
   RowIndex index;
   index.edge = edge;
-  const std::vector<Cells> parts = cellsOfParts(selection, count, edge, threads);
+  const std::vector<Cells> parts =
+      cellsOfParts(selection, count, index.cellsAMetre(), threads);
   Cells all;
   for (const Cells& part : parts) {
     all.merge(part);
   }
   if (all.count > 0) {
-    const KeyMaker keys(all, edge);
+    const KeyMaker keys(all, index.cellsAMetre());
     KeyedIndices entries = sortedEntries(selection, parts, count, all, keys, threads);
     for (std::size_t i = 0; i < entries.keys.size(); ++i) {
       const std::uint64_t row = keys.rowOf(entries.keys[i]);

@@ -11,6 +11,7 @@
 
 #include <pcl/features/neighborhood_sweep.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -47,6 +48,12 @@ struct RowIndex {
     return order.size();
   }
 
+  double
+  cellsAMetre() const
+  {
+    return 1.0 / edge;
+  }
+
   std::size_t
   rowCount() const
   {
@@ -54,8 +61,16 @@ struct RowIndex {
   }
 };
 
-/** \brief The cell of a coordinate, clamped to +-2^30. */
-std::int32_t cellOf(double coordinate, double edge);
+/** \brief The cell of a coordinate, clamped to +-2^30.
+ * \param[in] cells_a_metre 1 / edge of the cells */
+inline std::int32_t
+cellOf(double coordinate, double cells_a_metre)
+{
+  constexpr double limit = 1 << 30;
+  const double cell = std::min(limit, std::max(-limit, coordinate * cells_a_metre));
+  const auto truncated = static_cast<std::int32_t>(cell);
+  return truncated - (static_cast<double>(truncated) > cell ? 1 : 0);
+}
 
 /** \brief Sort the finite ones among points[indices[0 .. count)], or among all points
  * if indices is null. order then holds positions in `indices`. */

@@ -25,9 +25,14 @@ slide(const float* x,
       std::uint32_t guess,
       double bound)
 {
-  constexpr int steps = 24;
+  constexpr int steps = 8;
+  constexpr std::uint32_t stride = 8;
   std::uint32_t position = guess;
-  for (int i = 0; i < steps && position < end && x[position] < bound; ++i) {
+  for (int i = 0; i < steps && position + stride < end && x[position + stride] < bound;
+       ++i) {
+    position += stride;
+  }
+  for (std::uint32_t i = 0; i < stride && position < end && x[position] < bound; ++i) {
     ++position;
   }
   for (int i = 0; i < steps && position > begin && x[position - 1] >= bound; ++i) {
@@ -79,11 +84,11 @@ RunFinder::find(const Box& box, double reach)
 {
   // The squares that decide are rounded to float: reach a little further.
   const double far = reach * (1.0 + 1e-6);
-  const double edge = surface_.edge;
-  const Window window{cellOf(box.z_min - far, edge),
-                      cellOf(box.z_max + far, edge),
-                      cellOf(box.y_min - far, edge),
-                      cellOf(box.y_max + far, edge)};
+  const double cells = surface_.cellsAMetre();
+  const Window window{cellOf(box.z_min - far, cells),
+                      cellOf(box.z_max + far, cells),
+                      cellOf(box.y_min - far, cells),
+                      cellOf(box.y_max + far, cells)};
   const auto key = [](const Window& w) {
     return std::tie(w.z_first, w.z_last, w.y_first, w.y_last);
   };

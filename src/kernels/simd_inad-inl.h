@@ -35,10 +35,17 @@ collectChords(const SweepBlock& block,
               const OwnPoints& own,
               std::size_t i,
               const Candidates& candidates,
-              float* chords,
+              float* HWY_RESTRICT chords,
               bool& spreads)
 {
   const Floats d;
+  const std::size_t size = candidates.size;
+  const float* HWY_RESTRICT x = candidates.x.data();
+  const float* HWY_RESTRICT y = candidates.y.data();
+  const float* HWY_RESTRICT z = candidates.z.data();
+  const float* HWY_RESTRICT other_nx = candidates.nx.data();
+  const float* HWY_RESTRICT other_ny = candidates.ny.data();
+  const float* HWY_RESTRICT other_nz = candidates.nz.data();
   const auto qx = hn::Set(d, block.qx[i]);
   const auto qy = hn::Set(d, block.qy[i]);
   const auto qz = hn::Set(d, block.qz[i]);
@@ -46,10 +53,10 @@ collectChords(const SweepBlock& block,
   const auto ny = hn::Set(d, own.ny[i]);
   const auto nz = hn::Set(d, own.nz[i]);
   std::size_t count = 0;
-  for (std::size_t c = 0; c < candidates.size; c += lanes) {
-    const auto dx = hn::Sub(hn::LoadU(d, candidates.x.data() + c), qx);
-    const auto dy = hn::Sub(hn::LoadU(d, candidates.y.data() + c), qy);
-    const auto dz = hn::Sub(hn::LoadU(d, candidates.z.data() + c), qz);
+  for (std::size_t c = 0; c < size; c += lanes) {
+    const auto dx = hn::Sub(hn::LoadU(d, x + c), qx);
+    const auto dy = hn::Sub(hn::LoadU(d, y + c), qy);
+    const auto dz = hn::Sub(hn::LoadU(d, z + c), qz);
     const auto mask =
         neighborMask<with_ties>(block, i, candidates, c, squaredLength(dx, dy, dz));
     if (HWY_UNLIKELY(!spreads)) {
@@ -63,9 +70,9 @@ collectChords(const SweepBlock& block,
       const auto wide = hn::Gt(cross2, hn::Set(d, 4.5e-6f * r2 * r2));
       spreads = !hn::AllFalse(d, hn::And(mask, wide));
     }
-    const auto ox = hn::LoadU(d, candidates.nx.data() + c);
-    const auto oy = hn::LoadU(d, candidates.ny.data() + c);
-    const auto oz = hn::LoadU(d, candidates.nz.data() + c);
+    const auto ox = hn::LoadU(d, other_nx + c);
+    const auto oy = hn::LoadU(d, other_ny + c);
+    const auto oz = hn::LoadU(d, other_nz + c);
     const auto mx = hn::Sub(ox, nx), my = hn::Sub(oy, ny), mz = hn::Sub(oz, nz);
     auto chord = hn::MulAdd(mx, mx, hn::MulAdd(my, my, hn::Mul(mz, mz)));
     // Normals have either sign: rarely, the other one is nearer.
@@ -140,10 +147,28 @@ struct Sums {
 
 constexpr std::size_t additions_between_widening = 128;
 
+/** Highway's NearestInt also takes care of values that do not fit, which angles do. */
+template <class V>
+HWY_INLINE hn::VFromD<Ints>
+nearestInt(V v)
+{
+#if HWY_TARGET == HWY_AVX3
+  return hn::VFromD<Ints>{_mm512_cvtps_epi32(v.raw)};
+#elif HWY_TARGET == HWY_AVX2
+  return hn::VFromD<Ints>{_mm256_cvtps_epi32(v.raw)};
+#elif HWY_TARGET == HWY_SSE4
+  return hn::VFromD<Ints>{_mm_cvtps_epi32(v.raw)};
+#else
+  return hn::NearestInt(v);
+#endif
+}
+
 /** \brief Squared chords to angles in units (angle.h), and their sums. Writes up to a
  * whole vector; the lanes behind the last angle are 0. */
 HWY_INLINE Sums
-toAngles(float* chords, std::size_t count, std::uint32_t* angles)
+toAngles(float* HWY_RESTRICT chords,
+         std::size_t count,
+         std::uint32_t* HWY_RESTRICT angles)
 {
   const Floats d;
   const auto coefficient = [&](float q) { return hn::Set(d, q * units_per_radian); };
@@ -161,7 +186,7 @@ toAngles(float* chords, std::size_t count, std::uint32_t* angles)
       q = hn::MulAdd(q, t, coefficient(4.766297369e-03f));
       q = hn::MulAdd(q, t, coefficient(4.165096783e-02f));
       q = hn::MulAdd(q, t, coefficient(1.000000898e+00f));
-      const auto units = hn::BitCast(Words(), hn::NearestInt(hn::Mul(hn::Sqrt(t), q)));
+      const auto units = hn::BitCast(Words(), nearestInt(hn::Mul(hn::Sqrt(t), q)));
       hn::StoreU(units, Words(), angles + i);
       adder.add(units);
     }

@@ -14,6 +14,7 @@
 #define PCL_SHAPE_SIMD_NORMALS_BLOCK_INL_H_
 #endif
 
+#include "simd_covariance-inl.h"
 #include "simd_normals-inl.h"
 
 HWY_BEFORE_NAMESPACE();

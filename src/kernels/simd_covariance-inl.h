@@ -7,17 +7,27 @@
  * All rights reserved
  */
 
-#include "moments.h"
+#if defined(PCL_SHAPE_SIMD_COVARIANCE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PCL_SHAPE_SIMD_COVARIANCE_INL_H_
+#undef PCL_SHAPE_SIMD_COVARIANCE_INL_H_
+#else
+#define PCL_SHAPE_SIMD_COVARIANCE_INL_H_
+#endif
 
-#include "angle_sums.h"
+#include "moments.h"
 #include "symmetric_eigen.h"
+
+#include <hwy/highway.h>
 
 #include <algorithm>
 #include <cmath>
 
+// Plain loops over the queries of a block: the compiler makes them vectors of the
+// target.
+HWY_BEFORE_NAMESPACE();
 namespace pcl {
 namespace kernels {
-namespace {
+namespace HWY_NAMESPACE {
 
 /** Neighborhoods up to this size have moments that fit in 63 bits. */
 constexpr std::uint64_t most_for_63_bits = std::uint64_t{1} << 18;
@@ -44,9 +54,7 @@ aboutQuery(const BlockMoments& m,
   return static_cast<double>(high * half + low - a0 * sum_b - b0 * sum_a + n * a0 * b0);
 }
 
-} // namespace
-
-void
+inline void
 centerMoments(const BlockMoments& m, std::size_t i, BlockCovariances& covariances)
 {
   const auto n = static_cast<double>(m.count[i]);
@@ -71,15 +79,13 @@ centerMoments(const BlockMoments& m, std::size_t i, BlockCovariances& covariance
   covariances.zz[i] = central(5, 2, 2, z * z);
 }
 
-namespace {
-
 /** \brief Coefficients of the characteristic polynomial l^3 - l^2 + c1 l - c0 of
  * matrices scaled to trace 1. */
 struct Characteristic {
   double c1[block_size], c0[block_size];
 };
 
-void
+inline void
 scaleToTraceOne(BlockCovariances& m, Characteristic& p)
 {
   for (std::size_t i = 0; i < block_size; ++i) {
@@ -96,7 +102,7 @@ scaleToTraceOne(BlockCovariances& m, Characteristic& p)
 
 /** \brief The smallest roots by Newton's method from 0, from where it climbs to them.
  * Each stops by itself, whatever the others do. */
-void
+inline void
 smallestRoots(const Characteristic& p, double* roots)
 {
   double moving[block_size];
@@ -123,7 +129,7 @@ smallestRoots(const Characteristic& p, double* roots)
 
 /** \brief The longest cross product of two rows of M - l I, and whether that is a safe
  * eigenvector: long enough, and the points not on a line. */
-void
+inline void
 eigenvectors(const BlockCovariances& m,
              const Characteristic& p,
              const double* roots,
@@ -157,9 +163,7 @@ eigenvectors(const BlockCovariances& m,
   }
 }
 
-} // namespace
-
-void
+inline void
 normalsOfCovariances(const BlockCovariances& covariances,
                      std::size_t size,
                      NormalResult* results)
@@ -183,5 +187,9 @@ normalsOfCovariances(const BlockCovariances& covariances,
   }
 }
 
+} // namespace HWY_NAMESPACE
 } // namespace kernels
 } // namespace pcl
+HWY_AFTER_NAMESPACE();
+
+#endif

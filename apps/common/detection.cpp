@@ -1,0 +1,57 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "detection.h"
+
+#include "model_file.h"
+
+namespace pcl::app {
+void
+addDetectionOptions(CommandLine& command_line)
+{
+  command_line.option("model", "F", "a model file instead of an ideal plane")
+      .option("mode", "M", "default (default), or paper: the published method")
+      .option("bins", "N", "N x N bins for the ideal plane (10)")
+      .option(
+          "threshold", "T", "likelihood from which a point is of the surface (0.5)");
+  addInadOptions(command_line);
+  command_line
+      .flag("ignore_model_parameters",
+            "use a model at other radii than it was made with")
+      .flag("normals", "write normal_x normal_y normal_z curvature too");
+}
+
+DetectionSettings
+detectionSettings(const Arguments& arguments, const INADParameters& defaults)
+{
+  constexpr std::uint64_t default_bins = 10;
+  constexpr std::uint64_t most_bins = 4096;
+  arguments.exclude("model", "bins");
+  arguments.exclude("use_normals", "normals");
+  DetectionSettings settings;
+  settings.paper = arguments.choice("mode", {"default", "paper"}) == "paper";
+  settings.threshold =
+      arguments.number("threshold", probability).value_or(settings.threshold);
+  const auto bins = arguments.integer("bins", 1, most_bins).value_or(default_bins);
+  if (!arguments.has("model")) {
+    settings.parameters = inadParameters(arguments, defaults);
+    settings.model = pcl::ShapeModel::idealPlane(settings.parameters, bins);
+    return settings;
+  }
+  const std::string path = arguments.text("model");
+  settings.model = loadModel(path);
+  settings.parameters = inadParameters(arguments, settings.model.parameters());
+  const std::string disagreement = settings.model.disagreement(settings.parameters);
+  if (!disagreement.empty() && !arguments.has("ignore_model_parameters"))
+    throw InputError(path + ": " + disagreement +
+                     ": allowed is the model's own value, or -ignore_model_parameters");
+  return settings;
+}
+
+} // namespace pcl::app

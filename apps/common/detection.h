@@ -1,0 +1,69 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "arguments.h"
+#include "command_line.h"
+#include "errors.h"
+#include "inad_options.h"
+#include "inad_stages.h"
+
+#include <pcl/features/shape_model.h>
+
+#include <optional>
+#include <string>
+
+namespace pcl::app {
+
+/** \brief The options of pcl_shape_back_projection and pcl_shape_edge_detection. */
+void addDetectionOptions(CommandLine& command_line);
+
+/** \brief What is to be looked for, and with which parameters. */
+struct DetectionSettings {
+  bool paper = false;
+  double threshold = 0.5;
+  INADParameters parameters;
+  pcl::ShapeModel model;
+};
+
+/** \brief Settings from the command line and the model file.
+ * \param[in] defaults the detector's own
+ * \throws InputError for a bad model file, or one that disagrees with the command line
+ */
+DetectionSettings detectionSettings(const Arguments& arguments,
+                                    const INADParameters& defaults);
+
+/** \brief A detector that is ready for compute() and segment(): its INAD is computed.
+ */
+template <typename Detector>
+void
+prepare(Detector& detector,
+        CloudFile& file,
+        const DetectionSettings& settings,
+        const Arguments& arguments,
+        Report& report)
+{
+  const InadCloud cloud = estimateInad(file, arguments, settings.parameters, report);
+  report.setText("parameters", "mode", settings.paper ? "paper" : "default");
+  report.setNumber("parameters", "threshold", settings.threshold);
+  report.setText("parameters", "model", arguments.text("model", "ideal plane"));
+  report.setCount(
+      "parameters", "bins", settings.model.classes().front().histogram.muBins());
+  detector.setMode(settings.paper ? Detector::PAPER : Detector::DEFAULT);
+  detector.setInputCloud(cloud.points);
+  detector.setInputNormals(cloud.normals);
+  detector.setInputINAD(cloud.inad);
+  detector.setModel(settings.model);
+  detector.setThreshold(settings.threshold);
+  detector.setIgnoreModelParameters(arguments.has("ignore_model_parameters"));
+  detector.setNumberOfThreads(arguments.threads());
+}
+
+} // namespace pcl::app

@@ -1,0 +1,42 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "cloud_file.h"
+#include "evaluation.h"
+
+#include <string>
+#include <vector>
+
+namespace pcl::app {
+
+/** \brief strict leaves the points out that are hard to tell by hand; paper counts
+ * creases as curved and as edges. */
+enum class Convention { strict, paper };
+
+/** \brief The points that a task evaluates. */
+struct TaskPoints {
+  std::vector<LabelPair> points;
+  std::vector<ClassScore> classes; ///< the task's own first; none for instances
+  std::uint64_t unknown = 0;       ///< of the points, predictions without a class
+};
+
+/** \brief The tasks' names. */
+const std::vector<std::string>& taskNames();
+
+/** \brief Select and label the points of a task. Points without coordinates in the
+ * truth are left out. \throws InputError for a missing field, or if the clouds differ
+ * in size \throws UsageError for a task that has no paper convention */
+TaskPoints selectPoints(const std::string& task,
+                        Convention convention,
+                        const CloudFile& predicted,
+                        const CloudFile& truth);
+
+} // namespace pcl::app

@@ -1,0 +1,44 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "arguments.h"
+#include "cloud_file.h"
+#include "command_line.h"
+#include "report.h"
+
+#include <pcl/features/inad_point.h>
+#include <pcl/features/shape_model.h>
+
+#include <string>
+
+namespace pcl::app {
+
+/** \brief -radius, -normal_radius, -k, -outlier_rate, -use_normals. */
+void addInadOptions(CommandLine& command_line);
+
+/** \brief Whether one of the options that addInadOptions() added, but -use_normals, is
+ * given. */
+bool hasInadParameters(const Arguments& arguments);
+
+/** \brief The parameters on the command line over given ones. -radius alone is the
+ * normal radius too if the two are equal in `defaults`. \throws UsageError for -k
+ * together with a radius */
+INADParameters inadParameters(const Arguments& arguments,
+                              const INADParameters& defaults);
+
+void reportParameters(const INADParameters& parameters, Report& report);
+
+/** \throws InputError if k is above the number of finite points */
+void requireEnoughPoints(const INADParameters& parameters,
+                         const CloudFile& cloud,
+                         const pcl::PointCloud<pcl::PointXYZ>& points);
+
+} // namespace pcl::app

@@ -1,0 +1,36 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "arguments.h"
+#include "cloud_file.h"
+#include "report.h"
+
+#include <pcl/features/inad_point.h>
+#include <pcl/features/shape_model.h>
+
+namespace pcl::app {
+
+/** \brief A cloud with what the classes of pcl_shape need of it. */
+struct InadCloud {
+  pcl::PointCloud<pcl::PointXYZ>::ConstPtr points;
+  pcl::PointCloud<pcl::Normal>::ConstPtr normals;
+  pcl::PointCloud<pcl::INAD>::ConstPtr inad;
+};
+
+/** \brief From a file to INAD at all its points: with its own normals if -use_normals
+ * is given, else with estimated ones, which are set as fields if -normals is given. The
+ * sizes of the cloud, the parameters and the times of the stages are reported. */
+InadCloud estimateInad(CloudFile& file,
+                       const Arguments& arguments,
+                       const INADParameters& parameters,
+                       Report& report);
+
+} // namespace pcl::app

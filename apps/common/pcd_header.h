@@ -1,0 +1,30 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "cloud_file.h"
+#include "pcd_types.h"
+
+#include <string_view>
+
+namespace pcl::app {
+
+/** \brief A PCD header that is consistent in itself. */
+struct PCDHeader {
+  CloudFile cloud; ///< fields, size, viewpoint; no data yet
+  PCDFormat format = PCDFormat::ascii;
+  std::size_t body = 0; ///< offset of the data in the file
+};
+
+/** \brief Read the header at the begin of a file.
+ * \throws InputError that names the path, what is wrong, and what is allowed */
+PCDHeader parseHeader(const std::string& path, std::string_view file);
+
+} // namespace pcl::app

@@ -1,0 +1,102 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "common/app.h"
+#include "common/detection.h"
+#include "common/filter_app.h"
+
+#include <pcl/segmentation/shape_back_projection.h>
+
+namespace {
+
+using namespace pcl::app;
+using Detector = pcl::ShapeBackProjection<pcl::PointXYZ, pcl::Normal>;
+
+struct Classification {
+  std::vector<std::vector<float>> likelihoods; ///< one a class
+  std::vector<pcl::PointIndices> members;      ///< one a class
+};
+
+Classification
+classify(Detector& detector, const CloudFile& file)
+{
+  Classification classes;
+  detector.compute(classes.likelihoods);
+  detector.segment(classes.members);
+  if (classes.likelihoods.empty() || classes.members.empty())
+    throw InputError(file.path + ": refused for the reason given above");
+  return classes;
+}
+
+void
+addClasses(CloudFile& file,
+           const Arguments& arguments,
+           const DetectionSettings& settings,
+           Report& report)
+{
+  Detector detector;
+  prepare(detector, file, settings, arguments, report);
+  const Classification classes =
+      report.time("back_projection", [&] { return classify(detector, file); });
+  const std::vector<std::string> names = detector.getClasses();
+
+  std::vector<std::uint32_t> surface(file.size(), 0);
+  std::uint64_t unknown = report.count("", "finite_points");
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    for (const pcl::index_t index : classes.members[c].indices)
+      surface[static_cast<std::size_t>(index)] = static_cast<std::uint32_t>(c + 1);
+    report.setCount("counts", names[c], classes.members[c].indices.size());
+    unknown -= classes.members[c].indices.size();
+  }
+  report.setCount("counts", "unknown", unknown);
+  setField(file, "likelihood", classes.likelihoods.front());
+  if (settings.model.classes().size() > 1)
+    for (std::size_t c = 0; c < names.size(); ++c)
+      setField(file, "likelihood_" + names[c], classes.likelihoods[c]);
+  setField(file, "surface", surface);
+}
+
+/** Names of classes become parts of names of fields. */
+void
+requireFieldNames(const DetectionSettings& settings, const Arguments& arguments)
+{
+  for (const auto& of : settings.model.classes())
+    for (const char c : of.name)
+      if (c <= ' ' || c > '~')
+        throw InputError(arguments.text("model") + ": class '" + of.name +
+                         "': allowed are names without blanks, in ASCII");
+}
+
+int
+run(const Arguments& arguments)
+{
+  const DetectionSettings settings =
+      detectionSettings(arguments, Detector().getParameters());
+  requireFieldNames(settings, arguments);
+  return runFilter(arguments, [&](CloudFile& file, Report& report) {
+    addClasses(file, arguments, settings, report);
+  });
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  CommandLine command_line(
+      "pcl_shape_back_projection",
+      "in.pcd out.pcd",
+      "Add the fields likelihood (of the first class) and surface: 1 planar, 2 curved, "
+      "0 "
+      "unknown;\nwith a model of several classes the number of the class, and "
+      "likelihood_<name> of each.");
+  addDetectionOptions(command_line);
+  addFilterOptions(command_line);
+  return runApp(command_line, argc, argv, run);
+}

@@ -1,0 +1,152 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "common/app.h"
+#include "common/atomic_file.h"
+#include "common/evaluation_tasks.h"
+#include "common/filter_app.h"
+#include "common/pcd_reader.h"
+#include "common/report.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace {
+
+using namespace pcl::app;
+
+void
+printHeading(const TaskPoints& selected, std::size_t points)
+{
+  std::printf("%zu points, %zu evaluated, %llu of them with an unknown prediction\n",
+              points,
+              selected.points.size(),
+              static_cast<unsigned long long>(selected.unknown));
+  std::printf("%-14s %9s %9s %9s %9s %9s %9s %9s\n",
+              "",
+              "precision",
+              "recall",
+              "F1",
+              "IoU",
+              "TP",
+              "FP",
+              "FN");
+}
+
+void
+printScore(const std::string& name, const Score& score)
+{
+  std::printf("%-14s %9.3f %9.3f %9.3f %9.3f %9llu %9llu %9llu\n",
+              name.c_str(),
+              score.precision(),
+              score.recall(),
+              score.f1(),
+              score.iou(),
+              static_cast<unsigned long long>(score.true_positives),
+              static_cast<unsigned long long>(score.false_positives),
+              static_cast<unsigned long long>(score.false_negatives));
+}
+
+void
+reportScore(const std::string& section, const Score& score, Report& report)
+{
+  report.setNumber(section, "precision", score.precision());
+  report.setNumber(section, "recall", score.recall());
+  report.setNumber(section, "f1", score.f1());
+  report.setNumber(section, "iou", score.iou());
+  report.setCount(section, "true_positives", score.true_positives);
+  report.setCount(section, "false_positives", score.false_positives);
+  report.setCount(section, "false_negatives", score.false_negatives);
+}
+
+void
+evaluateClasses(const TaskPoints& selected, Report& report)
+{
+  const Evaluation evaluation = evaluateLabels(selected.points, selected.classes);
+  for (const ClassScore& of : evaluation.classes) {
+    printScore(of.name, of.score);
+    reportScore("classes/" + of.name, of.score, report);
+  }
+  if (evaluation.classes.size() > 1)
+    std::printf("class-mean IoU %.3f\n", evaluation.mean_iou);
+  std::printf("accuracy %.3f\n", evaluation.accuracy);
+  report.setNumber("", "mean_iou", evaluation.mean_iou);
+  report.setNumber("", "accuracy", evaluation.accuracy);
+}
+
+void
+evaluateInstancePoints(const TaskPoints& selected, Report& report)
+{
+  const InstanceEvaluation evaluation = evaluateInstances(selected.points);
+  printScore("points", evaluation.points);
+  printScore("instances", evaluation.instances);
+  std::printf("mean IoU of the matched instances %.3f\n", evaluation.mean_matched_iou);
+  reportScore("points_in_instances", evaluation.points, report);
+  reportScore("instances", evaluation.instances, report);
+  report.setNumber("", "mean_matched_iou", evaluation.mean_matched_iou);
+}
+
+int
+run(const Arguments& arguments)
+{
+  const auto& operands = arguments.operands(2);
+  const std::string task = arguments.choice("task", taskNames());
+  const std::string convention = arguments.choice("convention", {"strict", "paper"});
+  arguments.threads();
+  checkJsonPath(arguments, operands);
+
+  Report report;
+  report.setText("", "predicted", operands[0]);
+  report.setText("", "truth", operands[1]);
+  report.setText("parameters", "task", task);
+  report.setText("parameters", "convention", convention);
+  const CloudFile predicted =
+      report.time("read", [&] { return readCloud(operands[0]); });
+  const CloudFile truth =
+      report.time("read_truth", [&] { return readCloud(operands[1]); });
+  const TaskPoints selected =
+      selectPoints(task,
+                   convention == "paper" ? Convention::paper : Convention::strict,
+                   predicted,
+                   truth);
+  report.setCount("", "points", truth.size());
+  report.setCount("", "evaluated_points", selected.points.size());
+  report.setCount("", "unknown_points", selected.unknown);
+
+  std::printf("task %s, convention %s: ", task.c_str(), convention.c_str());
+  printHeading(selected, truth.size());
+  if (task == "instance")
+    evaluateInstancePoints(selected, report);
+  else
+    evaluateClasses(selected, report);
+  writeJson(arguments, toJson(arguments.app(), report));
+  return 0;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  CommandLine command_line("pcl_shape_evaluate",
+                           "predicted.pcd truth.pcd",
+                           "Compare predicted labels with the truth: precision, "
+                           "recall, F1 and IoU per class, "
+                           "class-mean IoU, accuracy.\nAn unknown prediction counts as "
+                           "negative for every class.");
+  command_line
+      .option("task", "T", "edge (default), planar, curved, instance, label or ground")
+      .option("convention",
+              "C",
+              "strict (default): creases' surroundings left out; paper: creases are "
+              "curved, "
+              "and edges");
+  addCommonOptions(command_line);
+  return runApp(command_line, argc, argv, run);
+}

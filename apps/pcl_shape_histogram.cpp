@@ -1,0 +1,97 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "common/app.h"
+#include "common/errors.h"
+#include "common/filter_app.h"
+#include "common/inad_options.h"
+#include "common/model_file.h"
+#include "common/pcd_reader.h"
+
+#include <iostream>
+
+namespace {
+
+using namespace pcl::app;
+
+std::vector<std::string>
+samplesOf(const Arguments& arguments)
+{
+  if (arguments.has("input_dir"))
+    return cloudsIn(arguments.text("input_dir"));
+  return {arguments.operands(2).front()};
+}
+
+void
+printHistogram(const Report& report)
+{
+  std::cout << report.text("", "model") << ": class "
+            << report.text("parameters", "name") << ", "
+            << report.count("histogram", "total") << " points, "
+            << report.count("histogram", "outside") << " beyond the bins, peak "
+            << report.count("histogram", "peak") << " at mu "
+            << report.number("histogram", "peak_mu") << ", sigma "
+            << report.number("histogram", "peak_sigma") << " degrees\n";
+}
+
+int
+run(const Arguments& arguments)
+{
+  const std::string model_path =
+      arguments.operands(arguments.has("input_dir") ? 1 : 2).back();
+  const SampleOptions options = sampleOptions(arguments);
+  arguments.threads();
+  const std::vector<std::string> samples = samplesOf(arguments);
+  checkJsonPath(arguments, samples);
+  checkJsonPath(arguments, {model_path});
+  requireWritable(model_path);
+
+  ModelFile model(model_path, arguments);
+  std::vector<Report> reports;
+  for (const std::string& sample : samples) {
+    Report& report = reports.emplace_back();
+    report.setText("", "input", sample);
+    CloudFile cloud = report.time("read", [&] { return readCloud(sample); });
+    model.add(cloud, options, report);
+    printSummary(sample, report);
+  }
+  Report result;
+  model.save(options, result);
+  result.setCount("", "samples", samples.size());
+  for (const Report& report : reports)
+    result.setCount(
+        "counted", report.text("", "input"), report.count("counts", "counted"));
+  printHistogram(result);
+  writeJson(arguments, toJson(arguments.app(), result));
+  return 0;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  CommandLine command_line("pcl_shape_histogram",
+                           "sample.pcd model.json -radius R",
+                           "Make a model file of the shape of a sample surface, or add "
+                           "the sample to one.\nAll "
+                           "points of the sample are neighbors; -field and -value "
+                           "choose those that are counted.");
+  addInadOptions(command_line);
+  command_line.option("name", "NAME", "of the class (plane)")
+      .option("field", "F", "count only the points where the field F ...")
+      .option("value", "V", "... has the value V")
+      .option("bins", "N", "N x N bins (10, or as in the model file)")
+      .option("mu_range", "A", "degrees, angles from there are beyond the bins (90)")
+      .option("sigma_range", "A", "degrees, the same for sigma (90)")
+      .option("prior", "P", "how frequent the class is, relative to the others (1)")
+      .option("input_dir", "D", "all .pcd files of D instead of sample.pcd");
+  addCommonOptions(command_line);
+  return runApp(command_line, argc, argv, run);
+}

@@ -1,0 +1,189 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "common/app.h"
+#include "common/atomic_file.h"
+#include "common/errors.h"
+#include "common/filter_app.h"
+#include "common/pcd_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <scene/scene.h>
+
+namespace {
+
+using namespace pcl::app;
+using pcl::scene::Scene;
+using pcl::scene::SceneOptions;
+
+constexpr std::uint64_t most_objects = 40;
+constexpr std::uint64_t least_pixels = 16;
+constexpr std::uint64_t most_pixels = 4096;
+constexpr double most_noise = 0.1;
+
+void
+setNoise(const Arguments& arguments, SceneOptions& options)
+{
+  const std::string noise = arguments.text("noise", "kinect");
+  if (noise == "kinect")
+    options.noise = pcl::scene::Noise::Kinect;
+  else if (noise == "none")
+    options.noise = pcl::scene::Noise::None;
+  else {
+    const auto sigma = parseNumber(noise);
+    if (!sigma || *sigma < 0.0 || *sigma > most_noise)
+      throw UsageError(
+          "-noise '" + noise +
+          "': allowed is kinect, none, or a number of metres from 0 to 0.1");
+    options.noise = pcl::scene::Noise::White;
+    options.white_sigma = *sigma;
+  }
+}
+
+SceneOptions
+sceneOptions(const Arguments& arguments)
+{
+  SceneOptions options;
+  options.seed = arguments.integer("seed", 0, std::numeric_limits<std::uint64_t>::max())
+                     .value_or(options.seed);
+  const auto small = [&](const char* name, std::uint64_t least, std::uint64_t most) {
+    const auto value = arguments.integer(name, least, most);
+    return value ? std::optional<unsigned>(static_cast<unsigned>(*value))
+                 : std::nullopt;
+  };
+  options.objects = small("objects", 0, most_objects).value_or(options.objects);
+  options.width = small("width", least_pixels, most_pixels).value_or(options.width);
+  options.height = small("height", least_pixels, most_pixels).value_or(options.height);
+  setNoise(arguments, options);
+  return options;
+}
+
+/** The pixels of an image that have depth, or all. */
+std::vector<std::size_t>
+pixelsOf(const Scene& scene, bool organized)
+{
+  std::vector<std::size_t> pixels;
+  for (std::size_t i = 0; i < scene.surface.size(); ++i)
+    if (organized || std::isfinite(scene.xyz[3 * i + 2]))
+      pixels.push_back(i);
+  return pixels;
+}
+
+template <typename T>
+std::vector<T>
+gather(const std::vector<T>& image,
+       const std::vector<std::size_t>& pixels,
+       std::size_t channels = 1,
+       std::size_t channel = 0)
+{
+  std::vector<T> values;
+  values.reserve(pixels.size());
+  for (const std::size_t pixel : pixels)
+    values.push_back(image[channels * pixel + channel]);
+  return values;
+}
+
+CloudFile
+toCloud(const Scene& scene, bool organized, bool with_normals)
+{
+  const std::vector<std::size_t> pixels = pixelsOf(scene, organized);
+  CloudFile cloud;
+  cloud.path = "the generated scene";
+  cloud.blob.width =
+      organized ? scene.width : static_cast<std::uint32_t>(pixels.size());
+  cloud.blob.height = organized ? scene.height : 1;
+  const char* const names[] = {"x", "y", "z", "normal_x", "normal_y", "normal_z"};
+  for (std::size_t c = 0; c < 3; ++c)
+    setField(cloud, names[c], gather(scene.xyz, pixels, 3, c));
+  if (with_normals)
+    for (std::size_t c = 0; c < 3; ++c)
+      setField(cloud, names[3 + c], gather(scene.normals, pixels, 3, c));
+  setField(cloud, "surface", gather(scene.surface, pixels));
+  setField(cloud, "edge", gather(scene.edge, pixels));
+  setField(cloud, "instance", gather(scene.instance, pixels));
+  setField(cloud, "crease_mm", gather(scene.crease_mm, pixels));
+  return cloud;
+}
+
+void
+reportScene(const Scene& scene, const CloudFile& cloud, Report& report)
+{
+  reportPoints(*pointsOf(cloud), report);
+  const auto count = [](const std::vector<std::uint32_t>& labels, std::uint32_t label) {
+    return static_cast<std::uint64_t>(std::count(labels.begin(), labels.end(), label));
+  };
+  const auto surface = labelsOf(cloud, "surface");
+  report.setCount("counts", "planar", count(surface, pcl::scene::SurfacePlanar));
+  report.setCount("counts", "curved", count(surface, pcl::scene::SurfaceCurved));
+  report.setCount("counts", "near_creases", count(surface, pcl::scene::SurfaceCrease));
+  report.setCount(
+      "counts", "edge", count(labelsOf(cloud, "edge"), pcl::scene::EdgeCrease));
+  report.setCount("counts", "objects", scene.objects.size());
+  report.setCount("counts",
+                  "touching_objects",
+                  static_cast<std::uint64_t>(std::count_if(
+                      scene.objects.begin(), scene.objects.end(), [](const auto& o) {
+                        return !o.touches.empty();
+                      })));
+}
+
+int
+run(const Arguments& arguments)
+{
+  const std::string path = arguments.operands(1).front();
+  const SceneOptions options = sceneOptions(arguments);
+  const PCDFormat format = outputFormat(arguments);
+  arguments.threads();
+  checkJsonPath(arguments, {path});
+  AtomicFile output(path);
+
+  Report report;
+  report.setText("", "output", path);
+  const Scene scene =
+      report.time("generate", [&] { return pcl::scene::generateScene(options); });
+  const CloudFile cloud =
+      toCloud(scene, arguments.has("organized"), arguments.has("normals"));
+  reportScene(scene, cloud, report);
+  report.time("write", [&] { output.write(encodeCloud(cloud, format)); });
+  report.setCount("parameters", "seed", options.seed);
+  report.setCount("parameters", "objects", options.objects);
+  report.setCount("parameters", "width", options.width);
+  report.setCount("parameters", "height", options.height);
+  report.setText("parameters", "noise", arguments.text("noise", "kinect"));
+  report.setFlag("parameters", "organized", arguments.has("organized"));
+  commitWithJson(arguments, toJson(arguments.app(), report), output);
+  printSummary(path, report);
+  return 0;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  CommandLine command_line("pcl_shape_scene",
+                           "out.pcd",
+                           "Make a table scene as a depth camera sees it, with the "
+                           "exact fields surface, edge, "
+                           "instance\nand crease_mm.");
+  command_line.option("seed", "N", "another seed, another scene (1)")
+      .option("objects", "N", "on the table, 0 to 40 (8)")
+      .option("width", "W", "pixels, 16 to 4096 (640)")
+      .option("height", "H", "pixels, 16 to 4096 (480)")
+      .option(
+          "noise", "X", "kinect (default), none, or the sigma of white noise, metres")
+      .flag("organized", "keep the image's layout, with NaN where there is no depth")
+      .flag("normals", "write the exact normals too");
+  addFormatOption(command_line);
+  addCommonOptions(command_line);
+  return runApp(command_line, argc, argv, run);
+}

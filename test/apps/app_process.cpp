@@ -1,0 +1,101 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "app_process.h"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <spawn.h>
+#include <stdexcept>
+#include <unistd.h>
+
+#include <sys/wait.h>
+
+extern char** environ;
+
+namespace pcl_shape_test {
+namespace {
+
+/** An unnamed file that receives what a process prints. */
+class Capture {
+public:
+  Capture() : file_(std::tmpfile())
+  {
+    if (!file_)
+      throw std::runtime_error("no temporary file for the output of a process");
+  }
+
+  ~Capture() { std::fclose(file_); }
+  Capture(const Capture&) = delete;
+  Capture& operator=(const Capture&) = delete;
+
+  int
+  descriptor() const
+  {
+    return fileno(file_);
+  }
+
+  std::string
+  contents() const
+  {
+    std::rewind(file_);
+    std::string text;
+    std::array<char, 4096> buffer{};
+    while (const std::size_t size = std::fread(buffer.data(), 1, buffer.size(), file_))
+      text.append(buffer.data(), size);
+    return text;
+  }
+
+private:
+  std::FILE* file_;
+};
+
+pid_t
+spawn(const std::string& app, const Words& arguments, int out, int err)
+{
+  const std::string path = std::string(PCL_SHAPE_APP_DIRECTORY) + '/' + app;
+  std::vector<std::string> words{path};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words)
+    argv.push_back(word.data());
+  argv.push_back(nullptr);
+
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, err, STDERR_FILENO);
+  pid_t process = 0;
+  const int error =
+      posix_spawn(&process, path.c_str(), &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error != 0)
+    throw std::runtime_error(path + ": " + std::strerror(error));
+  return process;
+}
+
+} // namespace
+
+Outcome
+runApp(const std::string& app, const Words& arguments)
+{
+  const Capture out;
+  const Capture err;
+  const pid_t process = spawn(app, arguments, out.descriptor(), err.descriptor());
+  int status = 0;
+  if (waitpid(process, &status, 0) != process)
+    throw std::runtime_error(app + ": cannot be waited for");
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
+          out.contents(),
+          err.contents()};
+}
+
+} // namespace pcl_shape_test
