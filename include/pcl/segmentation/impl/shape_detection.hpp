@@ -217,3 +217,6 @@ ShapeDetection<PointT, PointNT>::segment(std::vector<pcl::PointIndices>& classes
 }
 
 } // namespace pcl
+
+#define PCL_INSTANTIATE_ShapeDetection(T, NT)                                          \
+  template class PCL_SHAPE_EXPORTS pcl::ShapeDetection<T, NT>;

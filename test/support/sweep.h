@@ -1,0 +1,49 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include <pcl/features/neighborhood_sweep.h>
+
+#include <vector>
+
+namespace pcl {
+namespace test {
+
+/** \brief Results of the sweep in vectors. */
+inline std::vector<float>
+sweptINAD(const NeighborhoodSweep& sweep,
+          const NeighborhoodSize& size,
+          const XYZView& normals,
+          double outlier_rate = 2.0)
+{
+  std::vector<float> mu_sigma(2 * sweep.size(), -1.0f);
+  sweep.computeINAD(size, normals, outlier_rate, mu_sigma.data());
+  return mu_sigma;
+}
+
+/** \brief Three floats of normal and one of curvature for each query. */
+inline std::vector<float>
+sweptNormals(const NeighborhoodSweep& sweep, const NeighborhoodSize& size)
+{
+  std::vector<float> normals(4 * sweep.size(), -2.0f);
+  sweep.computeNormals(size, normals.data(), normals.data() + 3, 4);
+  return normals;
+}
+
+inline std::vector<std::uint32_t>
+sweptCounts(const NeighborhoodSweep& sweep, const NeighborhoodSize& size)
+{
+  std::vector<std::uint32_t> counts(sweep.size(), 0xffffffff);
+  sweep.countNeighbors(size, counts.data());
+  return counts;
+}
+
+} // namespace test
+} // namespace pcl
