@@ -6,7 +6,7 @@ install(TARGETS pcl_shape EXPORT pcl_shapeTargets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY include/pcl ${PCL_SHAPE_GENERATED_INCLUDE_DIR}/pcl
+install(DIRECTORY include/pcl ${PROJECT_BINARY_DIR}/include/pcl
   DESTINATION ${PCL_SHAPE_INSTALL_INCLUDE_DIR})
 install(EXPORT pcl_shapeTargets NAMESPACE pcl_shape:: DESTINATION ${PCL_SHAPE_PACKAGE_DIR})
 
@@ -18,3 +18,13 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/pcl_shapeConfigVersion.cm
 install(FILES ${PROJECT_BINARY_DIR}/pcl_shapeConfig.cmake
               ${PROJECT_BINARY_DIR}/pcl_shapeConfigVersion.cmake
   DESTINATION ${PCL_SHAPE_PACKAGE_DIR})
+
+# The installed applications find the library relative to themselves: the prefix may move.
+if(PCL_SHAPE_BUILD_APPS AND BUILD_SHARED_LIBS)
+  file(RELATIVE_PATH pcl_shape_lib_from_bin
+       /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
+  get_property(pcl_shape_app_targets DIRECTORY apps PROPERTY BUILDSYSTEM_TARGETS)
+  foreach(target ${pcl_shape_app_targets})
+    set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN/${pcl_shape_lib_from_bin}")
+  endforeach()
+endif()

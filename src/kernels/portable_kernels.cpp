@@ -103,8 +103,8 @@ setAnchor(OwnPoints& own, std::size_t i, float x, float y, float z)
   own.az[i] = z;
 }
 
-/** \brief Another query of the block is a neighbor, if it is near enough: the first that is
- * not too near, else the furthest. */
+/** \brief Another query of the block is a neighbor, if it is near enough: the first
+ * that is not too near, else the furthest. */
 void
 anchorAtQuery(const SweepBlock& block, std::size_t i, OwnPoints& own)
 {

@@ -12,15 +12,14 @@
 #include "parallel.h"
 
 #include <algorithm>
-#include <array>
 
 namespace pcl {
 namespace kernels {
 namespace {
 
-constexpr int digit_bits = 11;
-constexpr std::size_t digits = std::size_t{1} << digit_bits;
-using Histogram = std::array<std::uint32_t, digits>;
+/** A histogram of digits of this many bits fits in the first-level cache. */
+constexpr int most_digit_bits = 13;
+using Histogram = std::vector<std::uint32_t>;
 
 /** \brief How many parts entries are split into: few, so that counting digits stays
  * cheap. */
@@ -33,16 +32,17 @@ partsFor(std::size_t entries, unsigned threads)
 
 class Pass {
 public:
-  Pass(const KeyedIndices& from, int shift, unsigned threads)
+  Pass(const KeyedIndices& from, int shift, int digit_bits, unsigned threads)
   : from_(from)
   , shift_(shift)
+  , digits_(std::size_t{1} << digit_bits)
   , threads_(threads)
   , parts_(partsFor(from.keys.size(), threads))
   , histograms_(parts_)
   {
     parallelFor(parts_, threads, [this](std::size_t part) {
       Histogram& histogram = histograms_[part];
-      histogram.fill(0);
+      histogram.assign(digits_, 0);
       for (std::size_t i = begin(part); i < begin(part + 1); ++i) {
         ++histogram[digitOf(from_.keys[i])];
       }
@@ -79,7 +79,7 @@ private:
   std::size_t
   digitOf(std::uint64_t key) const
   {
-    return (key >> shift_) & (digits - 1);
+    return (key >> shift_) & (digits_ - 1);
   }
 
   std::size_t
@@ -92,7 +92,7 @@ private:
   turnIntoPositions()
   {
     std::uint32_t position = 0;
-    for (std::size_t digit = 0; digit < digits; ++digit) {
+    for (std::size_t digit = 0; digit < digits_; ++digit) {
       for (Histogram& histogram : histograms_) {
         const std::uint32_t count = histogram[digit];
         histogram[digit] = position;
@@ -103,6 +103,7 @@ private:
 
   const KeyedIndices& from_;
   int shift_;
+  std::size_t digits_;
   unsigned threads_;
   std::size_t parts_;
   std::vector<Histogram> histograms_;
@@ -119,8 +120,10 @@ radixSort(KeyedIndices& entries, int bits, unsigned threads)
   KeyedIndices other;
   other.keys.resize(entries.keys.size());
   other.indices.resize(entries.indices.size());
+  const int passes = (bits + most_digit_bits - 1) / most_digit_bits;
+  const int digit_bits = passes > 0 ? (bits + passes - 1) / passes : 0;
   for (int shift = 0; shift < bits; shift += digit_bits) {
-    Pass pass(entries, shift, threads);
+    Pass pass(entries, shift, digit_bits, threads);
     if (!pass.isConstant()) {
       pass.scatter(other);
       std::swap(entries, other);

@@ -64,7 +64,7 @@ public:
   void
   next()
   {
-    allocate<with_normals>();
+    candidates_.allocate();
     std::size_t size = 0;
     while (!isDone() && size + lanes <= portion_size) {
       const std::uint32_t end = block_.runs[run_].end;
@@ -79,30 +79,12 @@ public:
     const Floats d;
     // Points at NaN fill the last vector: they are nobody's neighbor.
     const auto nan = hn::Set(d, std::numeric_limits<float>::quiet_NaN());
-    hn::StoreU(nan, d, candidates_.x.data() + size);
-    hn::StoreU(nan, d, candidates_.y.data() + size);
-    hn::StoreU(nan, d, candidates_.z.data() + size);
+    hn::StoreU(nan, d, candidates_.x() + size);
+    hn::StoreU(nan, d, candidates_.y() + size);
+    hn::StoreU(nan, d, candidates_.z() + size);
   }
 
 private:
-  template <bool with_normals>
-  void
-  allocate()
-  {
-    Candidates& c = candidates_;
-    for (auto* buffer : {&c.x, &c.y, &c.z}) {
-      buffer->atLeast(portion_size);
-    }
-    if (with_normals) {
-      for (auto* buffer : {&c.nx, &c.ny, &c.nz}) {
-        buffer->atLeast(portion_size);
-      }
-    }
-    if (has_ties_) {
-      c.order.atLeast(portion_size);
-    }
-  }
-
   template <bool with_normals>
   HWY_INLINE std::size_t
   pack(std::uint32_t j, std::uint32_t end, std::size_t size)
@@ -127,20 +109,18 @@ private:
     if (with_normals) {
       const auto nx = hn::LoadU(d, block_.nx + j);
       mask = hn::And(mask, hn::Eq(nx, nx));
-      packStore(d, nx, mask, c.nx.data() + size);
-      packStore(d, hn::LoadU(d, block_.ny + j), mask, c.ny.data() + size);
-      packStore(d, hn::LoadU(d, block_.nz + j), mask, c.nz.data() + size);
+      packStore(d, nx, mask, c.nx() + size);
+      packStore(d, hn::LoadU(d, block_.ny + j), mask, c.ny() + size);
+      packStore(d, hn::LoadU(d, block_.nz + j), mask, c.nz() + size);
     }
     if (has_ties_) {
       const Words w;
-      packStore(w,
-                hn::LoadU(w, block_.order + j),
-                hn::RebindMask(w, mask),
-                c.order.data() + size);
+      packStore(
+          w, hn::LoadU(w, block_.order + j), hn::RebindMask(w, mask), c.order() + size);
     }
-    packStore(d, x, mask, c.x.data() + size);
-    packStore(d, y, mask, c.y.data() + size);
-    return packStore(d, z, mask, c.z.data() + size);
+    packStore(d, x, mask, c.x() + size);
+    packStore(d, y, mask, c.y() + size);
+    return packStore(d, z, mask, c.z() + size);
   }
 
   const SweepBlock& block_;
@@ -165,7 +145,7 @@ neighborMask(const SweepBlock& block,
   const auto near = hn::Lt(d2, hn::Set(d, block.r2[query]));
   if constexpr (with_ties) {
     const Words w;
-    const auto order = hn::LoadU(w, candidates.order.data() + c);
+    const auto order = hn::LoadU(w, candidates.order() + c);
     const auto most =
         hn::Set(Ints(), static_cast<std::int32_t>(block.tie_index[query]));
     const auto first = hn::Not(hn::Gt(hn::BitCast(Ints(), order), most));

@@ -58,6 +58,22 @@ packStore(D d, V v, M mask, hn::TFromD<D>* out)
 #endif
 }
 
+/** Highway's NearestInt also takes care of values that do not fit. */
+template <class V>
+HWY_INLINE hn::VFromD<Ints>
+nearestInt(V v)
+{
+#if HWY_TARGET == HWY_AVX3
+  return hn::VFromD<Ints>{_mm512_cvtps_epi32(v.raw)};
+#elif HWY_TARGET == HWY_AVX2
+  return hn::VFromD<Ints>{_mm256_cvtps_epi32(v.raw)};
+#elif HWY_TARGET == HWY_SSE4
+  return hn::VFromD<Ints>{_mm_cvtps_epi32(v.raw)};
+#else
+  return hn::NearestInt(v);
+#endif
+}
+
 /** d^2 as the neighbor rule has it: this file is compiled without fusing. */
 template <class V>
 HWY_INLINE V

@@ -32,51 +32,88 @@ namespace HWY_NAMESPACE {
 /** Neighborhoods up to this size have moments that fit in 63 bits. */
 constexpr std::uint64_t most_for_63_bits = std::uint64_t{1} << 18;
 
-__extension__ using SignedWide = __int128;
-
 /** \brief sum (a - a0) (b - b0) from sums about 0, exactly. */
 template <typename Integer>
-double
-aboutQuery(const BlockMoments& m,
-           std::size_t i,
-           std::size_t product,
-           std::size_t a,
-           std::size_t b)
+HWY_INLINE Integer
+aboutQuery(Integer high,
+           Integer low,
+           Integer a0,
+           Integer b0,
+           Integer sum_a,
+           Integer sum_b,
+           Integer n)
 {
-  const auto a0 = static_cast<Integer>(m.own[a][i]);
-  const auto b0 = static_cast<Integer>(m.own[b][i]);
-  const auto low = static_cast<Integer>(m.values[low_xx + product][i]);
-  const auto high = static_cast<Integer>(m.values[high_xx + product][i]);
-  const auto sum_a = static_cast<Integer>(m.values[a][i]);
-  const auto sum_b = static_cast<Integer>(m.values[b][i]);
-  const auto n = static_cast<Integer>(m.count[i]);
   constexpr auto half = static_cast<Integer>(1) << half_bits;
-  return static_cast<double>(high * half + low - a0 * sum_b - b0 * sum_a + n * a0 * b0);
+  return high * half + low - a0 * (sum_b - n * b0) - b0 * sum_a;
 }
 
-inline void
-centerMoments(const BlockMoments& m, std::size_t i, BlockCovariances& covariances)
+/** \brief The central second moments of one product, of all queries. */
+HWY_INLINE void
+centerProduct(const BlockMoments& m,
+              std::size_t product,
+              std::size_t a,
+              std::size_t b,
+              double* covariances)
 {
-  const auto n = static_cast<double>(m.count[i]);
-  const auto offset = [&](std::size_t a) {
+  for (std::size_t i = 0; i < block_size; ++i) {
+    const auto n = static_cast<std::int64_t>(m.count[i]);
     const auto a0 = static_cast<std::int64_t>(m.own[a][i]);
-    const auto count = static_cast<std::int64_t>(m.count[i]);
-    return static_cast<double>(static_cast<std::int64_t>(m.values[a][i]) - count * a0);
-  };
-  const double x = offset(0), y = offset(1), z = offset(2);
-  const auto central =
-      [&](std::size_t product, std::size_t a, std::size_t b, double ab) {
-        const double about = m.count[i] <= most_for_63_bits
-                                 ? aboutQuery<std::int64_t>(m, i, product, a, b)
-                                 : aboutQuery<SignedWide>(m, i, product, a, b);
-        return (about - ab / n) / n;
-      };
-  covariances.xx[i] = central(0, 0, 0, x * x);
-  covariances.xy[i] = central(1, 0, 1, x * y);
-  covariances.xz[i] = central(2, 0, 2, x * z);
-  covariances.yy[i] = central(3, 1, 1, y * y);
-  covariances.yz[i] = central(4, 1, 2, y * z);
-  covariances.zz[i] = central(5, 2, 2, z * z);
+    const auto b0 = static_cast<std::int64_t>(m.own[b][i]);
+    const auto sum_a = static_cast<std::int64_t>(m.values[a][i]);
+    const auto sum_b = static_cast<std::int64_t>(m.values[b][i]);
+    const auto high = static_cast<std::int64_t>(m.values[high_xx + product][i]);
+    const auto low = static_cast<std::int64_t>(m.values[low_xx + product][i]);
+    const auto about = static_cast<double>(
+        aboutQuery<std::int64_t>(high, low, a0, b0, sum_a, sum_b, n));
+    const double inverse = 1.0 / static_cast<double>(n);
+    const auto x = static_cast<double>(sum_a - n * a0);
+    const auto y = static_cast<double>(sum_b - n * b0);
+    covariances[i] = (about - x * y * inverse) * inverse;
+  }
+}
+
+/** \brief The same for a neighborhood that is too large for 63 bits. */
+HWY_INLINE void
+centerLargeProduct(const BlockMoments& m,
+                   std::size_t i,
+                   std::size_t product,
+                   std::size_t a,
+                   std::size_t b,
+                   double* covariances)
+{
+  __extension__ using SignedWide = __int128;
+  const SignedWide n = m.count[i], sum_a = m.values[a][i], sum_b = m.values[b][i];
+  const auto a0 = static_cast<SignedWide>(m.own[a][i]);
+  const auto b0 = static_cast<SignedWide>(m.own[b][i]);
+  const auto about =
+      static_cast<double>(aboutQuery<SignedWide>(m.values[high_xx + product][i],
+                                                 m.values[low_xx + product][i],
+                                                 a0,
+                                                 b0,
+                                                 sum_a,
+                                                 sum_b,
+                                                 n));
+  const double inverse = 1.0 / static_cast<double>(n);
+  const auto x = static_cast<double>(sum_a - n * a0);
+  const auto y = static_cast<double>(sum_b - n * b0);
+  covariances[i] = (about - x * y * inverse) * inverse;
+}
+
+/** \brief Central second moments of the neighbors, from exact sums. */
+HWY_INLINE void
+centerMoments(const BlockMoments& m, BlockCovariances& c)
+{
+  const std::size_t first[] = {0, 0, 0, 1, 1, 2};
+  const std::size_t second[] = {0, 1, 2, 1, 2, 2};
+  double* const products[] = {c.xx, c.xy, c.xz, c.yy, c.yz, c.zz};
+  for (std::size_t p = 0; p < 6; ++p) {
+    centerProduct(m, p, first[p], second[p], products[p]);
+    for (std::size_t i = 0; i < block_size; ++i) {
+      if (HWY_UNLIKELY(m.count[i] > most_for_63_bits)) {
+        centerLargeProduct(m, i, p, first[p], second[p], products[p]);
+      }
+    }
+  }
 }
 
 /** \brief Coefficients of the characteristic polynomial l^3 - l^2 + c1 l - c0 of
@@ -85,7 +122,7 @@ struct Characteristic {
   double c1[block_size], c0[block_size];
 };
 
-inline void
+HWY_INLINE void
 scaleToTraceOne(BlockCovariances& m, Characteristic& p)
 {
   for (std::size_t i = 0; i < block_size; ++i) {
@@ -102,39 +139,45 @@ scaleToTraceOne(BlockCovariances& m, Characteristic& p)
 
 /** \brief The smallest roots by Newton's method from 0, from where it climbs to them.
  * Each stops by itself, whatever the others do. */
-inline void
+HWY_INLINE void
 smallestRoots(const Characteristic& p, double* roots)
 {
-  double moving[block_size];
+  std::int64_t moving[block_size];
   std::fill_n(roots, block_size, 0.0);
-  std::fill_n(moving, block_size, 1.0);
+  std::fill_n(moving, block_size, 1);
   constexpr int most_steps = 64;
   for (int step = 0; step < most_steps; ++step) {
-    double any = 0.0;
+    std::int64_t any = 0;
     for (std::size_t i = 0; i < block_size; ++i) {
       const double l = roots[i];
       const double value = ((l - 1.0) * l + p.c1[i]) * l - p.c0[i];
       const double slope = (3.0 * l - 2.0) * l + p.c1[i];
       const double climb = -value / slope;
-      const bool goes_on = moving[i] > 0.0 && climb > 1e-15 && slope > 0.0;
-      roots[i] = goes_on ? l + climb : l;
-      moving[i] = goes_on ? 1.0 : 0.0;
-      any += moving[i];
+      const std::int64_t climbs = climb > 1e-15 ? moving[i] : 0;
+      const std::int64_t goes_on = slope > 0.0 ? climbs : 0;
+      roots[i] = l + (goes_on != 0 ? climb : 0.0);
+      moving[i] = goes_on;
+      any |= goes_on;
     }
-    if (any == 0.0) {
+    if (any == 0) {
       return;
     }
   }
 }
 
-/** \brief The longest cross product of two rows of M - l I, and whether that is a safe
- * eigenvector: long enough, and the points not on a line. */
-inline void
+/** \brief Eigenvectors, and how long their cross product and the product of the other
+ * two roots are: whether the result is safe. */
+struct Eigenvectors {
+  double x[block_size], y[block_size], z[block_size];
+  double squared_length[block_size], other_roots[block_size];
+};
+
+/** \brief The longest cross product of two rows of M - l I. */
+HWY_INLINE void
 eigenvectors(const BlockCovariances& m,
              const Characteristic& p,
              const double* roots,
-             NormalResult* results,
-             bool* safe)
+             Eigenvectors& vectors)
 {
   for (std::size_t i = 0; i < block_size; ++i) {
     const double l = roots[i];
@@ -146,24 +189,20 @@ eigenvectors(const BlockCovariances& m,
     const double a2 = ax * ax + ay * ay + az * az;
     const double b2 = bx * bx + by * by + bz * bz;
     const double c2 = cx * cx + cy * cy + cz * cz;
-    const bool b_wins = b2 > a2;
-    const double d2 = b_wins ? b2 : a2;
-    const double dx = b_wins ? bx : ax, dy = b_wins ? by : ay, dz = b_wins ? bz : az;
-    const bool c_wins = c2 > d2;
-    const double e2 = c_wins ? c2 : d2;
+    const double d2 = b2 > a2 ? b2 : a2;
+    const double dx = b2 > a2 ? bx : ax, dy = b2 > a2 ? by : ay, dz = b2 > a2 ? bz : az;
+    const double e2 = c2 > d2 ? c2 : d2;
     const double scale = 1.0 / std::sqrt(e2);
-    results[i].x = static_cast<float>((c_wins ? cx : dx) * scale);
-    results[i].y = static_cast<float>((c_wins ? cy : dy) * scale);
-    results[i].z = static_cast<float>((c_wins ? cz : dz) * scale);
-    results[i].curvature = static_cast<float>(l);
-    // The other two roots have the sum s and the product q; q <= ratio s^2 on a line.
-    const double s = 1.0 - l;
-    const double q = p.c1[i] - l * s;
-    safe[i] = e2 > 1e-16 && q > 4.0 * line_ratio * s * s;
+    vectors.x[i] = (c2 > d2 ? cx : dx) * scale;
+    vectors.y[i] = (c2 > d2 ? cy : dy) * scale;
+    vectors.z[i] = (c2 > d2 ? cz : dz) * scale;
+    vectors.squared_length[i] = e2;
+    vectors.other_roots[i] = p.c1[i] - l * (1.0 - l);
   }
 }
 
-inline void
+/** \brief As normalOfCovariance(), for all queries at once. */
+HWY_INLINE void
 normalsOfCovariances(const BlockCovariances& covariances,
                      std::size_t size,
                      NormalResult* results)
@@ -171,13 +210,19 @@ normalsOfCovariances(const BlockCovariances& covariances,
   BlockCovariances m = covariances;
   Characteristic p;
   double roots[block_size];
-  NormalResult all[block_size];
-  bool safe[block_size];
+  Eigenvectors v;
   scaleToTraceOne(m, p);
   smallestRoots(p, roots);
-  eigenvectors(m, p, roots, all, safe);
+  eigenvectors(m, p, roots, v);
   for (std::size_t i = 0; i < size; ++i) {
-    results[i] = safe[i] ? all[i]
+    // The other two roots have the sum s and the product q; q <= ratio s^2 on a line.
+    const double s = 1.0 - roots[i];
+    const bool is_safe =
+        v.squared_length[i] > 1e-16 && v.other_roots[i] > 4.0 * line_ratio * s * s;
+    results[i] = is_safe ? NormalResult{static_cast<float>(v.x[i]),
+                                        static_cast<float>(v.y[i]),
+                                        static_cast<float>(v.z[i]),
+                                        static_cast<float>(roots[i])}
                          : normalOfCovariance({covariances.xx[i],
                                                covariances.xy[i],
                                                covariances.xz[i],

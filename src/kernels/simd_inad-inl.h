@@ -40,12 +40,6 @@ collectChords(const SweepBlock& block,
 {
   const Floats d;
   const std::size_t size = candidates.size;
-  const float* HWY_RESTRICT x = candidates.x.data();
-  const float* HWY_RESTRICT y = candidates.y.data();
-  const float* HWY_RESTRICT z = candidates.z.data();
-  const float* HWY_RESTRICT other_nx = candidates.nx.data();
-  const float* HWY_RESTRICT other_ny = candidates.ny.data();
-  const float* HWY_RESTRICT other_nz = candidates.nz.data();
   const auto qx = hn::Set(d, block.qx[i]);
   const auto qy = hn::Set(d, block.qy[i]);
   const auto qz = hn::Set(d, block.qz[i]);
@@ -54,9 +48,9 @@ collectChords(const SweepBlock& block,
   const auto nz = hn::Set(d, own.nz[i]);
   std::size_t count = 0;
   for (std::size_t c = 0; c < size; c += lanes) {
-    const auto dx = hn::Sub(hn::LoadU(d, x + c), qx);
-    const auto dy = hn::Sub(hn::LoadU(d, y + c), qy);
-    const auto dz = hn::Sub(hn::LoadU(d, z + c), qz);
+    const auto dx = hn::Sub(hn::LoadU(d, candidates.x() + c), qx);
+    const auto dy = hn::Sub(hn::LoadU(d, candidates.y() + c), qy);
+    const auto dz = hn::Sub(hn::LoadU(d, candidates.z() + c), qz);
     const auto mask =
         neighborMask<with_ties>(block, i, candidates, c, squaredLength(dx, dy, dz));
     if (HWY_UNLIKELY(!spreads)) {
@@ -70,17 +64,14 @@ collectChords(const SweepBlock& block,
       const auto wide = hn::Gt(cross2, hn::Set(d, 4.5e-6f * r2 * r2));
       spreads = !hn::AllFalse(d, hn::And(mask, wide));
     }
-    const auto ox = hn::LoadU(d, other_nx + c);
-    const auto oy = hn::LoadU(d, other_ny + c);
-    const auto oz = hn::LoadU(d, other_nz + c);
+    const auto ox = hn::LoadU(d, candidates.nx() + c);
+    const auto oy = hn::LoadU(d, candidates.ny() + c);
+    const auto oz = hn::LoadU(d, candidates.nz() + c);
+    // Normals have either sign: the nearer one counts.
     const auto mx = hn::Sub(ox, nx), my = hn::Sub(oy, ny), mz = hn::Sub(oz, nz);
-    auto chord = hn::MulAdd(mx, mx, hn::MulAdd(my, my, hn::Mul(mz, mz)));
-    // Normals have either sign: rarely, the other one is nearer.
-    const auto is_obtuse = hn::And(mask, hn::Gt(chord, hn::Set(d, 2.0f)));
-    if (HWY_UNLIKELY(!hn::AllFalse(d, is_obtuse))) {
-      const auto px = hn::Add(ox, nx), py = hn::Add(oy, ny), pz = hn::Add(oz, nz);
-      chord = hn::Min(chord, hn::MulAdd(px, px, hn::MulAdd(py, py, hn::Mul(pz, pz))));
-    }
+    const auto px = hn::Add(ox, nx), py = hn::Add(oy, ny), pz = hn::Add(oz, nz);
+    const auto chord = hn::Min(hn::MulAdd(mx, mx, hn::MulAdd(my, my, hn::Mul(mz, mz))),
+                               hn::MulAdd(px, px, hn::MulAdd(py, py, hn::Mul(pz, pz))));
     count += packStore(d, chord, mask, chords + count);
   }
   return count;
@@ -146,22 +137,6 @@ struct Sums {
 };
 
 constexpr std::size_t additions_between_widening = 128;
-
-/** Highway's NearestInt also takes care of values that do not fit, which angles do. */
-template <class V>
-HWY_INLINE hn::VFromD<Ints>
-nearestInt(V v)
-{
-#if HWY_TARGET == HWY_AVX3
-  return hn::VFromD<Ints>{_mm512_cvtps_epi32(v.raw)};
-#elif HWY_TARGET == HWY_AVX2
-  return hn::VFromD<Ints>{_mm256_cvtps_epi32(v.raw)};
-#elif HWY_TARGET == HWY_SSE4
-  return hn::VFromD<Ints>{_mm_cvtps_epi32(v.raw)};
-#else
-  return hn::NearestInt(v);
-#endif
-}
 
 /** \brief Squared chords to angles in units (angle.h), and their sums. Writes up to a
  * whole vector; the lanes behind the last angle are 0. */

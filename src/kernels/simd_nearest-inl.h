@@ -30,12 +30,9 @@ squaredDistances(const SweepBlock& block,
                  std::size_t c)
 {
   const Floats d;
-  const auto dx =
-      hn::Sub(hn::LoadU(d, candidates.x.data() + c), hn::Set(d, block.qx[i]));
-  const auto dy =
-      hn::Sub(hn::LoadU(d, candidates.y.data() + c), hn::Set(d, block.qy[i]));
-  const auto dz =
-      hn::Sub(hn::LoadU(d, candidates.z.data() + c), hn::Set(d, block.qz[i]));
+  const auto dx = hn::Sub(hn::LoadU(d, candidates.x() + c), hn::Set(d, block.qx[i]));
+  const auto dy = hn::Sub(hn::LoadU(d, candidates.y() + c), hn::Set(d, block.qy[i]));
+  const auto dz = hn::Sub(hn::LoadU(d, candidates.z() + c), hn::Set(d, block.qz[i]));
   return squaredLength(dx, dy, dz);
 }
 

@@ -36,21 +36,17 @@ levelOf(float r2)
 }
 
 /** \brief The candidates' coordinates in units from an origin, as 32-bit words. Those
- * that are no neighbor of anybody may have no meaning. */
+ * that are no neighbor of anybody may have no meaning.
+ *
+ * Units are a power of two, so that scaling is exact and rounding does not depend on
+ * the origin.
+ */
 class Quantizer {
-  template <class V>
-  HWY_INLINE auto
-  quantize(V v, std::size_t axis) const
-  {
-    const hn::Rebind<double, hn::Half<Floats>> d;
-    const hn::Rebind<std::int32_t, decltype(d)> i;
-    const auto units = hn::Round(hn::Mul(hn::PromoteTo(d, v), hn::Set(d, scale_)));
-    return hn::DemoteTo(i, hn::Sub(units, hn::Set(d, origin_[axis])));
-  }
-
 public:
-  Quantizer(int level, const double* origin)
+  /** \param[in] largest the largest coordinate of a neighbor, absolute, in units */
+  Quantizer(int level, const double* origin, double largest)
   : scale_(std::ldexp(1.0, offset_bits - level))
+  , fits_(largest < (1 << 30) && std::abs(level) < 100)
   , origin_(origin)
   {}
 
@@ -59,6 +55,11 @@ public:
   {
     const Floats d;
     const auto v = hn::LoadU(d, coordinates);
+    if (HWY_LIKELY(fits_)) {
+      const auto origin = hn::Set(Ints(), static_cast<std::int32_t>(origin_[axis]));
+      const auto units = nearestInt(hn::Mul(v, hn::Set(d, static_cast<float>(scale_))));
+      return hn::BitCast(Words(), hn::Sub(units, origin));
+    }
     const hn::Half<Floats> h;
     const auto low = quantize(hn::LowerHalf(h, v), axis);
     const auto high = quantize(hn::UpperHalf(h, v), axis);
@@ -66,7 +67,17 @@ public:
   }
 
 private:
+  template <class V>
+  HWY_INLINE hn::VFromD<hn::Half<Ints>>
+  quantize(V v, std::size_t axis) const
+  {
+    const hn::Rebind<double, hn::Half<Floats>> d;
+    const auto units = hn::Round(hn::Mul(hn::PromoteTo(d, v), hn::Set(d, scale_)));
+    return hn::DemoteTo(hn::Half<Ints>(), hn::Sub(units, hn::Set(d, origin_[axis])));
+  }
+
   double scale_;
+  bool fits_;
   const double* origin_;
 };
 
@@ -106,9 +117,9 @@ momentsOf(const Candidates& candidates, const Quantizer& quantizer)
   std::uint32_t* moments = simdScratch().moments.atLeast(moment_count * moment_stride);
   const Words w;
   for (std::size_t c = 0; c < candidates.size; c += lanes) {
-    const auto x = quantizer(candidates.x.data() + c, 0);
-    const auto y = quantizer(candidates.y.data() + c, 1);
-    const auto z = quantizer(candidates.z.data() + c, 2);
+    const auto x = quantizer(candidates.x() + c, 0);
+    const auto y = quantizer(candidates.y() + c, 1);
+    const auto z = quantizer(candidates.z() + c, 2);
     const auto at = [&](std::size_t moment) {
       return moments + moment * moment_stride + c;
     };
@@ -145,13 +156,13 @@ public:
   neighborMask(const Candidates& candidates, std::size_t c) const
   {
     const Floats d;
-    const auto d2 = squaredLength(hn::Sub(hn::Set(d, candidates.x.data()[c]), x_),
-                                  hn::Sub(hn::Set(d, candidates.y.data()[c]), y_),
-                                  hn::Sub(hn::Set(d, candidates.z.data()[c]), z_));
+    const auto d2 = squaredLength(hn::Sub(hn::Set(d, candidates.x()[c]), x_),
+                                  hn::Sub(hn::Set(d, candidates.y()[c]), y_),
+                                  hn::Sub(hn::Set(d, candidates.z()[c]), z_));
     const auto near = hn::Lt(d2, r2_);
     if constexpr (with_ties) {
       const auto order =
-          hn::Set(Ints(), static_cast<std::int32_t>(candidates.order.data()[c]));
+          hn::Set(Ints(), static_cast<std::int32_t>(candidates.order()[c]));
       const auto first = hn::RebindMask(d, hn::Not(hn::Gt(order, tie_index_)));
       return hn::Or(near, hn::And(hn::Eq(d2, tie_d2_), first));
     }

@@ -27,18 +27,19 @@ constexpr std::size_t candidates_between_widening = 512;
 
 #if HWY_TARGET <= HWY_AVX3
 
-template <class M>
-HWY_INLINE hn::VFromD<Words>
-addWhere(M mask, hn::VFromD<Words> sum, std::uint32_t value)
+/** \brief sum += value where the mask is set: one instruction, which GCC 12 does not
+ * find. */
+HWY_INLINE void
+addWhere(__mmask16 mask, __m512i& sum, const std::uint32_t* value)
 {
-  return hn::VFromD<Words>{_mm512_mask_add_epi32(
-      sum.raw, mask.raw, sum.raw, _mm512_set1_epi32(static_cast<int>(value)))};
+  asm("vpaddd %2%{1to16%}, %0, %0%{%1%}" : "+v"(sum) : "Yk"(mask), "m"(*value));
 }
 
-/** \brief All moments at once: there are registers enough. */
+/** \brief All moments at once: there are registers enough, if the compiler sees each
+ * sum as a variable of its own. */
 template <bool with_ties>
-HWY_INLINE void
-addMoments(const QueryLanes<with_ties>& queries,
+HWY_NOINLINE void
+addMoments(const QueryLanes<with_ties>& lanes_queries,
            const Candidates& candidates,
            const std::uint32_t* moments,
            std::size_t begin,
@@ -46,22 +47,61 @@ addMoments(const QueryLanes<with_ties>& queries,
            std::size_t first_lane,
            BlockMoments& block)
 {
-  hn::VFromD<Words> sums[moment_count + 1];
-  for (auto& sum : sums) {
-    sum = hn::Zero(Words());
-  }
+  const QueryLanes<with_ties> queries = lanes_queries;
+  const __m512i zero = _mm512_setzero_si512();
+  __m512i s0 = zero;
+  __m512i s1 = zero;
+  __m512i s2 = zero;
+  __m512i s3 = zero;
+  __m512i s4 = zero;
+  __m512i s5 = zero;
+  __m512i s6 = zero;
+  __m512i s7 = zero;
+  __m512i s8 = zero;
+  __m512i s9 = zero;
+  __m512i s10 = zero;
+  __m512i s11 = zero;
+  __m512i s12 = zero;
+  __m512i s13 = zero;
+  __m512i s14 = zero;
+  __m512i s15 = zero;
+  constexpr std::uint32_t one = 1;
   for (std::size_t c = begin; c < end; ++c) {
-    const auto mask = queries.neighborMask(candidates, c);
-    HWY_UNROLL(15)
-    for (std::size_t m = 0; m < moment_count; ++m) {
-      sums[m] = addWhere(mask, sums[m], moments[m * moment_stride + c]);
-    }
-    sums[moment_count] = addWhere(mask, sums[moment_count], 1);
+    const __mmask16 mask = queries.neighborMask(candidates, c).raw;
+    const std::uint32_t* value = moments + c;
+    addWhere(mask, s0, value + sum_x * moment_stride);
+    addWhere(mask, s1, value + sum_y * moment_stride);
+    addWhere(mask, s2, value + sum_z * moment_stride);
+    addWhere(mask, s3, value + low_xx * moment_stride);
+    addWhere(mask, s4, value + low_xy * moment_stride);
+    addWhere(mask, s5, value + low_xz * moment_stride);
+    addWhere(mask, s6, value + low_yy * moment_stride);
+    addWhere(mask, s7, value + low_yz * moment_stride);
+    addWhere(mask, s8, value + low_zz * moment_stride);
+    addWhere(mask, s9, value + high_xx * moment_stride);
+    addWhere(mask, s10, value + high_xy * moment_stride);
+    addWhere(mask, s11, value + high_xz * moment_stride);
+    addWhere(mask, s12, value + high_yy * moment_stride);
+    addWhere(mask, s13, value + high_yz * moment_stride);
+    addWhere(mask, s14, value + high_zz * moment_stride);
+    addWhere(mask, s15, &one);
   }
-  for (std::size_t m = 0; m < moment_count; ++m) {
-    addLanes(sums[m], block.values[m] + first_lane);
-  }
-  addLanes(sums[moment_count], block.count + first_lane);
+  addLanes(hn::VFromD<Words>{s0}, block.values[sum_x] + first_lane);
+  addLanes(hn::VFromD<Words>{s1}, block.values[sum_y] + first_lane);
+  addLanes(hn::VFromD<Words>{s2}, block.values[sum_z] + first_lane);
+  addLanes(hn::VFromD<Words>{s3}, block.values[low_xx] + first_lane);
+  addLanes(hn::VFromD<Words>{s4}, block.values[low_xy] + first_lane);
+  addLanes(hn::VFromD<Words>{s5}, block.values[low_xz] + first_lane);
+  addLanes(hn::VFromD<Words>{s6}, block.values[low_yy] + first_lane);
+  addLanes(hn::VFromD<Words>{s7}, block.values[low_yz] + first_lane);
+  addLanes(hn::VFromD<Words>{s8}, block.values[low_zz] + first_lane);
+  addLanes(hn::VFromD<Words>{s9}, block.values[high_xx] + first_lane);
+  addLanes(hn::VFromD<Words>{s10}, block.values[high_xy] + first_lane);
+  addLanes(hn::VFromD<Words>{s11}, block.values[high_xz] + first_lane);
+  addLanes(hn::VFromD<Words>{s12}, block.values[high_yy] + first_lane);
+  addLanes(hn::VFromD<Words>{s13}, block.values[high_yz] + first_lane);
+  addLanes(hn::VFromD<Words>{s14}, block.values[high_zz] + first_lane);
+  addLanes(hn::VFromD<Words>{s15}, block.count + first_lane);
 }
 
 #else
@@ -171,12 +211,26 @@ setOrigin(const SweepBlock& block, const Group& group, BlockMoments& sums)
   }
 }
 
+/** \brief The largest coordinate of a neighbor, absolute, in units. */
+HWY_INLINE double
+largestOf(const BlockMoments& sums, std::size_t size)
+{
+  double largest = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < size; ++i) {
+      largest = std::max(largest, std::abs(sums.own[axis][i] + sums.origin[axis]));
+    }
+  }
+  constexpr double reach = 1 << (offset_bits + 1);
+  return largest + reach;
+}
+
 HWY_INLINE BlockMoments
 sumMoments(const SweepBlock& block, const Group& group)
 {
   BlockMoments sums{};
   setOrigin(block, group, sums);
-  const Quantizer quantizer(group.level, sums.origin);
+  const Quantizer quantizer(group.level, sums.origin, largestOf(sums, block.size));
   float r2[block_size], tie_d2[block_size];
   for (std::size_t i = 0; i < block_size; ++i) {
     r2[i] = group.has[i] ? block.r2[i] : -1.0f;
@@ -243,13 +297,9 @@ normals(const SweepBlock& block, NormalResult* results)
     }
     const Group group = groupOf(block, levels, first);
     const BlockMoments sums = sumMoments(block, group);
-    BlockCovariances covariances{};
+    BlockCovariances covariances;
     NormalResult normals[block_size];
-    for (std::size_t i = 0; i < block.size; ++i) {
-      if (group.has[i] && sums.count[i] > 0) {
-        centerMoments(sums, i, covariances);
-      }
-    }
+    centerMoments(sums, covariances);
     normalsOfCovariances(covariances, block.size, normals);
     for (std::size_t i = 0; i < block.size; ++i) {
       if (!group.has[i]) {

@@ -60,13 +60,70 @@ private:
 
 /** \brief Candidates are looked at in portions of this size, so that buffers stay small
  * however many points there are. */
-constexpr std::size_t portion_size = 8192;
+constexpr std::size_t portion_size = 4096;
 
-/** \brief Surface points near a block of queries, packed. */
-struct Candidates {
+/** \brief Surface points near a block of queries, packed: arrays at fixed distances, so
+ * that a loop needs one register for all of them. */
+class Candidates {
+public:
   std::size_t size = 0;
-  AlignedBuffer<float> x, y, z, nx, ny, nz;
-  AlignedBuffer<std::uint32_t> order; ///< original indices, if there are ties
+
+  void
+  allocate()
+  {
+    values_.atLeast(6 * stride);
+    order_.atLeast(stride);
+  }
+
+  float*
+  x() const
+  {
+    return values_.data();
+  }
+
+  float*
+  y() const
+  {
+    return x() + stride;
+  }
+
+  float*
+  z() const
+  {
+    return x() + 2 * stride;
+  }
+
+  float*
+  nx() const
+  {
+    return x() + 3 * stride;
+  }
+
+  float*
+  ny() const
+  {
+    return x() + 4 * stride;
+  }
+
+  float*
+  nz() const
+  {
+    return x() + 5 * stride;
+  }
+
+  /** \brief Original indices, if there are ties. */
+  std::uint32_t*
+  order() const
+  {
+    return order_.data();
+  }
+
+private:
+  // Not a multiple of 4096 bytes: arrays would share the same few cache lines.
+  static constexpr std::size_t stride = portion_size + 80;
+
+  AlignedBuffer<float> values_;
+  AlignedBuffer<std::uint32_t> order_;
 };
 
 /** \brief What a thread keeps from block to block. */

@@ -1,0 +1,55 @@
+# Run by ctest, with the directories and the compiler of the build; see CMakeLists.txt.
+
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "failed (${status}): ${command}")
+  endif()
+endfunction()
+
+# No file of the package may name a place that its user has not got.
+function(check_contents file)
+  file(READ ${file} contents)
+  foreach(word ${SOURCE_DIR} ${BUILD_DIR} ${WORK_DIR} pcl_shape_warnings nlohmann_json::
+          BUILD_INTERFACE)
+    string(FIND "${contents}" "${word}" position)
+    if(NOT position EQUAL -1)
+      message(FATAL_ERROR "${file} contains '${word}'")
+    endif()
+  endforeach()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK_DIR})
+run(${CMAKE_COMMAND} --install ${BUILD_DIR} --config "${CONFIG}" --prefix ${WORK_DIR}/installed)
+file(RENAME ${WORK_DIR}/installed ${WORK_DIR}/moved)
+
+file(GLOB_RECURSE package_files ${WORK_DIR}/moved/*.cmake ${WORK_DIR}/moved/*.h
+     ${WORK_DIR}/moved/*.hpp)
+if(NOT package_files)
+  message(FATAL_ERROR "nothing was installed in ${WORK_DIR}/moved")
+endif()
+foreach(file ${package_files})
+  check_contents(${file})
+  if(file MATCHES "/include/" AND NOT file MATCHES "/include/pcl_shape-[0-9]+\\.[0-9]+/pcl/")
+    message(FATAL_ERROR "${file} is not in the project's own include directory")
+  endif()
+endforeach()
+
+run(${CMAKE_COMMAND} -S ${CONSUMER_DIR} -B ${WORK_DIR}/consumer -G ${GENERATOR}
+    -DCMAKE_PREFIX_PATH=${WORK_DIR}/moved -DCMAKE_BUILD_TYPE=${BUILD_TYPE}
+    -DCMAKE_C_COMPILER=${C_COMPILER} -DCMAKE_CXX_COMPILER=${CXX_COMPILER}
+    -DCMAKE_CXX_FLAGS=${CXX_FLAGS} -DCMAKE_FIND_PACKAGE_NO_PACKAGE_REGISTRY=ON)
+run(${CMAKE_COMMAND} --build ${WORK_DIR}/consumer)
+run(${CMAKE_COMMAND} -E chdir ${WORK_DIR}/consumer ./consumer model.json)
+
+# The installed applications find the library where it was moved to.
+if(WITH_APPS)
+  file(GLOB apps ${WORK_DIR}/moved/bin/pcl_*)
+  if(NOT apps)
+    message(FATAL_ERROR "no application was installed in ${WORK_DIR}/moved/bin")
+  endif()
+  foreach(app ${apps})
+    run(${CMAKE_COMMAND} -E env --unset=LD_LIBRARY_PATH ${app} --version)
+  endforeach()
+endif()
