@@ -110,7 +110,7 @@ anchorAtQuery(const SweepBlock& block, std::size_t i, OwnPoints& own)
 {
   float furthest = 0.0f;
   for (std::size_t step = 1; step < block.size; ++step) {
-    const std::size_t other = (i + step) % block.size;
+    const std::size_t other = i + step < block.size ? i + step : i + step - block.size;
     const float dx = block.qx[other] - block.qx[i];
     const float dy = block.qy[other] - block.qy[i];
     const float dz = block.qz[other] - block.qz[i];

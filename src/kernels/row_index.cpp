@@ -82,6 +82,39 @@ struct Cells {
 
 constexpr std::size_t part_size = 8192;
 
+/** \brief The cells that a part's finite points are in. */
+Cells
+cellsOf(const Selection& points,
+        std::size_t begin,
+        std::size_t end,
+        double cells_a_metre)
+{
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  float least[3] = {infinity, infinity, infinity};
+  float most[3] = {-infinity, -infinity, -infinity};
+  Cells cells;
+  for (std::size_t i = begin; i < end; ++i) {
+    const float* p = points[i];
+    if (isFinite(p)) {
+      for (int axis = 0; axis < 3; ++axis) {
+        least[axis] = std::min(least[axis], p[axis]);
+        most[axis] = std::max(most[axis], p[axis]);
+      }
+      ++cells.count;
+    }
+  }
+  const auto add = [&](const float* p) {
+    cells.x.add(cellOf(p[0], x_cells_an_edge * cells_a_metre));
+    cells.y.add(cellOf(p[1], cells_a_metre));
+    cells.z.add(cellOf(p[2], cells_a_metre));
+  };
+  if (cells.count > 0) {
+    add(least);
+    add(most);
+  }
+  return cells;
+}
+
 std::vector<Cells>
 cellsOfParts(const Selection& points,
              std::size_t count,
@@ -90,18 +123,8 @@ cellsOfParts(const Selection& points,
 {
   std::vector<Cells> parts((count + part_size - 1) / part_size);
   parallelFor(parts.size(), threads, [&](std::size_t part) {
-    Cells cells;
-    for (std::size_t i = part * part_size; i < std::min(count, (part + 1) * part_size);
-         ++i) {
-      const float* p = points[i];
-      if (isFinite(p)) {
-        cells.x.add(cellOf(p[0], x_cells_an_edge * cells_a_metre));
-        cells.y.add(cellOf(p[1], cells_a_metre));
-        cells.z.add(cellOf(p[2], cells_a_metre));
-        ++cells.count;
-      }
-    }
-    parts[part] = cells;
+    const std::size_t end = std::min(count, (part + 1) * part_size);
+    parts[part] = cellsOf(points, part * part_size, end, cells_a_metre);
   });
   return parts;
 }

@@ -58,6 +58,25 @@ public:
     return run_ == block_.run_count;
   }
 
+  /** \brief Turn normals to the side of this one, for isSmoothAround(). */
+  void
+  setReference(float x, float y, float z)
+  {
+    reference_[0] = x;
+    reference_[1] = y;
+    reference_[2] = z;
+  }
+
+  /** \brief Whether a normal at this cosine (absolute) from the reference makes an
+   * angle of at most a right one with all candidates' normals: theirs and its own to
+   * the reference are together less. */
+  bool
+  isSmoothAround(float cosine) const
+  {
+    constexpr float margin = 1e-4f;
+    return cosine * cosine + least_cosine_ * least_cosine_ > 1.0f + margin;
+  }
+
   /** \brief Pack the next candidates.
    * \tparam with_normals their normals as well; points without one are left out */
   template <bool with_normals>
@@ -65,13 +84,12 @@ public:
   next()
   {
     candidates_.allocate();
+    least_cosine_ = 1.0f;
     std::size_t size = 0;
     while (!isDone() && size + lanes <= portion_size) {
-      const std::uint32_t end = block_.runs[run_].end;
-      for (; position_ < end && size + lanes <= portion_size; position_ += lanes) {
-        size += pack<with_normals>(position_, end, size);
-      }
-      if (position_ >= end && ++run_ < block_.run_count) {
+      size = has_ties_ ? packRun<with_normals, true>(size)
+                       : packRun<with_normals, false>(size);
+      if (position_ >= block_.runs[run_].end && ++run_ < block_.run_count) {
         position_ = block_.runs[run_].begin;
       }
     }
@@ -85,48 +103,80 @@ public:
   }
 
 private:
-  template <bool with_normals>
+  /** \brief By how much coordinates are outside of an interval. */
+  template <class V>
+  static HWY_INLINE V
+  outside(V v, V least, V most)
+  {
+    return hn::Max(hn::Max(hn::Sub(least, v), hn::Sub(v, most)), hn::Zero(Floats()));
+  }
+
+  /** \brief Pack what is left of a run, as far as there is room. Returns the new size.
+   */
+  template <bool with_normals, bool with_ties>
   HWY_INLINE std::size_t
-  pack(std::uint32_t j, std::uint32_t end, std::size_t size)
+  packRun(std::size_t size)
   {
     const Floats d;
-    const auto x = hn::LoadU(d, block_.x + j);
-    const auto y = hn::LoadU(d, block_.y + j);
-    const auto z = hn::LoadU(d, block_.z + j);
-    const auto outside = [&](auto v, float least, float most) {
-      return hn::Max(
-          hn::Max(hn::Sub(hn::Set(d, least), v), hn::Sub(v, hn::Set(d, most))),
-          hn::Zero(d));
-    };
-    const auto d2 = squaredLength(outside(x, x_min_, x_max_),
-                                  outside(y, y_min_, y_max_),
-                                  outside(z, z_min_, z_max_));
-    auto mask = hn::Lt(d2, hn::Set(d, reach2_));
-    if (end - j < lanes) {
-      mask = hn::And(mask, hn::FirstN(d, end - j));
+    const auto x_min = hn::Set(d, x_min_), x_max = hn::Set(d, x_max_);
+    const auto y_min = hn::Set(d, y_min_), y_max = hn::Set(d, y_max_);
+    const auto z_min = hn::Set(d, z_min_), z_max = hn::Set(d, z_max_);
+    const auto reach2 = hn::Set(d, reach2_);
+    const SweepBlock from = block_;
+    float* HWY_RESTRICT to = candidates_.x();
+    constexpr std::size_t stride = Candidates::stride;
+    const std::uint32_t end = from.runs[run_].end;
+    auto least_cosine = hn::Set(d, least_cosine_);
+    std::uint32_t j = position_;
+    for (; j < end && size + lanes <= portion_size; j += lanes) {
+      const auto x = hn::LoadU(d, from.x + j);
+      const auto y = hn::LoadU(d, from.y + j);
+      const auto z = hn::LoadU(d, from.z + j);
+      const auto d2 = squaredLength(
+          outside(x, x_min, x_max), outside(y, y_min, y_max), outside(z, z_min, z_max));
+      auto mask = hn::Lt(d2, reach2);
+      if (HWY_UNLIKELY(end - j < lanes)) {
+        mask = hn::And(mask, hn::FirstN(d, end - j));
+      }
+      if constexpr (with_normals) {
+        const auto nx = hn::LoadU(d, from.nx + j);
+        const auto ny = hn::LoadU(d, from.ny + j);
+        const auto nz = hn::LoadU(d, from.nz + j);
+        mask = hn::And(mask, hn::Eq(nx, nx));
+        const auto cosine = hn::MulAdd(
+            nx,
+            hn::Set(d, reference_[0]),
+            hn::MulAdd(
+                ny, hn::Set(d, reference_[1]), hn::Mul(nz, hn::Set(d, reference_[2]))));
+        const auto sign = hn::And(cosine, hn::Set(d, -0.0f));
+        least_cosine = hn::Min(least_cosine,
+                               hn::IfThenElse(mask, hn::Abs(cosine), hn::Set(d, 1.0f)));
+        packStore(d, hn::Xor(nx, sign), mask, to + 3 * stride + size);
+        packStore(d, hn::Xor(ny, sign), mask, to + 4 * stride + size);
+        packStore(d, hn::Xor(nz, sign), mask, to + 5 * stride + size);
+      }
+      if constexpr (with_ties) {
+        const Words w;
+        packStore(w,
+                  hn::LoadU(w, from.order + j),
+                  hn::RebindMask(w, mask),
+                  candidates_.order() + size);
+      }
+      packStore(d, x, mask, to + size);
+      packStore(d, y, mask, to + stride + size);
+      size += packStore(d, z, mask, to + 2 * stride + size);
     }
-    Candidates& c = candidates_;
-    if (with_normals) {
-      const auto nx = hn::LoadU(d, block_.nx + j);
-      mask = hn::And(mask, hn::Eq(nx, nx));
-      packStore(d, nx, mask, c.nx() + size);
-      packStore(d, hn::LoadU(d, block_.ny + j), mask, c.ny() + size);
-      packStore(d, hn::LoadU(d, block_.nz + j), mask, c.nz() + size);
-    }
-    if (has_ties_) {
-      const Words w;
-      packStore(
-          w, hn::LoadU(w, block_.order + j), hn::RebindMask(w, mask), c.order() + size);
-    }
-    packStore(d, x, mask, c.x() + size);
-    packStore(d, y, mask, c.y() + size);
-    return packStore(d, z, mask, c.z() + size);
+    position_ = j;
+    least_cosine_ = hn::GetLane(hn::MinOfLanes(d, least_cosine));
+    return size;
   }
 
   const SweepBlock& block_;
   Candidates& candidates_;
   float x_min_, x_max_, y_min_, y_max_, z_min_, z_max_;
   float reach2_ = 0.0f;
+  float reference_[3] = {0.0f, 0.0f, 1.0f};
+  float least_cosine_ = 1.0f;
   bool has_ties_ = false;
   std::size_t run_ = 0;
   std::uint32_t position_ = 0;

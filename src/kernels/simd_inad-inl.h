@@ -28,8 +28,9 @@ namespace HWY_NAMESPACE {
  * finds out whether the neighbors spread over a surface: whether one of them makes,
  * with the anchor, a parallelogram larger than those on a line can make
  * (geometry_check.h: two offsets within 1e-3 r of one line span less than 2.1e-3 r^2).
+ * \tparam is_smooth all normals are on the same side of the query's
  */
-template <bool with_ties>
+template <bool with_ties, bool is_smooth>
 HWY_INLINE std::size_t
 collectChords(const SweepBlock& block,
               const OwnPoints& own,
@@ -67,11 +68,13 @@ collectChords(const SweepBlock& block,
     const auto ox = hn::LoadU(d, candidates.nx() + c);
     const auto oy = hn::LoadU(d, candidates.ny() + c);
     const auto oz = hn::LoadU(d, candidates.nz() + c);
-    // Normals have either sign: the nearer one counts.
     const auto mx = hn::Sub(ox, nx), my = hn::Sub(oy, ny), mz = hn::Sub(oz, nz);
-    const auto px = hn::Add(ox, nx), py = hn::Add(oy, ny), pz = hn::Add(oz, nz);
-    const auto chord = hn::Min(hn::MulAdd(mx, mx, hn::MulAdd(my, my, hn::Mul(mz, mz))),
-                               hn::MulAdd(px, px, hn::MulAdd(py, py, hn::Mul(pz, pz))));
+    auto chord = hn::MulAdd(mx, mx, hn::MulAdd(my, my, hn::Mul(mz, mz)));
+    if constexpr (!is_smooth) {
+      // Normals have either sign: the nearer one counts.
+      const auto px = hn::Add(ox, nx), py = hn::Add(oy, ny), pz = hn::Add(oz, nz);
+      chord = hn::Min(chord, hn::MulAdd(px, px, hn::MulAdd(py, py, hn::Mul(pz, pz))));
+    }
     count += packStore(d, chord, mask, chords + count);
   }
   return count;
@@ -170,35 +173,34 @@ toAngles(float* HWY_RESTRICT chords,
   return {count, adder.sum(), adder.squares()};
 }
 
-/** \brief Sums over the angles in the range. `zeros` of the vectors' lanes are no
- * angles of neighbors: they are 0. */
+/** \brief Sums over the angles in the range.
+ * \param[in] own_zeros how many of the angles are not to be counted: they are 0, as is
+ * what follows the last angle in its vector */
 HWY_INLINE Sums
-sumKept(const std::uint32_t* angles,
+sumKept(const std::uint32_t* HWY_RESTRICT angles,
         std::size_t count,
         const KeptRange& range,
         std::size_t own_zeros)
 {
   const Words w;
-  const Ints s;
-  const auto first = hn::Set(s, range.first);
-  const auto last = hn::Set(s, range.last);
+  // One unsigned comparison: what is below the first wraps around.
+  const auto first = hn::Set(w, static_cast<std::uint32_t>(range.first));
+  const auto width = hn::Set(w, static_cast<std::uint32_t>(range.last - range.first));
   AngleAdder adder;
-  std::size_t kept = 0;
+  std::size_t rejected = 0;
   std::size_t i = 0;
   while (i < count) {
     const std::size_t end = std::min(count, i + additions_between_widening * lanes);
     for (; i < end; i += lanes) {
       const auto units = hn::LoadU(w, angles + i);
-      const auto a = hn::BitCast(s, units);
-      const auto mask = hn::Not(hn::Or(hn::Lt(a, first), hn::Gt(a, last)));
-      kept += hn::CountTrue(s, mask);
-      adder.add(hn::IfThenElseZero(hn::RebindMask(w, mask), units));
+      const auto is_outlier = hn::Gt(hn::Sub(units, first), width);
+      rejected += hn::CountTrue(w, is_outlier);
+      adder.add(hn::IfThenZeroElse(is_outlier, units));
     }
     adder.widen();
   }
-  const std::size_t padding = i - count;
-  const std::size_t zeros = range.first <= 0 ? padding + own_zeros : 0;
-  return {kept - zeros, adder.sum(), adder.squares()};
+  const std::size_t zeros = range.first <= 0 ? i - count + own_zeros : 0;
+  return {i - rejected - zeros, adder.sum(), adder.squares()};
 }
 
 } // namespace HWY_NAMESPACE

@@ -24,18 +24,47 @@ namespace HWY_NAMESPACE {
 constexpr INADResult unknown_inad{std::numeric_limits<float>::quiet_NaN(),
                                   std::numeric_limits<float>::quiet_NaN()};
 
+/** \brief Turns the queries' normals to the side of the first one that is known, which
+ * becomes the packer's reference; cosines[i] is its cosine with query i's.
+ */
+HWY_INLINE void
+turnToReference(const SweepBlock& block,
+                OwnPoints& own,
+                CandidatePacker& packer,
+                float* cosines)
+{
+  std::size_t first = 0;
+  while (first + 1 < block.size && std::isnan(own.nx[first])) {
+    ++first;
+  }
+  const float x = own.nx[first], y = own.ny[first], z = own.nz[first];
+  packer.setReference(x, y, z);
+  for (std::size_t i = 0; i < block.size; ++i) {
+    const float cosine = own.nx[i] * x + own.ny[i] * y + own.nz[i] * z;
+    const float side = cosine < 0.0f ? -1.0f : 1.0f;
+    own.nx[i] *= side;
+    own.ny[i] *= side;
+    own.nz[i] *= side;
+    cosines[i] = std::abs(cosine);
+  }
+}
+
 HWY_INLINE std::size_t
 collectChords(const SweepBlock& block,
               const OwnPoints& own,
               std::size_t i,
               const CandidatePacker& packer,
+              float cosine,
               const Candidates& candidates,
               float* chords,
               bool& spreads)
 {
-  return packer.hasTies()
-             ? collectChords<true>(block, own, i, candidates, chords, spreads)
-             : collectChords<false>(block, own, i, candidates, chords, spreads);
+  if (packer.hasTies()) {
+    return collectChords<true, false>(block, own, i, candidates, chords, spreads);
+  }
+  return packer.isSmoothAround(cosine)
+             ? collectChords<false, true>(block, own, i, candidates, chords, spreads)
+             : collectChords<false, false>(block, own, i, candidates, chords, spreads);
 }
 
 /** \brief The candidates of a block fit in one portion: angles are kept for the second
@@ -44,6 +73,7 @@ HWY_INLINE void
 inadOfFewCandidates(const SweepBlock& block,
                     const OwnPoints& own,
                     const CandidatePacker& packer,
+                    const float* cosines,
                     double outlier_rate,
                     INADResult* results)
 {
@@ -56,7 +86,8 @@ inadOfFewCandidates(const SweepBlock& block,
   std::size_t lengths[block_size] = {};
   bool spreads[block_size] = {};
   for (std::size_t i = 0; i < block.size; ++i) {
-    lengths[i] = collectChords(block, own, i, packer, candidates, chords, spreads[i]);
+    lengths[i] = collectChords(
+        block, own, i, packer, cosines[i], candidates, chords, spreads[i]);
     all[i] = toAngles(chords, lengths[i], angles + i * stride);
     all[i].count -= std::min<std::uint64_t>(all[i].count, own.is_neighbor[i]);
   }
@@ -84,20 +115,22 @@ inadOfFewCandidates(const SweepBlock& block,
 /** \brief One pass over all portions: sums of the angles in each query's range. */
 HWY_INLINE void
 sumOverPortions(const SweepBlock& block,
-                const OwnPoints& own,
+                OwnPoints& own,
                 const KeptRange* ranges,
                 AngleSums* sums,
                 bool* spreads)
 {
   SimdScratch& scratch = simdScratch();
   CandidatePacker packer(block, scratch.candidates);
+  float cosines[block_size];
+  turnToReference(block, own, packer, cosines);
   float* chords = scratch.values.atLeast(portion_size + lanes);
   std::uint32_t* angles = scratch.angles.atLeast(portion_size + lanes);
   while (!packer.isDone()) {
     packer.next<true>();
     for (std::size_t i = 0; i < block.size; ++i) {
-      const std::size_t count =
-          collectChords(block, own, i, packer, scratch.candidates, chords, spreads[i]);
+      const std::size_t count = collectChords(
+          block, own, i, packer, cosines[i], scratch.candidates, chords, spreads[i]);
       toAngles(chords, count, angles);
       const Sums part = sumKept(angles, count, ranges[i], 0);
       sums[i].count += part.count;
@@ -114,7 +147,7 @@ sumOverPortions(const SweepBlock& block,
 /** \brief However many candidates: their angles are computed twice instead of kept. */
 HWY_INLINE void
 inadOfManyCandidates(const SweepBlock& block,
-                     const OwnPoints& own,
+                     OwnPoints& own,
                      double outlier_rate,
                      INADResult* results)
 {
@@ -140,11 +173,13 @@ inadOfManyCandidates(const SweepBlock& block,
 inline void
 inad(const SweepBlock& block, double outlier_rate, INADResult* results)
 {
-  const OwnPoints own = ownPointsOf(block);
+  OwnPoints own = ownPointsOf(block);
   CandidatePacker packer(block, simdScratch().candidates);
+  float cosines[block_size];
+  turnToReference(block, own, packer, cosines);
   packer.next<true>();
   if (packer.isDone()) {
-    inadOfFewCandidates(block, own, packer, outlier_rate, results);
+    inadOfFewCandidates(block, own, packer, cosines, outlier_rate, results);
   }
   else {
     inadOfManyCandidates(block, own, outlier_rate, results);

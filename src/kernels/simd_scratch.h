@@ -118,10 +118,11 @@ public:
     return order_.data();
   }
 
-private:
-  // Not a multiple of 4096 bytes: arrays would share the same few cache lines.
+  /** \brief From one array to the next. Not a multiple of 4096 bytes: arrays would
+   * share the same few cache lines. */
   static constexpr std::size_t stride = portion_size + 80;
 
+private:
   AlignedBuffer<float> values_;
   AlignedBuffer<std::uint32_t> order_;
 };

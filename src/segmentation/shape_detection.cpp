@@ -37,8 +37,7 @@ problemOfModel(const ShapeModel& model,
 } // namespace detail
 } // namespace pcl
 
-PCL_INSTANTIATE_PRODUCT(ShapeDetection,
-                        (PCL_SHAPE_POINT_TYPES)(PCL_SHAPE_NORMAL_TYPES))
+PCL_INSTANTIATE_PRODUCT(ShapeDetection, (PCL_SHAPE_POINT_TYPES)(PCL_SHAPE_NORMAL_TYPES))
 PCL_INSTANTIATE_PRODUCT(ShapeBackProjection,
                         (PCL_SHAPE_POINT_TYPES)(PCL_SHAPE_NORMAL_TYPES))
 PCL_INSTANTIATE_PRODUCT(ShapeEdgeDetection,
