@@ -25,7 +25,7 @@ using namespace pcl::app;
 using pcl::scene::Scene;
 using pcl::scene::SceneOptions;
 
-constexpr std::uint64_t most_objects = 40;
+constexpr std::uint64_t most_objects = 30;
 constexpr std::uint64_t least_pixels = 16;
 constexpr std::uint64_t most_pixels = 4096;
 constexpr double most_noise = 0.1;
@@ -176,7 +176,7 @@ main(int argc, char** argv)
                            "exact fields surface, edge, "
                            "instance\nand crease_mm.");
   command_line.option("seed", "N", "another seed, another scene (1)")
-      .option("objects", "N", "on the table, 0 to 40 (8)")
+      .option("objects", "N", "on the table, 0 to 30 (8)")
       .option("width", "W", "pixels, 16 to 4096 (640)")
       .option("height", "H", "pixels, 16 to 4096 (480)")
       .option(

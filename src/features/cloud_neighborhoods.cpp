@@ -13,8 +13,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace detail {
+namespace pcl::detail {
 namespace {
 
 bool
@@ -132,5 +131,4 @@ allFinite(const XYZView& points)
   return countFinite(points) == points.size;
 }
 
-} // namespace detail
-} // namespace pcl
+} // namespace pcl::detail

@@ -29,20 +29,19 @@ isFinite(const float* p)
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
-Neighbors
-neighborsAt(const XYZView& surface,
-            const std::vector<std::int32_t>& found,
-            const float* q)
+void
+collectNeighbors(const XYZView& surface,
+                 const std::vector<std::int32_t>& found,
+                 const float* q,
+                 Neighbors& neighbors)
 {
-  Neighbors neighbors;
-  neighbors.reserve(found.size());
+  neighbors.clear();
   for (const std::int32_t index : found) {
     const auto position = static_cast<std::uint32_t>(index);
     if (isFinite(surface[position])) {
       neighbors.push_back(neighborAt(surface[position], q, position));
     }
   }
-  return neighbors;
 }
 
 /** \brief The position of the nearest neighbor; of equally near ones the first. */
@@ -71,6 +70,7 @@ ListedNeighborhoods::forEachQuery(const Visit& visit) const
   const std::size_t tasks = (count + queries_a_task - 1) / queries_a_task;
   parallelFor(tasks, threads_, [&](std::size_t task) {
     std::vector<std::int32_t> found;
+    Neighbors neighbors;
     const std::size_t end = std::min(count, (task + 1) * queries_a_task);
     for (std::size_t i = task * queries_a_task; i < end; ++i) {
       const std::size_t point = indices_ ? static_cast<std::size_t>(indices_[i]) : i;
@@ -80,7 +80,7 @@ ListedNeighborhoods::forEachQuery(const Visit& visit) const
       }
       found.clear();
       find_(i, found);
-      const Neighbors neighbors = neighborsAt(surface_, found, q);
+      collectNeighbors(surface_, found, q, neighbors);
       if (neighbors.empty()) {
         continue;
       }

@@ -68,33 +68,48 @@ countFinite(const XYZView& points)
   return count;
 }
 
-/** \brief About the distance to the k-th nearest point: the median over a few points.
- */
+/** \brief A finite point at this position, or the first one after it. In an image, the
+ * same column of many rows may have no depth. */
+const float*
+finitePointFrom(const XYZView& points, std::size_t position)
+{
+  while (!isFinite(points[position])) {
+    position = (position + 1) % points.size;
+  }
+  return points[position];
+}
+
+/** \brief About the distance to the k-th nearest point elsewhere (of k = 1, too, cells
+ * must have a size): the median over a few points. One point at least is finite. */
 double
 typicalDistance(const XYZView& surface, std::size_t k)
 {
   constexpr std::size_t samples = 15;
   std::vector<float> typical;
   for (std::size_t s = 0; s < samples; ++s) {
-    const float* p = surface[(2 * s + 1) * surface.size / (2 * samples)];
+    const float* p =
+        finitePointFrom(surface, (2 * s + 1) * surface.size / (2 * samples));
     std::vector<float> d2;
-    for (std::size_t i = 0; isFinite(p) && i < surface.size; ++i) {
+    for (std::size_t i = 0; i < surface.size; ++i) {
       const float* q = surface[i];
       const float dx = q[0] - p[0], dy = q[1] - p[1], dz = q[2] - p[2];
       const float d = (dx * dx + dy * dy) + dz * dz;
-      if (std::isfinite(d)) {
+      if (d > 0.0f && std::isfinite(d)) {
         d2.push_back(d);
       }
     }
-    if (d2.size() >= k) {
-      const auto kth = d2.begin() + static_cast<std::ptrdiff_t>(k - 1);
+    if (!d2.empty()) {
+      const auto kth =
+          d2.begin() + static_cast<std::ptrdiff_t>(std::min(k, d2.size()) - 1);
       std::nth_element(d2.begin(), kth, d2.end());
       typical.push_back(*kth);
     }
   }
+  if (typical.empty()) {
+    return 1.0;
+  }
   std::sort(typical.begin(), typical.end());
-  const float d2 = typical.empty() ? 0.0f : typical[typical.size() / 2];
-  return d2 > 0.0f ? std::sqrt(static_cast<double>(d2)) : 1.0;
+  return std::sqrt(static_cast<double>(typical[typical.size() / 2]));
 }
 
 double
@@ -155,7 +170,7 @@ public:
   void
   setNormals(const XYZView& normals)
   {
-    normals_ = unitNormals(normals, &surface_.order, sweep_.threads_);
+    normals_ = unitNormals(normals, &surface_, sweep_.threads_);
     if (blocks_) {
       blocks_->setNormals(normals_);
     }
@@ -250,8 +265,8 @@ NeighborhoodSweep::computeINAD(const NeighborhoodSize& neighborhood,
         kernels::chosenKernels().inad(block, outlier_rate, results);
       },
       [&](std::uint32_t i, const INADResult& result) {
-        mu_sigma[2 * i] = result.mu;
-        mu_sigma[2 * i + 1] = result.sigma;
+        mu_sigma[std::size_t{2} * i] = result.mu;
+        mu_sigma[std::size_t{2} * i + 1] = result.sigma;
       });
   return std::none_of(
       mu_sigma, mu_sigma + 2 * size(), [](float v) { return std::isnan(v); });

@@ -241,7 +241,7 @@ modelFrom(const Json& json)
 {
   if (!json.is_object() || !json.contains("format") || json["format"] != format_name) {
     raise<BadArgumentException>(textOf(
-        "it is not a shape model: \"format\": \"", format_name, "\" is missing"));
+        R"(it is not a shape model: "format": ")", format_name, R"(" is missing)"));
   }
   if (!json.contains("version") || json["version"] != format_version) {
     raise<BadArgumentException>(textOf(

@@ -13,8 +13,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 
 /** \brief The acute angle between two unit vectors with squared chord t in [0, 2]:
  * 2 asin(sqrt(t) / 2) = sqrt(t) Q(t).
@@ -59,5 +58,4 @@ toUnits(float angle)
   return static_cast<std::uint32_t>(std::lrint(angle * units_per_radian));
 }
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

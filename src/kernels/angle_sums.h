@@ -16,8 +16,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 
 __extension__ using Wide = unsigned __int128;
 
@@ -52,14 +51,6 @@ struct AngleSums {
   std::uint64_t count = 0;
   std::uint64_t sum = 0;
   Wide squares = 0;
-
-  void
-  add(std::uint32_t units)
-  {
-    ++count;
-    sum += units;
-    squares += std::uint64_t{units} * units;
-  }
 
   Spread
   spread() const
@@ -98,5 +89,4 @@ keptRange(const Spread& spread, double outlier_rate)
           static_cast<std::int32_t>(std::floor(std::min(most, spread.mean + width)))};
 }
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

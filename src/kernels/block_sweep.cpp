@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 namespace {
 
 /** \brief Float, as pcl::KdTreeFLANN squares it. */
@@ -147,5 +146,4 @@ BlockSweep::findNearest(SweepBlock& block,
   reach = std::max(1.1 * std::sqrt(static_cast<double>(largest)), 1e-3 * queries_.edge);
 }
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

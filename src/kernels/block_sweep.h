@@ -17,8 +17,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 
 /** \brief Walks over the queries in blocks with the surface points around them. */
 class BlockSweep {
@@ -89,5 +88,4 @@ private:
   std::vector<std::uint32_t> blocks_; ///< first query of each, and an end mark
 };
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

@@ -9,8 +9,7 @@
 
 #include "simd_scratch.h"
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 
 // clang-format off
 const std::uint32_t compress_lanes_4[16][4] = {
@@ -108,5 +107,4 @@ const std::uint32_t compress_lanes_8[256][8] = {
   {0, 1, 2, 3, 4, 5, 6, 7}};
 // clang-format on
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

@@ -11,8 +11,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 
 /** \brief Whether offsets from a point spread over a surface: false if they all lie
  * within 1/1000 of the longest one's length from that one's line, or are all 0.
@@ -41,5 +40,4 @@ spansSurface(const Offsets& offsets)
   });
 }
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

@@ -14,8 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 
 /** Offsets are counted in 2^-20 of a power of two that is at least the radius; products
  * of two take up to 44 bits, and are added up as two halves. */
@@ -58,5 +57,4 @@ struct BlockCovariances {
   double yy[block_size], yz[block_size], zz[block_size];
 };
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

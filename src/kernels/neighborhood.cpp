@@ -19,8 +19,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -103,10 +102,16 @@ AngleSums
 sumIf(const std::vector<std::uint32_t>& angles, const KeptRange& range)
 {
   AngleSums sums;
-  for (const std::uint32_t angle : angles) {
-    if (range.contains(angle)) {
-      sums.add(angle);
+  for (std::size_t i = 0; i < angles.size();) {
+    const std::size_t end = std::min<std::size_t>(angles.size(), i + most_for_64_bits);
+    std::uint64_t squares = 0;
+    for (; i < end; ++i) {
+      const std::uint64_t angle = range.contains(angles[i]) ? angles[i] : 0;
+      sums.count += range.contains(angles[i]) ? 1 : 0;
+      sums.sum += angle;
+      squares += angle * angle;
     }
+    sums.squares += squares;
   }
   return sums;
 }
@@ -139,18 +144,16 @@ unitNormal(const float* normal)
 }
 
 UnitNormals
-unitNormals(const XYZView& normals,
-            const std::vector<std::uint32_t>* order,
-            unsigned threads)
+unitNormals(const XYZView& normals, const RowIndex* surface, unsigned threads)
 {
-  const std::size_t count = order ? order->size() : normals.size;
+  const std::size_t count = surface ? surface->size() : normals.size;
   UnitNormals unit;
   for (auto* array : {&unit.x, &unit.y, &unit.z}) {
     array->resize(count + row_padding);
   }
   parallelForRanges(count, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const UnitNormal n = unitNormal(normals[order ? (*order)[i] : i]);
+      const UnitNormal n = unitNormal(normals[surface ? surface->order[i] : i]);
       unit.x[i] = n.x;
       unit.y[i] = n.y;
       unit.z[i] = n.z;
@@ -195,5 +198,4 @@ inadOf(const Neighbors& neighbors,
   return toINAD((kept.count == 0 ? all : kept).spread());
 }
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

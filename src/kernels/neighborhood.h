@@ -10,6 +10,7 @@
 #pragma once
 
 #include "angle_sums.h"
+#include "row_index.h"
 #include "sweep_block.h"
 
 #include <pcl/features/neighborhood_sweep.h>
@@ -17,8 +18,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 
 /** \brief A neighbor as seen from the query. */
 struct Neighbor {
@@ -62,9 +62,8 @@ UnitNormal unitNormal(const float* normal);
 
 /** \brief The normals of points order[0], order[1], ...; of all points if order is
  * null. */
-UnitNormals unitNormals(const XYZView& normals,
-                        const std::vector<std::uint32_t>* order,
-                        unsigned threads);
+UnitNormals
+unitNormals(const XYZView& normals, const RowIndex* surface, unsigned threads);
 
 /** \brief Whether a neighbor is at the query's position. */
 bool anyAtQuery(const Neighbors& neighbors);
@@ -82,5 +81,4 @@ INADResult inadOf(const Neighbors& neighbors,
                   bool contains_itself,
                   double outlier_rate);
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

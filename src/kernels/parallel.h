@@ -14,8 +14,7 @@
 #include <exception>
 #include <omp.h>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 
 /** \brief 0 stands for all cores. */
 inline unsigned
@@ -31,7 +30,9 @@ void
 parallelFor(std::size_t count, unsigned threads, const Body& body)
 {
   std::exception_ptr error;
-#pragma omp parallel for schedule(dynamic) num_threads(threadCount(threads))
+  // A team for a few tasks would cost more than they do.
+  const std::size_t team = std::clamp<std::size_t>(count, 1, threadCount(threads));
+#pragma omp parallel for schedule(dynamic) num_threads(static_cast <int>(team))
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i) {
     try {
       body(static_cast<std::size_t>(i));
@@ -59,5 +60,4 @@ parallelForRanges(std::size_t count, unsigned threads, const Body& body)
   });
 }
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

@@ -17,8 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -69,8 +68,7 @@ void
 normals(const SweepBlock& block, NormalResult* results)
 {
   for (std::size_t i = 0; i < block.size; ++i) {
-    const Neighbors& neighbors = findNeighbors(block, i);
-    results[i] = normalOf(neighbors, containsItself(block, neighbors));
+    results[i] = normalAt(block, i);
   }
 }
 
@@ -189,6 +187,13 @@ spansSurface(const SweepBlock& block, std::size_t query)
   return spansSurface(findNeighbors(block, query));
 }
 
+NormalResult
+normalAt(const SweepBlock& block, std::size_t query)
+{
+  const Neighbors& neighbors = findNeighbors(block, query);
+  return normalOf(neighbors, containsItself(block, neighbors));
+}
+
 bool
 isAtSurfacePoint(const SweepBlock& block, std::size_t query)
 {
@@ -221,5 +226,4 @@ portableKernels()
   return table;
 }
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

@@ -13,8 +13,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 namespace {
 
 /** A histogram of digits of this many bits fits in the first-level cache. */
@@ -131,5 +130,4 @@ radixSort(KeyedIndices& entries, int bits, unsigned threads)
   }
 }
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 
 /** \brief Keys and what they belong to, sorted together. */
 struct KeyedIndices {
@@ -26,5 +25,4 @@ struct KeyedIndices {
  * on the number of threads. */
 void radixSort(KeyedIndices& entries, int bits, unsigned threads);
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

@@ -16,8 +16,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 namespace {
 
 /** Points are first sorted by cells of this fraction of the edge along x. */
@@ -294,9 +293,9 @@ buildRowIndex(const XYZView& points,
     index.order = std::move(entries.indices);
   }
   index.rows.push_back({0, 0, static_cast<std::uint32_t>(index.order.size())});
+  index.order.resize(index.order.size() + row_padding);
   gather(selection, index, threads);
   return index;
 }
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

@@ -16,8 +16,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 
 /** \brief A tube of the grid along x that holds points: `iy * edge <= y < (iy+1) *
  * edge`, z likewise. */
@@ -38,14 +37,15 @@ constexpr std::size_t row_padding = 16;
  */
 struct RowIndex {
   double edge = 0.0;
-  std::vector<float> x, y, z;       ///< and row_padding more
-  std::vector<std::uint32_t> order; ///< index of each sorted point among those given
-  std::vector<Row> rows;            ///< sorted by (iz, iy), and an end mark
+  std::vector<float> x, y, z; ///< and row_padding more
+  std::vector<std::uint32_t>
+      order;             ///< index of each among those given; row_padding more
+  std::vector<Row> rows; ///< sorted by (iz, iy), and an end mark
 
   std::size_t
   size() const
   {
-    return order.size();
+    return rows.empty() ? 0 : rows.back().begin;
   }
 
   double
@@ -80,5 +80,4 @@ RowIndex buildRowIndex(const XYZView& points,
                        double edge,
                        unsigned threads);
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

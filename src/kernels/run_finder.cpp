@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 namespace {
 
 /** \brief The first position in [begin, end) whose x is not less than the bound. Looks
@@ -113,5 +112,4 @@ RunFinder::find(const Box& box, double reach)
   return runs_;
 }
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

@@ -14,8 +14,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 
 /** \brief The box of a block of queries. */
 struct Box {
@@ -48,5 +47,4 @@ private:
   std::vector<Run> runs_;
 };
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

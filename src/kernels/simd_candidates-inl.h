@@ -17,9 +17,7 @@
 #include "simd_common-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace pcl {
-namespace kernels {
-namespace HWY_NAMESPACE {
+namespace pcl::kernels::HWY_NAMESPACE {
 
 /** \brief Packs the surface points that are near a block's box, portion by portion. */
 class CandidatePacker {
@@ -122,16 +120,18 @@ private:
     const auto y_min = hn::Set(d, y_min_), y_max = hn::Set(d, y_max_);
     const auto z_min = hn::Set(d, z_min_), z_max = hn::Set(d, z_max_);
     const auto reach2 = hn::Set(d, reach2_);
-    const SweepBlock from = block_;
+    const float* HWY_RESTRICT from_x = block_.x;
+    const float* HWY_RESTRICT from_y = block_.y;
+    const float* HWY_RESTRICT from_z = block_.z;
     float* HWY_RESTRICT to = candidates_.x();
     constexpr std::size_t stride = Candidates::stride;
-    const std::uint32_t end = from.runs[run_].end;
+    const std::uint32_t end = block_.runs[run_].end;
     auto least_cosine = hn::Set(d, least_cosine_);
     std::uint32_t j = position_;
     for (; j < end && size + lanes <= portion_size; j += lanes) {
-      const auto x = hn::LoadU(d, from.x + j);
-      const auto y = hn::LoadU(d, from.y + j);
-      const auto z = hn::LoadU(d, from.z + j);
+      const auto x = hn::LoadU(d, from_x + j);
+      const auto y = hn::LoadU(d, from_y + j);
+      const auto z = hn::LoadU(d, from_z + j);
       const auto d2 = squaredLength(
           outside(x, x_min, x_max), outside(y, y_min, y_max), outside(z, z_min, z_max));
       auto mask = hn::Lt(d2, reach2);
@@ -139,9 +139,9 @@ private:
         mask = hn::And(mask, hn::FirstN(d, end - j));
       }
       if constexpr (with_normals) {
-        const auto nx = hn::LoadU(d, from.nx + j);
-        const auto ny = hn::LoadU(d, from.ny + j);
-        const auto nz = hn::LoadU(d, from.nz + j);
+        const auto nx = hn::LoadU(d, block_.nx + j);
+        const auto ny = hn::LoadU(d, block_.ny + j);
+        const auto nz = hn::LoadU(d, block_.nz + j);
         mask = hn::And(mask, hn::Eq(nx, nx));
         const auto cosine = hn::MulAdd(
             nx,
@@ -158,7 +158,7 @@ private:
       if constexpr (with_ties) {
         const Words w;
         packStore(w,
-                  hn::LoadU(w, from.order + j),
+                  hn::LoadU(w, block_.order + j),
                   hn::RebindMask(w, mask),
                   candidates_.order() + size);
       }
@@ -207,9 +207,7 @@ neighborMask(const SweepBlock& block,
   }
 }
 
-} // namespace HWY_NAMESPACE
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

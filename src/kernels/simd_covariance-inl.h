@@ -25,9 +25,7 @@
 // Plain loops over the queries of a block: the compiler makes them vectors of the
 // target.
 HWY_BEFORE_NAMESPACE();
-namespace pcl {
-namespace kernels {
-namespace HWY_NAMESPACE {
+namespace pcl::kernels::HWY_NAMESPACE {
 
 /** Neighborhoods up to this size have moments that fit in 63 bits. */
 constexpr std::uint64_t most_for_63_bits = std::uint64_t{1} << 18;
@@ -232,9 +230,7 @@ normalsOfCovariances(const BlockCovariances& covariances,
   }
 }
 
-} // namespace HWY_NAMESPACE
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

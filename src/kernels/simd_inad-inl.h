@@ -20,9 +20,7 @@
 #include "simd_candidates-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace pcl {
-namespace kernels {
-namespace HWY_NAMESPACE {
+namespace pcl::kernels::HWY_NAMESPACE {
 
 /** \brief Writes the squared chords between the query's normal and its neighbors', and
  * finds out whether the neighbors spread over a surface: whether one of them makes,
@@ -203,9 +201,7 @@ sumKept(const std::uint32_t* HWY_RESTRICT angles,
   return {i - rejected - zeros, adder.sum(), adder.squares()};
 }
 
-} // namespace HWY_NAMESPACE
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

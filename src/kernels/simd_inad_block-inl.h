@@ -17,9 +17,7 @@
 #include "simd_inad-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace pcl {
-namespace kernels {
-namespace HWY_NAMESPACE {
+namespace pcl::kernels::HWY_NAMESPACE {
 
 constexpr INADResult unknown_inad{std::numeric_limits<float>::quiet_NaN(),
                                   std::numeric_limits<float>::quiet_NaN()};
@@ -86,6 +84,9 @@ inadOfFewCandidates(const SweepBlock& block,
   std::size_t lengths[block_size] = {};
   bool spreads[block_size] = {};
   for (std::size_t i = 0; i < block.size; ++i) {
+    if (std::isnan(own.nx[i])) {
+      continue;
+    }
     lengths[i] = collectChords(
         block, own, i, packer, cosines[i], candidates, chords, spreads[i]);
     all[i] = toAngles(chords, lengths[i], angles + i * stride);
@@ -129,6 +130,9 @@ sumOverPortions(const SweepBlock& block,
   while (!packer.isDone()) {
     packer.next<true>();
     for (std::size_t i = 0; i < block.size; ++i) {
+      if (std::isnan(own.nx[i])) {
+        continue;
+      }
       const std::size_t count = collectChords(
           block, own, i, packer, cosines[i], scratch.candidates, chords, spreads[i]);
       toAngles(chords, count, angles);
@@ -186,9 +190,7 @@ inad(const SweepBlock& block, double outlier_rate, INADResult* results)
   }
 }
 
-} // namespace HWY_NAMESPACE
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

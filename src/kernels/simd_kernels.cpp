@@ -27,9 +27,7 @@
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
-namespace pcl {
-namespace kernels {
-namespace HWY_NAMESPACE {
+namespace pcl::kernels::HWY_NAMESPACE {
 
 const KernelTable&
 kernelTable()
@@ -38,15 +36,12 @@ kernelTable()
   return table;
 }
 
-} // namespace HWY_NAMESPACE
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
 
 #if HWY_ONCE
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 
 const KernelTable*
 simdKernels(const std::string& name)
@@ -74,6 +69,5 @@ simdKernels(const std::string& name)
   return nullptr;
 }
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels
 #endif

@@ -19,9 +19,7 @@
 #include <cmath>
 
 HWY_BEFORE_NAMESPACE();
-namespace pcl {
-namespace kernels {
-namespace HWY_NAMESPACE {
+namespace pcl::kernels::HWY_NAMESPACE {
 
 HWY_INLINE auto
 squaredDistances(const SweepBlock& block,
@@ -174,9 +172,7 @@ nearest(SweepBlock& block, std::size_t k)
   return all;
 }
 
-} // namespace HWY_NAMESPACE
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -19,9 +19,7 @@
 #include "simd_candidates-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace pcl {
-namespace kernels {
-namespace HWY_NAMESPACE {
+namespace pcl::kernels::HWY_NAMESPACE {
 
 /** \brief Offsets are counted in 2^(level - 20): the radius is below 2^level. */
 inline int
@@ -186,9 +184,7 @@ addLanes(hn::VFromD<Words> sums, std::uint64_t* totals)
   }
 }
 
-} // namespace HWY_NAMESPACE
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

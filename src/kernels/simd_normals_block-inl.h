@@ -18,9 +18,7 @@
 #include "simd_normals-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace pcl {
-namespace kernels {
-namespace HWY_NAMESPACE {
+namespace pcl::kernels::HWY_NAMESPACE {
 
 /** 512 halves of products fit in 32 bits. */
 constexpr std::size_t candidates_between_widening = 512;
@@ -281,6 +279,10 @@ groupOf(const SweepBlock& block, const int* levels, std::size_t query)
   return group;
 }
 
+/** Units are a fraction of the radius: neighbors that are all within a hundredth of it
+ * are too few units apart, and are left to the portable kernel. */
+constexpr double least_trace = 1 << 26;
+
 inline void
 normals(const SweepBlock& block, NormalResult* results)
 {
@@ -308,15 +310,17 @@ normals(const SweepBlock& block, NormalResult* results)
       done[i] = true;
       const std::size_t own =
           on_surface || (sums.count[i] > 0 && isAtSurfacePoint(block, i)) ? 1 : 0;
-      const bool is_known = sums.count[i] >= NeighborhoodSweep::min_neighbors + own;
-      results[i] = is_known ? normals[i] : NormalResult{nan, nan, nan, nan};
+      if (sums.count[i] < NeighborhoodSweep::min_neighbors + own) {
+        results[i] = {nan, nan, nan, nan};
+        continue;
+      }
+      const double trace = covariances.xx[i] + covariances.yy[i] + covariances.zz[i];
+      results[i] = trace < least_trace ? normalAt(block, i) : normals[i];
     }
   }
 }
 
-} // namespace HWY_NAMESPACE
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

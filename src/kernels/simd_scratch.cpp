@@ -9,8 +9,7 @@
 
 #include "simd_scratch.h"
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 
 SimdScratch&
 simdScratch()
@@ -19,5 +18,4 @@ simdScratch()
   return scratch;
 }
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

@@ -16,8 +16,7 @@
 #include <memory>
 #include <new>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 
 /** \brief A buffer that only grows, aligned and padded for vectors of any target.
  * Growing forgets the contents. */
@@ -28,10 +27,12 @@ public:
   atLeast(std::size_t count)
   {
     if (count + padding > capacity_) {
+      const std::size_t capacity = 2 * (count + padding);
       data_.reset();
-      capacity_ = 2 * (count + padding);
+      capacity_ = 0;
       data_.reset(static_cast<T*>(
-          ::operator new(capacity_ * sizeof(T), std::align_val_t(alignment))));
+          ::operator new(capacity * sizeof(T), std::align_val_t(alignment))));
+      capacity_ = capacity;
     }
     return data_.get();
   }
@@ -142,5 +143,4 @@ SimdScratch& simdScratch();
 extern const std::uint32_t compress_lanes_4[16][4];
 extern const std::uint32_t compress_lanes_8[256][8];
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

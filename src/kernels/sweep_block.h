@@ -12,8 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 
 /** \brief Sorted positions [begin, end) of surface points. */
 struct Run {
@@ -30,19 +29,20 @@ constexpr std::size_t block_size = 16;
  * order[j] <= tie_index[i] (of k nearest points, ties go to the smaller index).
  */
 struct SweepBlock {
-  const float *x, *y, *z;                                  ///< surface, sorted
+  const float *x = nullptr, *y = nullptr, *z = nullptr;    ///< surface, sorted
   const float *nx = nullptr, *ny = nullptr, *nz = nullptr; ///< its unit normals, or NaN
-  const std::uint32_t* order;                              ///< its original indices
+  const std::uint32_t* order = nullptr;                    ///< its original indices
   const Run* runs = nullptr;
   std::size_t run_count = 0;
 
   std::size_t size = 0; ///< number of queries
-  float qx[block_size], qy[block_size], qz[block_size];
-  float qnx[block_size], qny[block_size], qnz[block_size]; ///< if queries_on_surface
-  float r2[block_size];
-  float tie_d2[block_size];
-  std::uint32_t tie_index[block_size];
-  float kth_d2[block_size];       ///< set by nearest()
+  float qx[block_size] = {}, qy[block_size] = {}, qz[block_size] = {};
+  float qnx[block_size] = {}, qny[block_size] = {},
+        qnz[block_size] = {}; ///< if queries_on_surface
+  float r2[block_size] = {};
+  float tie_d2[block_size] = {};
+  std::uint32_t tie_index[block_size] = {};
+  float kth_d2[block_size] = {};  ///< set by nearest()
   bool queries_on_surface = true; ///< each query is a surface point
 };
 
@@ -81,6 +81,9 @@ OwnPoints ownPointsOf(const SweepBlock& block);
 /** \brief Whether the neighbors of a query spread over a surface (geometry_check.h). */
 bool spansSurface(const SweepBlock& block, std::size_t query);
 
+/** \brief The normal of one query, by the portable kernel. */
+NormalResult normalAt(const SweepBlock& block, std::size_t query);
+
 /** \brief Whether one of its neighbors is at the query's position. */
 bool isAtSurfacePoint(const SweepBlock& block, std::size_t query);
 
@@ -88,5 +91,4 @@ bool isAtSurfacePoint(const SweepBlock& block, std::size_t query);
  * the smallest indices. False if there are fewer. */
 bool narrowToNearest(SweepBlock& block, std::size_t query, std::size_t k);
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

@@ -14,8 +14,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 namespace {
 
 using Vector = std::array<double, 3>;
@@ -113,5 +112,4 @@ normalOfCovariance(const Symmetric3& covariance)
           static_cast<float>(std::max(0.0, l))};
 }
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

@@ -11,8 +11,7 @@
 
 #include "sweep_block.h"
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 
 /** \brief A symmetric 3 x 3 matrix. */
 struct Symmetric3 {
@@ -28,5 +27,4 @@ constexpr double line_ratio = 1e-6;
  * smallest eigenvalue, and that eigenvalue over the trace. NaN for points on a line. */
 NormalResult normalOfCovariance(const Symmetric3& covariance);
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

@@ -17,8 +17,7 @@
 #include <hwy/targets.h>
 #endif
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 namespace {
 
 struct Target {
@@ -96,5 +95,4 @@ chosenKernels()
   return *chosen();
 }
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

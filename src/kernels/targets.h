@@ -16,8 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace kernels {
+namespace pcl::kernels {
 
 /** \brief Instruction sets that this build has kernels for and this processor can run,
  * the fastest first: of "avx3" (AVX-512), "avx2", "sse4", "neon", "portable". */
@@ -35,5 +34,4 @@ const KernelTable& chosenKernels();
 /** \brief The kernels for a Highway target, or null if they are not compiled in. */
 const KernelTable* simdKernels(const std::string& name);
 
-} // namespace kernels
-} // namespace pcl
+} // namespace pcl::kernels

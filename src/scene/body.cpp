@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 namespace {
 
 Pose
@@ -216,5 +215,4 @@ moved(Body body, const Vec3& by)
   return body;
 }
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

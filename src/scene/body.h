@@ -13,8 +13,7 @@
 #include "random.h"
 #include "solid.h"
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 
 /** \brief A solid with what is needed to place it without collision. World frame. */
 struct Body {
@@ -53,5 +52,4 @@ Body randomBallInBowl(const Body& bowl, Random& random);
 
 Body moved(Body body, const Vec3& by);
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 namespace {
 
 constexpr double contact_tolerance = 1e-7;
@@ -198,5 +197,4 @@ Creases::distance(const Vec3& point, double cap) const
   return nearest;
 }
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

@@ -12,8 +12,7 @@
 #include "curve.h"
 #include "world.h"
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 
 /** \brief The creases that a camera can see.
  *
@@ -49,5 +48,4 @@ std::vector<Curve> edges(const Solid& solid);
  * bowl's rim, a cone's apex (a curve of no length). */
 std::vector<Curve> thinPlaces(const Solid& solid);
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

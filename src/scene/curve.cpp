@@ -11,8 +11,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 
 Curve
 Curve::segment(const Vec3& begin, const Vec3& end)
@@ -106,5 +105,4 @@ Curve::distanceToArc(const Vec3& p) const
   return std::sqrt((rho - radius_) * (rho - radius_) + height2);
 }
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

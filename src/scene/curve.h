@@ -12,8 +12,7 @@
 #include "random.h"
 #include "solid.h"
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 
 /** \brief A straight line or a circle, or a part of it from one parameter to another;
  * parameters run from 0 to 1 over the whole. */
@@ -58,5 +57,4 @@ private:
   double radius_ = 0.0;
 };
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

@@ -11,8 +11,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 
 Field
 boxField(unsigned width, unsigned height, int box_width, int box_height, Random& random)
@@ -69,5 +68,4 @@ gridField(unsigned width, unsigned height, double cell, Random& random)
   return field;
 }
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

@@ -13,8 +13,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 namespace {
 
 Point2
@@ -124,5 +123,4 @@ slideToContact(const Footprint& mover, Point2 direction, const Footprint& other)
   return apart;
 }
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

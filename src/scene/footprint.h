@@ -11,8 +11,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 
 struct Point2 {
   double x = 0.0, y = 0.0;
@@ -39,5 +38,4 @@ double distance(const Footprint& a, const Footprint& b);
  * `other` until they just touch, to 1e-12 m. */
 double slideToContact(const Footprint& mover, Point2 direction, const Footprint& other);
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 namespace {
 
 /** Keeps the nearest of the candidates, all in the solid's own frame. */
@@ -219,5 +218,4 @@ intersect(const Solid& solid, const Ray& ray)
   return {nearest.t, nearest.face, solid.pose.directionToWorld(normal)};
 }
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

@@ -14,8 +14,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 namespace {
 
 constexpr double focal_baseline =
@@ -123,5 +122,4 @@ KinectSensor::loseDepth(const World& world, Random& random)
   }
 }
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 namespace {
 
 /** What a pixel covers on the surface it sees, in metres, at grazing angles capped. */
@@ -133,5 +132,4 @@ label(const World& world,
   }
 }
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

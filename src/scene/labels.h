@@ -11,8 +11,7 @@
 
 #include "creases.h"
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 
 constexpr double crease_band = 0.010; /**< metres; nearer than that surface is Crease */
 constexpr double edge_band = 0.005;   /**< metres; nearer than that edge is Crease */
@@ -37,5 +36,4 @@ void label(const World& world,
            const std::vector<char>& beside_gap,
            Scene& scene);
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

@@ -13,8 +13,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 namespace {
 
 constexpr double clearance = 0.006;
@@ -114,5 +113,4 @@ randomLayout(const Ground& ground, unsigned count, Random& random)
   }
 }
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

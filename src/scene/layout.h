@@ -13,8 +13,7 @@
 
 #include <optional>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 
 /** \brief The ground, z = 0, where objects' centres may be: ahead (+y) of a camera at
  * x = y = 0, in its field of view. Metres. */
@@ -77,5 +76,4 @@ private:
  * for them they become smaller. */
 std::vector<Body> randomLayout(const Ground& ground, unsigned count, Random& random);
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

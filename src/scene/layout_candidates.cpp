@@ -11,8 +11,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 namespace {
 
 constexpr double stacked_scale = 0.8;
@@ -143,5 +142,4 @@ Layout::inContact(Shape shape)
   }
 }
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

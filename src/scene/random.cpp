@@ -11,8 +11,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 namespace {
 
 std::uint64_t
@@ -140,5 +139,4 @@ fromTurns(double turns)
   }
 }
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

@@ -12,8 +12,7 @@
 #include <array>
 #include <cstdint>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 
 /** \brief Random numbers that are the same on every machine: xoshiro256** (Blackman and
  * Vigna, 2018), seeded by splitmix64. The standard library's distributions differ
@@ -58,5 +57,4 @@ UnitVector fromTurns(double turns);
 /** \brief Natural logarithm of a positive number, the same on every machine. */
 double portableLog(double x);
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

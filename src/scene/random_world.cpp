@@ -9,8 +9,7 @@
 
 #include "random_world.h"
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 namespace {
 
 /** A camera 0.55 to 0.66 m above the table, looking 35 to 45 degrees down. */
@@ -62,5 +61,4 @@ randomWorld(const SceneOptions& options)
   return result;
 }
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

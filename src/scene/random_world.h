@@ -13,8 +13,7 @@
 #include "scene.h"
 #include "world.h"
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 
 struct RandomWorld {
   World world;
@@ -24,5 +23,4 @@ struct RandomWorld {
 /** \brief A camera, a table and objects on it; the options' noise has no influence. */
 RandomWorld randomWorld(const SceneOptions& options);
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

@@ -18,8 +18,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 namespace {
 
 constexpr std::uint64_t noise_stream = 2;
@@ -188,5 +187,4 @@ generateScene(const SceneOptions& options)
   return scene;
 }
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

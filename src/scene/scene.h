@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 
 /** \brief Noise of the virtual depth camera. */
 enum class Noise {
@@ -103,5 +102,4 @@ struct Scene {
  */
 Scene generateScene(const SceneOptions& options);
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

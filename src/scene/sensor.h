@@ -12,8 +12,7 @@
 #include "random.h"
 #include "world.h"
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 
 /** \brief A smooth random field over the pixels, mean 0 and variance 1. */
 using Field = std::vector<double>;
@@ -65,5 +64,4 @@ private:
   std::vector<double> depth_;
 };
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

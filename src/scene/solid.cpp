@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 namespace {
 
 double
@@ -193,5 +192,4 @@ isCurved(Shape shape, int face)
   return false;
 }
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

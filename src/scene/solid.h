@@ -15,8 +15,7 @@
 #include <limits>
 #include <vector>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 
 /** \brief Numbers of the faces of the solids. Those of a box are 0 to 5: -x, +x, -y,
  * +y, -z, +z. */
@@ -85,5 +84,4 @@ std::vector<FaceAt> facesAt(const Solid& solid, const Vec3& point, double tolera
 /** \brief True on the round faces, false on the flat ones. */
 bool isCurved(Shape shape, int face);
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

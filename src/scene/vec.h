@@ -12,8 +12,7 @@
 #include <array>
 #include <cmath>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 
 /** \brief A point or a direction, in metres. Only operations that IEEE 754 rounds
  * exactly (+ - * / sqrt) are used here, so that results are the same everywhere. */
@@ -105,5 +104,4 @@ struct Pose {
   }
 };
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

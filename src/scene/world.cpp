@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 
 bool
 Table::contains(const Vec3& p) const
@@ -116,5 +115,4 @@ isCurved(const World& world, const Sight& sight)
                   sight.face);
 }
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

@@ -13,8 +13,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace scene {
+namespace pcl::scene {
 
 /** \brief The visible part of the plane z = 0, facing +z: a rectangle without edges of
  * its own, as a table whose surroundings were cut away. */
@@ -100,5 +99,4 @@ View look(const World& world);
 /** \brief True where a face of an object of the world is round. */
 bool isCurved(const World& world, const Sight& sight);
 
-} // namespace scene
-} // namespace pcl
+} // namespace pcl::scene

@@ -13,8 +13,7 @@
 #include <pcl/segmentation/impl/shape_back_projection.hpp>
 #include <pcl/segmentation/impl/shape_edge_detection.hpp>
 
-namespace pcl {
-namespace detail {
+namespace pcl::detail {
 
 std::string
 problemOfModel(const ShapeModel& model,
@@ -34,8 +33,7 @@ problemOfModel(const ShapeModel& model,
                               "setIgnoreModelParameters(true)";
 }
 
-} // namespace detail
-} // namespace pcl
+} // namespace pcl::detail
 
 PCL_INSTANTIATE_PRODUCT(ShapeDetection, (PCL_SHAPE_POINT_TYPES)(PCL_SHAPE_NORMAL_TYPES))
 PCL_INSTANTIATE_PRODUCT(ShapeBackProjection,

@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadValue{histogram, {"-radius", "1", "-mu_range", "91"}, {"-mu_range", "90"}},
         BadValue{scene, {"-width", "15"}, {"-width", "'15'", "16"}},
         BadValue{scene, {"-height", "4097"}, {"-height", "'4097'", "4096"}},
-        BadValue{scene, {"-objects", "41"}, {"-objects", "'41'", "40"}},
+        BadValue{scene, {"-objects", "31"}, {"-objects", "'31'", "30"}},
         BadValue{scene, {"-seed", "-1"}, {"-seed", "'-1'"}},
         BadValue{scene, {"-noise", "loud"}, {"-noise", "'loud'", "kinect"}},
         BadValue{scene, {"-noise", "0.2"}, {"-noise", "'0.2'", "0.1"}},

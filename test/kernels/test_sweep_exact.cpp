@@ -62,7 +62,7 @@ cloudsOf(const Shape& shape)
 {
   std::vector<Surface> clouds;
   Random random(1);
-  for (const std::size_t count : {200, 500, 1500}) {
+  for (const std::size_t count : {200U, 500U, 1500U}) {
     for (const double noise : {0.0, 0.0003, 0.0012}) {
       Surface cloud = shape.sample(count, random);
       cloud.move(tiltedPose());

@@ -88,7 +88,7 @@ TEST_P(SweepNeighborhoods, RadiusOfEachPoint)
 
 TEST_P(SweepNeighborhoods, NearestPoints)
 {
-  for (const std::size_t k : {6, 17, 64, 300}) {
+  for (const std::size_t k : {6U, 17U, 64U, 300U}) {
     SCOPED_TRACE(k);
     expectEqualToReference(
         scene_, NeighborhoodSize::ofNearest(k), nearestIn(scene_, k));
@@ -112,7 +112,7 @@ TEST_P(SweepNeighborhoods, TiesOfNearestPointsGoToTheSmallerIndex)
   for (float& value : cloud.normals) {
     value = static_cast<float>(random.uniform(-1, 1));
   }
-  for (const std::size_t k : {7, 8, 11, 30}) {
+  for (const std::size_t k : {7U, 8U, 11U, 30U}) {
     SCOPED_TRACE(k);
     expectEqualToReference(cloud, NeighborhoodSize::ofNearest(k), nearestIn(cloud, k));
   }
@@ -122,7 +122,7 @@ TEST_P(SweepNeighborhoods, DistanceToNearest)
 {
   std::vector<float> distances(scene_.size());
   const XYZView points = scene_.points();
-  for (const std::size_t k : {1, 12}) {
+  for (const std::size_t k : {1U, 12U}) {
     NeighborhoodSweep(points).computeDistanceToNearest(k, distances.data());
     for (std::size_t i = 0; i < scene_.size(); ++i) {
       const std::uint32_t last = neighborsNearest(points, points[i], k).back();

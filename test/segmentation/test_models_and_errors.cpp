@@ -133,6 +133,19 @@ TYPED_TEST(DetectionSettings, KAndOutlierRateThatDisagreeWithTheModel)
   this->expectRefused({"k 12", "made with 0"});
 }
 
+TYPED_TEST(DetectionSettings, OneRadiusInsteadOfTheModelsK)
+{
+  this->detection_.setModel(ShapeModel::idealPlane({0.0, 0.0, 12, 2.0}));
+  this->detection_.setRadius(0.013);
+  this->expectRefused({"radius 0.013 m", "made with 0", "k 0", "made with 12"});
+  this->detection_.setIgnoreModelParameters(true);
+  this->expectAccepted();
+  const INADParameters parameters = this->detection_.getParameters();
+  EXPECT_EQ(0, parameters.k);
+  EXPECT_EQ(0.013, parameters.radius);
+  EXPECT_EQ(0.013, parameters.normal_radius);
+}
+
 TYPED_TEST(DetectionSettings, GivenINADOfOtherRadii)
 {
   this->detection_.setModel(ShapeModel::idealPlane({0.02, 0.01, 0, 2.0}));

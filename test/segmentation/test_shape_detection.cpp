@@ -206,9 +206,9 @@ TYPED_TEST(ShapeDetectionTest, WrongNormalsAndINADAreBelieved)
   const std::size_t size = this->cloud_->size();
   this->detection_.setInputNormals(
       make_shared<PointCloud<Normal>>(size, 1, Normal(0, 0, 1)));
+  const auto flat = this->likelihoods()[TypeParam::plane_class];
   for (std::size_t i = 0; i < 8000; ++i) {
-    ASSERT_EQ(1.0f, this->likelihoods()[TypeParam::plane_class][i]);
-    i += 1999;
+    ASSERT_EQ(1.0f, flat[i]) << i;
   }
   this->detection_.setInputINAD(
       make_shared<PointCloud<INAD>>(size, 1, INAD{0.5f, 0.5f}));

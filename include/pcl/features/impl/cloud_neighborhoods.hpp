@@ -16,8 +16,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace detail {
+namespace pcl::detail {
 
 /** \brief Where neighbors are looked for, and how. */
 struct NeighborhoodRequest {
@@ -193,5 +192,4 @@ private:
   SearchPtr search_;
 };
 
-} // namespace detail
-} // namespace pcl
+} // namespace pcl::detail

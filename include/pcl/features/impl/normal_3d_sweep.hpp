@@ -66,7 +66,8 @@ NormalEstimationSweep<PointInT, PointOutT>::computeFeature(PointCloudOut& output
           : viewpoint_;
   for (std::size_t i = 0; i < output.size(); ++i) {
     auto& normal = output[i];
-    pcl::flipNormalTowardsViewpoint((*this->input_)[(*this->indices_)[i]],
+    const auto point = static_cast<std::size_t>((*this->indices_)[i]);
+    pcl::flipNormalTowardsViewpoint((*this->input_)[point],
                                     viewpoint.x(),
                                     viewpoint.y(),
                                     viewpoint.z(),

@@ -15,6 +15,8 @@
 #include <pcl/features/impl/inad.hpp>
 #include <pcl/features/impl/normal_3d_sweep.hpp>
 
+#include <cmath>
+
 namespace pcl {
 
 template <typename PointT, typename PointNT>
@@ -38,7 +40,7 @@ ShapeDetection<PointT, PointNT>::getParameters() const
   }
   else if (is_radius && parameters.k != 0) {
     parameters.k = 0;
-    parameters.normal_radius = parameters.radius = radius_.value_or(*normal_radius_);
+    parameters.normal_radius = parameters.radius = radius_ ? *radius_ : *normal_radius_;
   }
   if (!is_k || is_radius) {
     parameters.normal_radius = normal_radius_.value_or(parameters.normal_radius);
@@ -54,11 +56,11 @@ ShapeDetection<PointT, PointNT>::findProblem() const
   const INADParameters parameters = getParameters();
   const auto& surface = surface_ ? surface_ : this->input_;
   for (const double radius : {parameters.normal_radius, parameters.radius}) {
-    const std::string problem = detail::problemOf({detail::xyzOf(*this->input_),
-                                                   detail::xyzOf(*surface),
-                                                   this->indices_.get(),
-                                                   radius,
-                                                   parameters.k});
+    std::string problem = detail::problemOf({detail::xyzOf(*this->input_),
+                                             detail::xyzOf(*surface),
+                                             this->indices_.get(),
+                                             radius,
+                                             parameters.k});
     if (!problem.empty()) {
       return problem;
     }
