@@ -7,6 +7,8 @@
  * All rights reserved
  */
 
+#include "../kernels/finite.h"
+
 #include <pcl/features/impl/cloud_neighborhoods.hpp>
 
 #include <algorithm>
@@ -16,21 +18,8 @@
 namespace pcl::detail {
 namespace {
 
-bool
-isFinite(const float* p)
-{
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
-std::size_t
-countFinite(const XYZView& points)
-{
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < points.size; ++i) {
-    count += isFinite(points[i]) ? 1 : 0;
-  }
-  return count;
-}
+using kernels::countFinite;
+using kernels::isFinite;
 
 std::string
 problemOfCloud(const std::string& name, const XYZView& points)

@@ -7,6 +7,7 @@
  * All rights reserved
  */
 
+#include "../kernels/finite.h"
 #include "../kernels/neighborhood.h"
 #include "../kernels/parallel.h"
 
@@ -22,12 +23,6 @@ namespace {
 using namespace kernels;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-
-bool
-isFinite(const float* p)
-{
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
 
 void
 collectNeighbors(const XYZView& surface,

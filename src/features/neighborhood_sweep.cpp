@@ -8,6 +8,7 @@
  */
 
 #include "../kernels/block_sweep.h"
+#include "../kernels/finite.h"
 #include "../kernels/targets.h"
 
 #include <pcl/features/neighborhood_sweep.h>
@@ -50,22 +51,6 @@ checkSize(const NeighborhoodSize& size, std::size_t queries)
   else if (size.k == 0) {
     checkRadius(size.radius);
   }
-}
-
-bool
-isFinite(const float* p)
-{
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
-std::size_t
-countFinite(const XYZView& points)
-{
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < points.size; ++i) {
-    count += isFinite(points[i]) ? 1 : 0;
-  }
-  return count;
 }
 
 /** \brief A finite point at this position, or the first one after it. In an image, the

@@ -9,6 +9,7 @@
 
 #include "row_index.h"
 
+#include "finite.h"
 #include "parallel.h"
 #include "radix_sort.h"
 
@@ -21,13 +22,6 @@ namespace {
 
 /** Points are first sorted by cells of this fraction of the edge along x. */
 constexpr double x_cells_an_edge = 8.0;
-
-bool
-isFinite(const float* p)
-{
-  // The difference of a float with itself is 0, unless it is not finite.
-  return (p[0] - p[0]) + (p[1] - p[1]) + (p[2] - p[2]) == 0.0f;
-}
 
 /** \brief The points to sort: some of those given, or all. */
 struct Selection {
