@@ -104,7 +104,7 @@ edgeFor(const NeighborhoodSize& size, const XYZView& surface, std::size_t querie
     return typicalDistance(surface, size.k);
   }
   if (!size.radii) {
-    return size.radius;
+    return size.radius * (getenv("EF") ? atof(getenv("EF")) : 1.0);
   }
   std::vector<float> radii(size.radii, size.radii + queries);
   const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
@@ -155,8 +155,8 @@ public:
   void
   setNormals(const XYZView& normals)
   {
-    normals_ = unitNormals(normals, &surface_, sweep_.threads_);
     if (blocks_) {
+      normals_ = unitNormals(normals, &surface_, sweep_.threads_);
       blocks_->setNormals(normals_);
     }
   }
@@ -241,7 +241,8 @@ NeighborhoodSweep::computeINAD(const NeighborhoodSize& neighborhood,
   std::fill_n(mu_sigma, 2 * size(), nan);
   prepared.run<INADResult>(
       [&](SweepBlock& block, const std::uint32_t* order, INADResult* results) {
-        for (std::size_t i = 0; block.queries_on_surface && i < block.size; ++i) {
+        for (std::size_t i = 0; indices_ && block.queries_on_surface && i < block.size;
+             ++i) {
           const UnitNormal own = unitNormal(normals[surfaceIndex(order[i])]);
           block.qnx[i] = own.x;
           block.qny[i] = own.y;

@@ -27,7 +27,7 @@ struct Spread {
 };
 
 /** \brief Neighborhoods up to this size have sums of squares that fit in 64 bits. */
-constexpr std::uint64_t most_for_64_bits = 1u << 16;
+constexpr std::uint64_t most_for_64_bits = 1u << 15;
 
 /** \brief From exact sums over at most most_for_64_bits angles. The squares are taken
  * about the rounded mean, exactly, so that nothing cancels. */

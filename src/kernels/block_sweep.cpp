@@ -39,40 +39,7 @@ BlockSweep::BlockSweep(const RowIndex& surface,
 , queries_(queries)
 , neighborhood_(neighborhood)
 , kernels_(kernels)
-{
-  splitIntoBlocks();
-}
-
-void
-BlockSweep::splitIntoBlocks()
-{
-  for (std::size_t row = 0; row < queries_.rowCount(); ++row) {
-    const std::uint32_t end = queries_.rows[row + 1].begin;
-    std::uint32_t first = queries_.rows[row].begin;
-    blocks_.push_back(first);
-    for (std::uint32_t i = first + 1; i < end; ++i) {
-      // Points far apart would share too large a box.
-      const bool is_gap = queries_.x[i] - queries_.x[i - 1] > queries_.edge;
-      if (i - first == block_size || is_gap) {
-        blocks_.push_back(i);
-        first = i;
-      }
-    }
-  }
-  blocks_.push_back(static_cast<std::uint32_t>(queries_.size()));
-}
-
-Box
-BlockSweep::boxOf(std::size_t block) const
-{
-  const std::uint32_t begin = blocks_[block], end = blocks_[block + 1];
-  const auto range = [begin, end](const std::vector<float>& values) {
-    return std::minmax_element(values.begin() + begin, values.begin() + end);
-  };
-  const auto [y_min, y_max] = range(queries_.y);
-  const auto [z_min, z_max] = range(queries_.z);
-  return {queries_.x[begin], queries_.x[end - 1], *y_min, *y_max, *z_min, *z_max};
-}
+{}
 
 SweepBlock
 BlockSweep::queriesOf(std::size_t index) const
@@ -82,17 +49,33 @@ BlockSweep::queriesOf(std::size_t index) const
   block.y = surface_.y.data();
   block.z = surface_.z.data();
   block.order = surface_.order.data();
+  block.cluster_begin = surface_.clusters.begin.data();
+  for (std::size_t side = 0; side < 6; ++side) {
+    block.cluster_box[side] = surface_.clusters.box[side].data();
+  }
   block.queries_on_surface = on_surface_;
   if (normals_) {
     block.nx = normals_->x.data();
     block.ny = normals_->y.data();
     block.nz = normals_->z.data();
   }
-  const std::uint32_t begin = blocks_[index];
-  block.size = blocks_[index + 1] - begin;
+  const Clusters& clusters = queries_.clusters;
+  const std::uint32_t begin = clusters.begin[index];
+  block.size = clusters.begin[index + 1] - begin;
+  block.box = {clusters.box[0][index],
+               clusters.box[3][index],
+               clusters.box[1][index],
+               clusters.box[4][index],
+               clusters.box[2][index],
+               clusters.box[5][index]};
   std::copy_n(queries_.x.data() + begin, block.size, block.qx);
   std::copy_n(queries_.y.data() + begin, block.size, block.qy);
   std::copy_n(queries_.z.data() + begin, block.size, block.qz);
+  if (normals_ && &queries_ == &surface_) {
+    std::copy_n(block.nx + begin, block.size, block.qnx);
+    std::copy_n(block.ny + begin, block.size, block.qny);
+    std::copy_n(block.nz + begin, block.size, block.qnz);
+  }
   if (neighborhood_.radii) {
     setRadius(block, 0.0f);
     for (std::size_t i = 0; i < block.size; ++i) {
@@ -104,31 +87,29 @@ BlockSweep::queriesOf(std::size_t index) const
 
 void
 BlockSweep::findCandidates(SweepBlock& block,
-                           const Box& box,
                            RunFinder& finder,
                            double& reach) const
 {
   if (neighborhood_.k > 0) {
-    findNearest(block, box, finder, reach);
+    findNearest(block, finder, reach);
     return;
   }
   if (!neighborhood_.radii) {
     setRadius(block, squared(neighborhood_.radius));
   }
   const float largest = *std::max_element(block.r2, block.r2 + block.size);
-  const auto& runs = finder.find(box, std::sqrt(static_cast<double>(largest)));
+  const auto& runs = finder.find(block.box, std::sqrt(static_cast<double>(largest)));
   block.runs = runs.data();
   block.run_count = runs.size();
 }
 
 void
 BlockSweep::findNearest(SweepBlock& block,
-                        const Box& box,
                         RunFinder& finder,
                         double& reach) const
 {
   while (true) {
-    const auto& runs = finder.find(box, reach);
+    const auto& runs = finder.find(block.box, reach);
     block.runs = runs.data();
     block.run_count = runs.size();
     setRadius(block, squared(reach));

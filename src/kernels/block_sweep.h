@@ -19,7 +19,7 @@
 
 namespace pcl::kernels {
 
-/** \brief Walks over the queries in blocks with the surface points around them. */
+/** \brief Walks over the queries' clusters with the surface points around them. */
 class BlockSweep {
 public:
   /** \param[in] surface, queries sorted with the same edge
@@ -48,7 +48,7 @@ public:
   forEachBlock(unsigned threads, const Visit& visit) const
   {
     constexpr std::size_t blocks_a_task = 64;
-    const std::size_t count = blocks_.size() - 1;
+    const std::size_t count = queries_.clusters.size();
     parallelFor(
         (count + blocks_a_task - 1) / blocks_a_task, threads, [&](std::size_t t) {
           RunFinder finder(surface_);
@@ -56,28 +56,18 @@ public:
           const std::size_t end = std::min(count, (t + 1) * blocks_a_task);
           for (std::size_t b = t * blocks_a_task; b < end; ++b) {
             SweepBlock block = queriesOf(b);
-            findCandidates(block, boxOf(b), finder, reach);
-            visit(block, queries_.order.data() + blocks_[b]);
+            findCandidates(block, finder, reach);
+            visit(block, queries_.order.data() + queries_.clusters.begin[b]);
           }
         });
   }
 
 private:
-  void splitIntoBlocks();
-
-  Box boxOf(std::size_t block) const;
-
   SweepBlock queriesOf(std::size_t block) const;
 
-  void findCandidates(SweepBlock& block,
-                      const Box& box,
-                      RunFinder& finder,
-                      double& reach) const;
+  void findCandidates(SweepBlock& block, RunFinder& finder, double& reach) const;
 
-  void findNearest(SweepBlock& block,
-                   const Box& box,
-                   RunFinder& finder,
-                   double& reach) const;
+  void findNearest(SweepBlock& block, RunFinder& finder, double& reach) const;
 
   const RowIndex& surface_;
   const RowIndex& queries_;
@@ -85,7 +75,6 @@ private:
   const KernelTable& kernels_;
   const UnitNormals* normals_ = nullptr;
   bool on_surface_ = true;
-  std::vector<std::uint32_t> blocks_; ///< first query of each, and an end mark
 };
 
 } // namespace pcl::kernels

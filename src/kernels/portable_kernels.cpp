@@ -46,9 +46,10 @@ findNeighbors(const SweepBlock& block, std::size_t query)
   thread_local Neighbors found;
   std::size_t count = 0;
   for (std::size_t r = 0; r < block.run_count; ++r) {
-    const Run run = block.runs[r];
-    found.resize(std::max(found.size(), count + (run.end - run.begin)));
-    for (std::uint32_t j = run.begin; j < run.end; ++j) {
+    const std::uint32_t begin = block.cluster_begin[block.runs[r].begin];
+    const std::uint32_t end = block.cluster_begin[block.runs[r].end];
+    found.resize(std::max(found.size(), count + (end - begin)));
+    for (std::uint32_t j = begin; j < end; ++j) {
       const Neighbor candidate = relativeTo(block, query, j);
       found[count] = candidate;
       count += isNeighbor(block, query, candidate) ? 1 : 0;
@@ -94,36 +95,6 @@ setOwnPoint(OwnPoints& own, std::size_t i, const UnitNormal& normal, bool is_nei
 }
 
 void
-setAnchor(OwnPoints& own, std::size_t i, float x, float y, float z)
-{
-  own.ax[i] = x;
-  own.ay[i] = y;
-  own.az[i] = z;
-}
-
-/** \brief Another query of the block is a neighbor, if it is near enough: the first
- * that is not too near, else the furthest. */
-void
-anchorAtQuery(const SweepBlock& block, std::size_t i, OwnPoints& own)
-{
-  float furthest = 0.0f;
-  for (std::size_t step = 1; step < block.size; ++step) {
-    const std::size_t other = i + step < block.size ? i + step : i + step - block.size;
-    const float dx = block.qx[other] - block.qx[i];
-    const float dy = block.qy[other] - block.qy[i];
-    const float dz = block.qz[other] - block.qz[i];
-    const float d2 = (dx * dx + dy * dy) + dz * dz;
-    if (d2 < block.r2[i] && d2 > furthest) {
-      furthest = d2;
-      setAnchor(own, i, dx, dy, dz);
-    }
-    if (16.0f * furthest > block.r2[i]) {
-      return;
-    }
-  }
-}
-
-void
 inad(const SweepBlock& block, double outlier_rate, INADResult* results)
 {
   const float* const normals[] = {block.nx, block.ny, block.nz};
@@ -166,7 +137,6 @@ ownPointsOf(const SweepBlock& block)
   for (std::size_t i = 0; i < block.size; ++i) {
     if (block.queries_on_surface) {
       setOwnPoint(own, i, {block.qnx[i], block.qny[i], block.qnz[i]}, true);
-      anchorAtQuery(block, i, own);
       continue;
     }
     const Neighbor* nearest = nearestOf(block, findNeighbors(block, i));
@@ -176,7 +146,6 @@ ownPointsOf(const SweepBlock& block)
     }
     const std::uint32_t j = nearest->position;
     setOwnPoint(own, i, {block.nx[j], block.ny[j], block.nz[j]}, nearest->d2 == 0.0f);
-    setAnchor(own, i, nearest->dx, nearest->dy, nearest->dz);
   }
   return own;
 }

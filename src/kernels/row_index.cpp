@@ -21,7 +21,10 @@ namespace pcl::kernels {
 namespace {
 
 /** Points are first sorted by cells of this fraction of the edge along x. */
-constexpr double x_cells_an_edge = 8.0;
+constexpr double x_cells_an_edge = 64.0;
+
+/** More digits of x than these are left to the sort within the rows. */
+constexpr int most_x_bits = 16;
 
 /** \brief The points to sort: some of those given, or all. */
 struct Selection {
@@ -122,38 +125,46 @@ cellsOfParts(const Selection& points,
   return parts;
 }
 
-/** \brief Keys of (z cell, y cell, x cell): 64 bits, of which x gets what the others
- * leave. */
-class KeyMaker {
+/** \brief How the bits of a key are shared by (z cell, y cell, x cell). */
+class KeyLayout {
 public:
-  KeyMaker(const Cells& all, double cells_a_metre)
+  KeyLayout(const Cells& all, double cells_a_metre)
   : all_(all)
   , cells_a_metre_(cells_a_metre)
   , y_bits_(all.y.bits())
-  , x_bits_(std::min(all.x.bits(), 64 - y_bits_ - all.z.bits()))
+  , row_bits_(y_bits_ + all.z.bits())
+  , x_bits_(std::min({all.x.bits(), most_x_bits, 64 - row_bits_}))
   , x_shift_(all.x.bits() - x_bits_)
-  {}
+  {
+    // Half the bytes to move if there are bits enough.
+    constexpr int least_x_bits = 12;
+    if (row_bits_ + std::min(x_bits_, least_x_bits) <= 32) {
+      x_bits_ = std::min(x_bits_, 32 - row_bits_);
+      x_shift_ = all.x.bits() - x_bits_;
+    }
+  }
 
   int
   bits() const
   {
-    return x_bits_ + y_bits_ + all_.z.bits();
+    return x_bits_ + row_bits_;
   }
 
-  std::uint64_t
+  template <typename Key>
+  Key
   keyOf(const float* p) const
   {
-    const std::uint64_t x =
-        offset(cellOf(p[0], x_cells_an_edge * cells_a_metre_), all_.x);
-    const std::uint64_t y = offset(cellOf(p[1], cells_a_metre_), all_.y);
-    const std::uint64_t z = offset(cellOf(p[2], cells_a_metre_), all_.z);
-    return (((z << y_bits_) | y) << x_bits_) | (x >> x_shift_);
+    const Key x = offset<Key>(cellOf(p[0], x_cells_an_edge * cells_a_metre_), all_.x);
+    const Key y = offset<Key>(cellOf(p[1], cells_a_metre_), all_.y);
+    const Key z = offset<Key>(cellOf(p[2], cells_a_metre_), all_.z);
+    return static_cast<Key>(((shifted(z, y_bits_) | y) << x_bits_) | (x >> x_shift_));
   }
 
-  std::uint64_t
-  rowOf(std::uint64_t key) const
+  template <typename Key>
+  Key
+  rowOf(Key key) const
   {
-    return key >> x_bits_;
+    return static_cast<Key>(key >> x_bits_);
   }
 
   Row
@@ -163,96 +174,157 @@ public:
     return {static_cast<std::int32_t>(static_cast<std::int64_t>(row >> y_bits_) +
                                       all_.z.first),
             static_cast<std::int32_t>(static_cast<std::int64_t>(y) + all_.y.first),
-            begin};
+            begin,
+            0};
   }
 
 private:
-  static std::uint64_t
+  template <typename Key>
+  static Key
   offset(std::int32_t cell, const CellRange& range)
   {
-    return static_cast<std::uint64_t>(std::int64_t{cell} - range.first);
+    return static_cast<Key>(std::int64_t{cell} - range.first);
+  }
+
+  /** \brief A shift by all bits is not defined: there is nothing to shift then. */
+  template <typename Key>
+  static Key
+  shifted(Key value, int bits)
+  {
+    return value == 0 ? value : static_cast<Key>(value << bits);
   }
 
   const Cells& all_;
   double cells_a_metre_;
-  int y_bits_, x_bits_, x_shift_;
+  int y_bits_, row_bits_, x_bits_, x_shift_;
 };
 
-KeyedIndices
+template <typename Key>
+std::vector<Keyed<Key>>
 sortedEntries(const Selection& points,
               const std::vector<Cells>& parts,
               std::size_t count,
-              const Cells& all,
-              const KeyMaker& keys,
+              const KeyLayout& layout,
               unsigned threads)
 {
   std::vector<std::size_t> begins(parts.size() + 1, 0);
   for (std::size_t part = 0; part < parts.size(); ++part) {
     begins[part + 1] = begins[part] + parts[part].count;
   }
-  KeyedIndices entries;
-  entries.keys.resize(all.count);
-  entries.indices.resize(all.count);
+  std::vector<Keyed<Key>> entries(begins.back());
   parallelFor(parts.size(), threads, [&](std::size_t part) {
     std::size_t at = begins[part];
     for (std::size_t i = part * part_size; i < std::min(count, (part + 1) * part_size);
          ++i) {
       if (isFinite(points[i])) {
-        entries.keys[at] = keys.keyOf(points[i]);
-        entries.indices[at++] = static_cast<std::uint32_t>(i);
+        entries[at++] = {layout.keyOf<Key>(points[i]), static_cast<std::uint32_t>(i)};
       }
     }
   });
-  radixSort(entries, keys.bits(), threads);
+  radixSort(entries, layout.bits(), threads);
   return entries;
+}
+
+/** \brief The points in the order of the entries, and their rows. */
+template <typename Key>
+void
+fill(const Selection& points,
+     const std::vector<Keyed<Key>>& entries,
+     const KeyLayout& layout,
+     RowIndex& index,
+     unsigned threads)
+{
+  for (auto* array : {&index.x, &index.y, &index.z}) {
+    array->resize(entries.size() + row_padding);
+  }
+  index.order.resize(entries.size() + row_padding);
+  parallelForRanges(entries.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const float* p = points[entries[i].index];
+      index.order[i] = entries[i].index;
+      index.x[i] = p[0];
+      index.y[i] = p[1];
+      index.z[i] = p[2];
+    }
+  });
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const Key row = layout.rowOf(entries[i].key);
+    if (i == 0 || row != layout.rowOf(entries[i - 1].key)) {
+      index.rows.push_back(layout.rowAt(row, static_cast<std::uint32_t>(i)));
+    }
+  }
+}
+
+/** \brief Sort a row by x anew. */
+void
+sortRow(RowIndex& index, std::uint32_t begin, std::uint32_t end)
+{
+  struct Point {
+    float x, y, z;
+    std::uint32_t order;
+  };
+  std::vector<Point> row;
+  row.reserve(end - begin);
+  for (std::uint32_t i = begin; i < end; ++i) {
+    row.push_back({index.x[i], index.y[i], index.z[i], index.order[i]});
+  }
+  std::stable_sort(row.begin(), row.end(), [](const Point& a, const Point& b) {
+    return a.x < b.x;
+  });
+  for (std::uint32_t i = begin; i < end; ++i) {
+    const Point& p = row[i - begin];
+    index.x[i] = p.x;
+    index.y[i] = p.y;
+    index.z[i] = p.z;
+    index.order[i] = p.order;
+  }
+}
+
+template <typename T>
+void
+rotateRight(T* first, T* last)
+{
+  const T moved = *last;
+  std::copy_backward(first, last, last + 1);
+  *first = moved;
 }
 
 /** \brief Sort a row by x. Its points are in order but within a cell: they move a few
  * places. Rows that take more than that (coordinates beyond the cells' range) are
  * sorted anew. */
 void
-sortRow(const Selection& points, std::uint32_t* first, std::uint32_t* last)
+finishRow(RowIndex& index, std::uint32_t begin, std::uint32_t end)
 {
-  const auto x = [&](std::uint32_t i) { return points[i][0]; };
-  std::ptrdiff_t moves_left = 16 * (last - first) + 64;
-  for (std::uint32_t* i = first + 1; i < last; ++i) {
-    const std::uint32_t moved = *i;
-    const float moved_x = x(moved);
-    std::uint32_t* at = i;
-    for (; at > first && x(at[-1]) > moved_x; --at, --moves_left) {
-      *at = at[-1];
+  const float* x = index.x.data();
+  std::ptrdiff_t moves_left = 16 * std::ptrdiff_t{end - begin} + 64;
+  for (std::uint32_t i = begin + 1; i < end; ++i) {
+    if (!(x[i] < x[i - 1])) {
+      continue;
     }
-    *at = moved;
+    std::uint32_t at = i;
+    while (at > begin && x[at - 1] > x[i] && moves_left >= 0) {
+      --at, --moves_left;
+    }
     if (moves_left < 0) {
-      std::sort(first, last, [&](std::uint32_t a, std::uint32_t b) {
-        return x(a) != x(b) ? x(a) < x(b) : a < b;
-      });
+      sortRow(index, begin, end);
       return;
     }
+    for (auto* array : {&index.x, &index.y, &index.z}) {
+      rotateRight(array->data() + at, array->data() + i);
+    }
+    rotateRight(index.order.data() + at, index.order.data() + i);
   }
 }
 
 void
-gather(const Selection& points, RowIndex& index, unsigned threads)
+finishRows(RowIndex& index, unsigned threads)
 {
-  for (auto* array : {&index.x, &index.y, &index.z}) {
-    array->resize(index.size() + row_padding);
-  }
   constexpr std::size_t rows_a_task = 32;
   const std::size_t tasks = (index.rowCount() + rows_a_task - 1) / rows_a_task;
   parallelFor(tasks, threads, [&](std::size_t task) {
     const std::size_t end = std::min(index.rowCount(), (task + 1) * rows_a_task);
     for (std::size_t row = task * rows_a_task; row < end; ++row) {
-      std::uint32_t* order = index.order.data();
-      sortRow(points, order + index.rows[row].begin, order + index.rows[row + 1].begin);
-    }
-  });
-  parallelForRanges(index.size(), threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const float* p = points[index.order[i]];
-      index.x[i] = p[0];
-      index.y[i] = p[1];
-      index.z[i] = p[2];
+      finishRow(index, index.rows[row].begin, index.rows[row + 1].begin);
     }
   });
 }
@@ -276,19 +348,18 @@ buildRowIndex(const XYZView& points,
     all.merge(part);
   }
   if (all.count > 0) {
-    const KeyMaker keys(all, index.cellsAMetre());
-    KeyedIndices entries = sortedEntries(selection, parts, count, all, keys, threads);
-    for (std::size_t i = 0; i < entries.keys.size(); ++i) {
-      const std::uint64_t row = keys.rowOf(entries.keys[i]);
-      if (i == 0 || row != keys.rowOf(entries.keys[i - 1])) {
-        index.rows.push_back(keys.rowAt(row, static_cast<std::uint32_t>(i)));
-      }
-    }
-    index.order = std::move(entries.indices);
+    const KeyLayout layout(all, index.cellsAMetre());
+    const auto sortBy = [&](auto key) {
+      using Key = decltype(key);
+      const auto entries =
+          sortedEntries<Key>(selection, parts, count, layout, threads);
+      fill(selection, entries, layout, index, threads);
+    };
+    layout.bits() <= 32 ? sortBy(std::uint32_t{}) : sortBy(std::uint64_t{});
   }
-  index.rows.push_back({0, 0, static_cast<std::uint32_t>(index.order.size())});
-  index.order.resize(index.order.size() + row_padding);
-  gather(selection, index, threads);
+  index.rows.push_back({0, 0, static_cast<std::uint32_t>(all.count), 0});
+  finishRows(index, threads);
+  makeClusters(index, threads);
   return index;
 }
 

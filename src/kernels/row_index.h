@@ -9,6 +9,8 @@
 
 #pragma once
 
+#include "clusters.h"
+
 #include <pcl/features/neighborhood_sweep.h>
 
 #include <algorithm>
@@ -23,7 +25,8 @@ namespace pcl::kernels {
 struct Row {
   std::int32_t iz;
   std::int32_t iy;
-  std::uint32_t begin; ///< position of its first point
+  std::uint32_t begin;         ///< position of its first point
+  std::uint32_t first_cluster; ///< the cluster that begins there
 };
 
 /** \brief Kernels read whole vectors: this many floats behind the last point may be
@@ -41,6 +44,7 @@ struct RowIndex {
   std::vector<std::uint32_t>
       order;             ///< index of each among those given; row_padding more
   std::vector<Row> rows; ///< sorted by (iz, iy), and an end mark
+  Clusters clusters;     ///< of the points, in order
 
   std::size_t
   size() const
@@ -61,12 +65,14 @@ struct RowIndex {
   }
 };
 
-/** \brief The cell of a coordinate, clamped to +-2^30.
+constexpr std::int32_t most_cell = 1 << 30;
+
+/** \brief The cell of a coordinate, clamped to +-most_cell.
  * \param[in] cells_a_metre 1 / edge of the cells */
 inline std::int32_t
 cellOf(double coordinate, double cells_a_metre)
 {
-  constexpr double limit = 1 << 30;
+  constexpr double limit = most_cell;
   const double cell = std::min(limit, std::max(-limit, coordinate * cells_a_metre));
   const auto truncated = static_cast<std::int32_t>(cell);
   return truncated - (static_cast<double>(truncated) > cell ? 1 : 0);

@@ -10,55 +10,92 @@
 #include "run_finder.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace pcl::kernels {
 namespace {
 
-/** \brief The first position in [begin, end) whose x is not less than the bound. Looks
- * a few steps around a guess, then bisects. */
+/** \brief The first position in [begin, end) whose value is not less than the bound.
+ * Looks a few steps around a guess, then bisects. */
 std::uint32_t
-slide(const float* x,
+slide(const float* values,
       std::uint32_t begin,
       std::uint32_t end,
       std::uint32_t guess,
       double bound)
 {
-  constexpr int steps = 8;
-  constexpr std::uint32_t stride = 8;
+  constexpr int steps = 6;
   std::uint32_t position = guess;
-  for (int i = 0; i < steps && position + stride < end && x[position + stride] < bound;
-       ++i) {
-    position += stride;
-  }
-  for (std::uint32_t i = 0; i < stride && position < end && x[position] < bound; ++i) {
+  for (int i = 0; i < steps && position < end && values[position] < bound; ++i) {
     ++position;
   }
-  for (int i = 0; i < steps && position > begin && x[position - 1] >= bound; ++i) {
+  for (int i = 0; i < steps && position > begin && values[position - 1] >= bound; ++i) {
     --position;
   }
-  const bool is_first = position == begin || x[position - 1] < bound;
-  const bool is_enough = position == end || x[position] >= bound;
+  const bool is_first = position == begin || values[position - 1] < bound;
+  const bool is_enough = position == end || values[position] >= bound;
   if (is_first && is_enough) {
     return position;
   }
-  const float* first = is_first ? x + position : x + begin;
-  const float* last = is_first ? x + end : x + position;
+  const float* first = is_first ? values + position : values + begin;
+  const float* last = is_first ? values + end : values + position;
   return static_cast<std::uint32_t>(
-      std::partition_point(first, last, [bound](float v) { return v < bound; }) - x);
+      std::partition_point(first, last, [bound](float v) { return v < bound; }) -
+      values);
+}
+
+/** \brief By how much intervals are apart, 0 if they overlap. */
+double
+distance(double a_min, double a_max, double b_min, double b_max)
+{
+  return std::max({0.0, b_min - a_max, a_min - b_max});
+}
+
+/** \brief The bounds of a cell, a little further out than rounding may put its points.
+ */
+double
+lowerBound(std::int32_t cell, double edge)
+{
+  return cell <= -most_cell ? -std::numeric_limits<double>::infinity()
+                            : (cell - 1e-5) * edge;
+}
+
+double
+upperBound(std::int32_t cell, double edge)
+{
+  return cell >= most_cell ? std::numeric_limits<double>::infinity()
+                           : (cell + 1.0 + 1e-5) * edge;
 }
 
 } // namespace
+
+/** The window of the box's own rows, so that it stays the same along them. */
+RunFinder::Window
+RunFinder::windowOf(const Box& box, double far) const
+{
+  const double cells = surface_.cellsAMetre();
+  const double steps = std::floor(std::min<double>(most_cell, far * cells + 1e-5)) + 1.0;
+  const auto reach = static_cast<std::int64_t>(steps);
+  const auto cell = [&](float v, std::int64_t offset) {
+    const std::int64_t moved = cellOf(v, cells) + offset;
+    return static_cast<std::int32_t>(
+        std::clamp<std::int64_t>(moved, -most_cell, most_cell));
+  };
+  const auto first = [&](float v) { return cell(v, -reach); };
+  const auto last = [&](float v) { return cell(v, reach); };
+  return {first(box.z_min), last(box.z_max), first(box.y_min), last(box.y_max)};
+}
 
 void
 RunFinder::selectRows(const Window& window)
 {
   window_ = window;
   rows_.clear();
-  cursors_.clear();
-  const auto begin = surface_.rows.begin();
   const auto end = surface_.rows.end() - 1;
-  auto row = begin;
+  auto row = surface_.rows.begin();
+  const double edge = surface_.edge;
   std::int32_t iz = window.z_first;
   while (true) {
     row = std::lower_bound(row,
@@ -68,8 +105,13 @@ RunFinder::selectRows(const Window& window)
                              return std::make_tuple(r.iz, r.iy) < key;
                            });
     for (; row != end && row->iz == iz && row->iy <= window.y_last; ++row) {
-      rows_.push_back(static_cast<std::uint32_t>(row - begin));
-      cursors_.push_back({row->begin, row->begin});
+      rows_.push_back({lowerBound(row->iy, edge),
+                       upperBound(row->iy, edge),
+                       lowerBound(row->iz, edge),
+                       upperBound(row->iz, edge),
+                       row->first_cluster,
+                       row[1].first_cluster,
+                       {row->first_cluster, row->first_cluster}});
     }
     if (row == end || row->iz > window.z_last || iz == window.z_last) {
       return;
@@ -78,16 +120,12 @@ RunFinder::selectRows(const Window& window)
   }
 }
 
-const std::vector<Run>&
+const std::vector<ClusterRun>&
 RunFinder::find(const Box& box, double reach)
 {
   // The squares that decide are rounded to float: reach a little further.
   const double far = reach * (1.0 + 1e-6);
-  const double cells = surface_.cellsAMetre();
-  const Window window{cellOf(box.z_min - far, cells),
-                      cellOf(box.z_max + far, cells),
-                      cellOf(box.y_min - far, cells),
-                      cellOf(box.y_max + far, cells)};
+  const Window window = windowOf(box, far);
   const auto key = [](const Window& w) {
     return std::tie(w.z_first, w.z_last, w.y_first, w.y_last);
   };
@@ -97,16 +135,20 @@ RunFinder::find(const Box& box, double reach)
 
   const double x_first = box.x_min - far;
   const double x_last = box.x_max + far;
-  const float* x = surface_.x.data();
+  const float* least = surface_.clusters.box[0].data();
+  const float* most = surface_.clusters.box[3].data();
   runs_.clear();
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const std::uint32_t begin = surface_.rows[rows_[i]].begin;
-    const std::uint32_t end = surface_.rows[rows_[i] + 1].begin;
-    Run& cursor = cursors_[i];
-    cursor.begin = slide(x, begin, end, cursor.begin, x_first);
-    cursor.end = slide(x, begin, end, std::max(cursor.begin, cursor.end), x_last);
-    if (cursor.begin < cursor.end) {
-      runs_.push_back(cursor);
+  for (NearRow& row : rows_) {
+    const double dy = distance(row.y_min, row.y_max, box.y_min, box.y_max);
+    const double dz = distance(row.z_min, row.z_max, box.z_min, box.z_max);
+    if (dy * dy + dz * dz > far * far) {
+      continue;
+    }
+    ClusterRun& run = row.cursor;
+    run.begin = slide(most, row.begin, row.end, run.begin, x_first);
+    run.end = slide(least, row.begin, row.end, std::max(run.begin, run.end), x_last);
+    if (run.begin < run.end) {
+      runs_.push_back(run);
     }
   }
   return runs_;

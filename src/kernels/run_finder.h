@@ -16,12 +16,7 @@
 
 namespace pcl::kernels {
 
-/** \brief The box of a block of queries. */
-struct Box {
-  float x_min, x_max, y_min, y_max, z_min, z_max;
-};
-
-/** \brief Finds the runs of surface points that lie within a distance of a box.
+/** \brief Finds the runs of clusters that lie within a distance of a box.
  *
  * Meant for boxes that come in the order of the rows: the runs of one box are where the
  * search for the next one starts.
@@ -31,20 +26,28 @@ public:
   explicit RunFinder(const RowIndex& surface) : surface_(surface) {}
 
   /** \brief Runs, in sorted order, that hold every point within `reach` of the box. */
-  const std::vector<Run>& find(const Box& box, double reach);
+  const std::vector<ClusterRun>& find(const Box& box, double reach);
 
 private:
   struct Window {
     std::int32_t z_first, z_last, y_first, y_last;
   };
 
+  /** \brief A row of the window, and the last run in it. */
+  struct NearRow {
+    double y_min, y_max, z_min, z_max;
+    std::uint32_t begin, end; ///< its clusters
+    ClusterRun cursor;
+  };
+
+  Window windowOf(const Box& box, double far) const;
+
   void selectRows(const Window& window);
 
   const RowIndex& surface_;
   Window window_{1, 0, 1, 0};
-  std::vector<std::uint32_t> rows_; ///< positions of the rows in the window
-  std::vector<Run> cursors_;        ///< the last run in each of these rows
-  std::vector<Run> runs_;
+  std::vector<NearRow> rows_;
+  std::vector<ClusterRun> runs_;
 };
 
 } // namespace pcl::kernels

@@ -14,7 +14,10 @@
 #define PCL_SHAPE_SIMD_INAD_BLOCK_INL_H_
 #endif
 
-#include "simd_inad-inl.h"
+#include "neighborhood.h"
+#include "simd_inad_lanes-inl.h"
+#include "simd_spreads-inl.h"
+
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
@@ -22,172 +25,235 @@ namespace pcl::kernels::HWY_NAMESPACE {
 constexpr INADResult unknown_inad{std::numeric_limits<float>::quiet_NaN(),
                                   std::numeric_limits<float>::quiet_NaN()};
 
-/** \brief Turns the queries' normals to the side of the first one that is known, which
- * becomes the packer's reference; cosines[i] is its cosine with query i's.
- */
-HWY_INLINE void
-turnToReference(const SweepBlock& block,
-                OwnPoints& own,
-                CandidatePacker& packer,
-                float* cosines)
-{
-  std::size_t first = 0;
-  while (first + 1 < block.size && std::isnan(own.nx[first])) {
-    ++first;
-  }
-  const float x = own.nx[first], y = own.ny[first], z = own.nz[first];
-  packer.setReference(x, y, z);
-  for (std::size_t i = 0; i < block.size; ++i) {
-    const float cosine = own.nx[i] * x + own.ny[i] * y + own.nz[i] * z;
-    const float side = cosine < 0.0f ? -1.0f : 1.0f;
-    own.nx[i] *= side;
-    own.ny[i] *= side;
-    own.nz[i] *= side;
-    cosines[i] = std::abs(cosine);
-  }
-}
+/** Clusters are looked at in portions of this many, so that buffers stay small however many
+ * points there are. */
+constexpr std::size_t most_clusters = 256;
 
-HWY_INLINE std::size_t
-collectChords(const SweepBlock& block,
-              const OwnPoints& own,
-              std::size_t i,
-              const CandidatePacker& packer,
-              float cosine,
-              const Candidates& candidates,
-              float* chords,
-              bool& spreads)
-{
-  if (packer.hasTies()) {
-    return collectChords<true, false>(block, own, i, candidates, chords, spreads);
-  }
-  return packer.isSmoothAround(cosine)
-             ? collectChords<false, true>(block, own, i, candidates, chords, spreads)
-             : collectChords<false, false>(block, own, i, candidates, chords, spreads);
-}
-
-/** \brief The candidates of a block fit in one portion: angles are kept for the second
- * pass. */
-HWY_INLINE void
-inadOfFewCandidates(const SweepBlock& block,
-                    const OwnPoints& own,
-                    const CandidatePacker& packer,
-                    const float* cosines,
-                    double outlier_rate,
-                    INADResult* results)
-{
-  SimdScratch& scratch = simdScratch();
-  const Candidates& candidates = scratch.candidates;
-  const std::size_t stride = candidates.size + lanes;
-  float* chords = scratch.values.atLeast(stride);
-  std::uint32_t* angles = scratch.angles.atLeast(block_size * stride);
-  Sums all[block_size] = {};
-  std::size_t lengths[block_size] = {};
-  bool spreads[block_size] = {};
-  for (std::size_t i = 0; i < block.size; ++i) {
-    if (std::isnan(own.nx[i])) {
-      continue;
+/** \brief The INAD of one block. */
+class BlockINAD {
+public:
+  BlockINAD(const SweepBlock& block, double outlier_rate)
+  : block_(block)
+  , own_(ownPointsOf(block))
+  , near_(block)
+  , candidates_(block, own_)
+  , outlier_rate_(outlier_rate)
+  {
+    if (block.queries_on_surface) {
+      findSpreadsAmongQueries(block, spreads_);
     }
-    lengths[i] = collectChords(
-        block, own, i, packer, cosines[i], candidates, chords, spreads[i]);
-    all[i] = toAngles(chords, lengths[i], angles + i * stride);
-    all[i].count -= std::min<std::uint64_t>(all[i].count, own.is_neighbor[i]);
   }
-  Spread spread[block_size];
-  for (std::size_t i = 0; i < block_size; ++i) {
-    const std::uint64_t count = std::max<std::uint64_t>(1, all[i].count);
-    spread[i] = spreadOf(count, all[i].sum, all[i].squares);
-  }
-  for (std::size_t i = 0; i < block.size; ++i) {
-    const bool is_known = !std::isnan(own.nx[i]) &&
-                          all[i].count >= NeighborhoodSweep::min_neighbors &&
-                          (spreads[i] || spansSurface(block, i));
-    if (!is_known) {
-      results[i] = unknown_inad;
-      continue;
-    }
-    const KeptRange range = keptRange(spread[i], outlier_rate);
-    const Sums kept =
-        sumKept(angles + i * stride, lengths[i], range, own.is_neighbor[i]);
-    results[i] = toINAD(kept.count == 0 ? spread[i]
-                                        : spreadOf(kept.count, kept.sum, kept.squares));
-  }
-}
 
-/** \brief One pass over all portions: sums of the angles in each query's range. */
-HWY_INLINE void
-sumOverPortions(const SweepBlock& block,
-                OwnPoints& own,
-                const KeptRange* ranges,
-                AngleSums* sums,
-                bool* spreads)
-{
-  SimdScratch& scratch = simdScratch();
-  CandidatePacker packer(block, scratch.candidates);
-  float cosines[block_size];
-  turnToReference(block, own, packer, cosines);
-  float* chords = scratch.values.atLeast(portion_size + lanes);
-  std::uint32_t* angles = scratch.angles.atLeast(portion_size + lanes);
-  while (!packer.isDone()) {
-    packer.next<true>();
-    for (std::size_t i = 0; i < block.size; ++i) {
-      if (std::isnan(own.nx[i])) {
-        continue;
+  void
+  compute(INADResult* results)
+  {
+    near_.size() <= most_clusters ? sumOnePortion() : sumManyPortions();
+    for (std::size_t i = 0; i < block_.size; ++i) {
+      const bool any_kept = kept_count_[i] != 0;
+      const Spread spread{(any_kept ? kept_ : all_).mean[i],
+                          (any_kept ? kept_ : all_).sd[i]};
+      results[i] = isKnown(i) ? toINAD(spread) : unknown_inad;
+    }
+  }
+
+private:
+  /** \brief The candidates in some of the near clusters. */
+  CandidatePositions
+  stage(std::size_t begin, std::size_t count)
+  {
+    return candidates_.list(near_, begin, count);
+  }
+
+  template <bool with_ties, bool is_smooth>
+  void
+  collect(const CandidatePositions& candidates, std::uint32_t* angles, BlockSums& sums) const
+  {
+    for (std::size_t first = 0; first < block_.size; first += lanes) {
+      collectAngles<with_ties, is_smooth>(block_,
+                                          own_,
+                                          first,
+                                          candidates,
+                                          angles + first * candidates.total(),
+                                          sums);
+    }
+  }
+
+  void
+  collect(const CandidatePositions& candidates, std::uint32_t* angles, BlockSums& sums) const
+  {
+    if (near_.hasTies()) {
+      collect<true, false>(candidates, angles, sums);
+    }
+    else if (candidates_.isSmooth()) {
+      collect<false, true>(candidates, angles, sums);
+    }
+    else {
+      collect<false, false>(candidates, angles, sums);
+    }
+  }
+
+  void
+  sumKeptOf(std::size_t candidates, const std::uint32_t* angles, BlockSums& sums) const
+  {
+    for (std::size_t first = 0; first < block_.size; first += lanes) {
+      sumKept(
+          angles + first * candidates, candidates, ranges_, first, sums);
+    }
+  }
+
+  static std::uint32_t*
+  anglesOfAll(const CandidatePositions& candidates)
+  {
+    return simdScratch().angles.atLeast(block_size * candidates.total());
+  }
+
+  /** \brief Angles are kept for the second pass. */
+  void
+  sumOnePortion()
+  {
+    const CandidatePositions candidates = stage(0, near_.size());
+    std::uint32_t* angles = anglesOfAll(candidates);
+    BlockSums all, kept;
+    collect(candidates, angles, all);
+    setAll(all);
+    findMissingSpreads(candidates);
+    sumKeptOf(candidates.total(), angles, kept);
+    for (std::size_t i = 0; i < block_size; ++i) {
+      kept_count_[i] = kept.count[i] -= std::min(kept.count[i], ownKept(i));
+    }
+    spreadsOf(kept, kept_);
+  }
+
+  /** \brief The ranges that follow from the sums over all angles, own points included. */
+  void
+  setAll(BlockSums& all)
+  {
+    for (std::size_t i = 0; i < block_size; ++i) {
+      const std::uint64_t own = own_.is_neighbor[i];
+      count_[i] = all.count[i] -= std::min(all.count[i], own);
+    }
+    spreadsOf(all, all_);
+    keptRanges(all_, outlier_rate_, ranges_);
+  }
+
+  /** \brief However many candidates: their angles are computed twice. */
+  void
+  sumManyPortions()
+  {
+    AngleSums all[block_size], kept[block_size];
+    forEachPortion([&](const CandidatePositions& candidates) {
+      BlockSums part;
+      collect(candidates, anglesOfAll(candidates), part);
+      add(part, all);
+    });
+    for (std::size_t i = 0; i < block_size; ++i) {
+      const std::uint64_t own = own_.is_neighbor[i];
+      count_[i] = all[i].count -= std::min(all[i].count, own);
+    }
+    setSpreads(all, all_);
+    keptRanges(all_, outlier_rate_, ranges_);
+    forEachPortion([&](const CandidatePositions& candidates) {
+      BlockSums ignored, part;
+      std::uint32_t* angles = anglesOfAll(candidates);
+      collect(candidates, angles, ignored);
+      sumKeptOf(candidates.total(), angles, part);
+      add(part, kept);
+    });
+    for (std::size_t i = 0; i < block_size; ++i) {
+      kept_count_[i] = kept[i].count -= std::min(kept[i].count, ownKept(i));
+    }
+    setSpreads(kept, kept_);
+  }
+
+  /** \brief How many own points are among the angles kept: their angle is 0. */
+  std::uint64_t
+  ownKept(std::size_t i) const
+  {
+    return ranges_.least[i] == 0 ? own_.is_neighbor[i] : 0;
+  }
+
+  template <typename Visit>
+  void
+  forEachPortion(const Visit& visit)
+  {
+    for (std::size_t begin = 0; begin < near_.size(); begin += most_clusters) {
+      visit(stage(begin, std::min(most_clusters, near_.size() - begin)));
+    }
+  }
+
+  static void
+  add(const BlockSums& part, AngleSums* sums)
+  {
+    for (std::size_t i = 0; i < block_size; ++i) {
+      sums[i].count += part.count[i];
+      sums[i].sum += part.sum[i];
+      sums[i].squares += part.squares[i];
+    }
+  }
+
+  /** \brief As of one portion, whatever the number of portions: the same angles give
+   * the same result. */
+  static void
+  setSpreads(const AngleSums* sums, BlockSpreads& spreads)
+  {
+    BlockSums few;
+    for (std::size_t i = 0; i < block_size; ++i) {
+      if (sums[i].count <= most_for_64_bits) {
+        few.count[i] = sums[i].count;
+        few.sum[i] = sums[i].sum;
+        few.squares[i] = static_cast<std::uint64_t>(sums[i].squares);
       }
-      const std::size_t count = collectChords(
-          block, own, i, packer, cosines[i], scratch.candidates, chords, spreads[i]);
-      toAngles(chords, count, angles);
-      const Sums part = sumKept(angles, count, ranges[i], 0);
-      sums[i].count += part.count;
-      sums[i].sum += part.sum;
-      sums[i].squares += part.squares;
+    }
+    spreadsOf(few, spreads);
+    for (std::size_t i = 0; i < block_size; ++i) {
+      if (sums[i].count > most_for_64_bits) {
+        const Spread spread = sums[i].spread();
+        spreads.mean[i] = spread.mean;
+        spreads.sd[i] = spread.sd;
+      }
     }
   }
-  for (std::size_t i = 0; i < block.size; ++i) {
-    const bool has_own = own.is_neighbor[i] != 0 && ranges[i].first <= 0;
-    sums[i].count -= has_own ? 1 : 0;
-  }
-}
 
-/** \brief However many candidates: their angles are computed twice instead of kept. */
-HWY_INLINE void
-inadOfManyCandidates(const SweepBlock& block,
-                     OwnPoints& own,
-                     double outlier_rate,
-                     INADResult* results)
-{
-  KeptRange ranges[block_size];
-  AngleSums all[block_size], kept[block_size];
-  bool spreads[block_size] = {};
-  sumOverPortions(block, own, ranges, all, spreads);
-  for (std::size_t i = 0; i < block.size; ++i) {
-    if (all[i].count > 0) {
-      ranges[i] = keptRange(all[i].spread(), outlier_rate);
+  void
+  findMissingSpreads(const CandidatePositions& candidates)
+  {
+    bool all = true;
+    for (std::size_t i = 0; i < block_.size; ++i) {
+      all = all && (spreads_[i] || !hasNeighbors(i));
+    }
+    if (!all) {
+      findSpreads(block_, candidates, spreads_);
     }
   }
-  sumOverPortions(block, own, ranges, kept, spreads);
-  for (std::size_t i = 0; i < block.size; ++i) {
-    const bool is_known = !std::isnan(own.nx[i]) &&
-                          all[i].count >= NeighborhoodSweep::min_neighbors &&
-                          (spreads[i] || spansSurface(block, i));
-    results[i] = is_known ? toINAD((kept[i].count == 0 ? all[i] : kept[i]).spread())
-                          : unknown_inad;
+
+  bool
+  hasNeighbors(std::size_t i) const
+  {
+    return !std::isnan(own_.nx[i]) &&
+           count_[i] >= NeighborhoodSweep::min_neighbors;
   }
-}
+
+  bool
+  isKnown(std::size_t i) const
+  {
+    return hasNeighbors(i) && (spreads_[i] || spansSurface(block_, i));
+  }
+
+  const SweepBlock& block_;
+  const OwnPoints own_;
+  const NearClusters near_;
+  INADCandidates candidates_;
+  double outlier_rate_;
+  bool spreads_[block_size] = {};
+  std::uint64_t count_[block_size], kept_count_[block_size];
+  BlockSpreads all_, kept_;
+  BlockRanges ranges_;
+};
 
 inline void
 inad(const SweepBlock& block, double outlier_rate, INADResult* results)
 {
-  OwnPoints own = ownPointsOf(block);
-  CandidatePacker packer(block, simdScratch().candidates);
-  float cosines[block_size];
-  turnToReference(block, own, packer, cosines);
-  packer.next<true>();
-  if (packer.isDone()) {
-    inadOfFewCandidates(block, own, packer, cosines, outlier_rate, results);
-  }
-  else {
-    inadOfManyCandidates(block, own, outlier_rate, results);
-  }
+  BlockINAD(block, outlier_rate).compute(results);
 }
 
 } // namespace pcl::kernels::HWY_NAMESPACE

@@ -14,49 +14,91 @@
 #define PCL_SHAPE_SIMD_NEAREST_INL_H_
 #endif
 
-#include "simd_candidates-inl.h"
+#include "simd_slots-inl.h"
 
 #include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
 
-HWY_INLINE auto
-squaredDistances(const SweepBlock& block,
-                 std::size_t i,
-                 const Candidates& candidates,
-                 std::size_t c)
+template <bool with_ties>
+HWY_INLINE void
+addCounts(const SweepBlock& block,
+          const CandidatePositions& candidates,
+          std::uint32_t* counts)
 {
-  const Floats d;
-  const auto dx = hn::Sub(hn::LoadU(d, candidates.x() + c), hn::Set(d, block.qx[i]));
-  const auto dy = hn::Sub(hn::LoadU(d, candidates.y() + c), hn::Set(d, block.qy[i]));
-  const auto dz = hn::Sub(hn::LoadU(d, candidates.z() + c), hn::Set(d, block.qz[i]));
-  return squaredLength(dx, dy, dz);
+  const Words w;
+  const auto one = hn::Set(w, 1);
+  for (std::size_t first = 0; first < block_size; first += lanes) {
+    const QueryLanes<with_ties> queries(block, block.r2, block.tie_d2, first);
+    auto count = hn::LoadU(w, counts + first);
+    for (std::size_t c = 0; c < candidates.size; ++c) {
+      const auto mask =
+          hn::RebindMask(w, queries.neighborMask(block, candidates.begin[c]));
+      count = hn::IfThenElse(mask, hn::Add(count, one), count);
+    }
+    hn::StoreU(count, w, counts + first);
+  }
 }
 
 inline void
 count(const SweepBlock& block, std::uint32_t* results)
 {
-  const Floats d;
-  Candidates& candidates = simdScratch().candidates;
-  CandidatePacker packer(block, candidates);
-  std::fill_n(results, block.size, 0);
-  while (!packer.isDone()) {
-    packer.next<false>();
-    for (std::size_t i = 0; i < block.size; ++i) {
-      for (std::size_t c = 0; c < candidates.size; c += lanes) {
-        const auto d2 = squaredDistances(block, i, candidates, c);
-        const auto mask = packer.hasTies()
-                              ? neighborMask<true>(block, i, candidates, c, d2)
-                              : neighborMask<false>(block, i, candidates, c, d2);
-        results[i] += static_cast<std::uint32_t>(hn::CountTrue(d, mask));
-      }
-    }
+  constexpr std::size_t portion = 256;
+  const NearClusters near(block);
+  std::uint32_t counts[block_size] = {};
+  for (std::size_t begin = 0; begin < near.size(); begin += portion) {
+    const std::size_t size = std::min(portion, near.size() - begin);
+    const CandidatePositions candidates = listPositions(
+        block,
+        near,
+        begin,
+        size,
+        false,
+        [](const Points& points,
+           auto is_point,
+           std::uint32_t position,
+           CandidateLister& lister) { lister.add(points, is_point, position); });
+    near.hasTies() ? addCounts<true>(block, candidates, counts)
+                   : addCounts<false>(block, candidates, counts);
   }
   for (std::size_t i = 0; i < block.size; ++i) {
     const bool has_own = block.queries_on_surface || isAtSurfacePoint(block, i);
-    results[i] -= results[i] > 0 && has_own ? 1 : 0;
+    results[i] = counts[i] - (counts[i] > 0 && has_own ? 1 : 0);
   }
+}
+
+/** \brief Points one after the other, padded with NaN to a whole vector. */
+struct PackedPoints {
+  const float *x, *y, *z;
+  std::size_t size;
+};
+
+/** \brief The points of the near clusters that are near the queries' box. */
+HWY_INLINE PackedPoints
+packPoints(const SweepBlock& block, const NearClusters& near)
+{
+  const Floats d;
+  const std::size_t stride = near.size() * block_size + block_size;
+  float* out = simdScratch().slots.atLeast(3 * stride);
+  CandidateLister lister(near, block.box, near.size(), false);
+  std::size_t size = 0;
+  for (std::size_t s = 0; s < near.size(); ++s) {
+    const std::uint32_t cluster = near.begin()[s];
+    const std::uint32_t first = block.cluster_begin[cluster];
+    const std::uint32_t points = block.cluster_begin[cluster + 1] - first;
+    for (std::size_t i = 0; i < points; i += lanes) {
+      const Points p{hn::LoadU(d, block.x + first + i),
+                     hn::LoadU(d, block.y + first + i),
+                     hn::LoadU(d, block.z + first + i)};
+      const auto mask = lister.add(p, pointsOfCluster(points, i), 0);
+      packStore(d, p.x, mask, out + size);
+      packStore(d, p.y, mask, out + stride + size);
+      size += packStore(d, p.z, mask, out + 2 * stride + size);
+    }
+  }
+  hn::StoreU(hn::Set(d, std::numeric_limits<float>::quiet_NaN()), d, out + size);
+  return {out, out + stride, out + 2 * stride, size};
 }
 
 /** \brief How many of the distances are below a bound. The padding is infinite. */
@@ -71,19 +113,25 @@ countBelow(const float* d2, std::size_t count, float bound)
   return below;
 }
 
-/** \brief Distances of a query's candidates below r2, packed and padded with infinity.
- */
+/** \brief Squared distances of a query's candidates below r2, packed and padded with
+ * infinity. */
 HWY_INLINE std::size_t
 collectDistances(const SweepBlock& block,
                  std::size_t i,
-                 const Candidates& candidates,
+                 const PackedPoints& candidates,
                  float* d2)
 {
   const Floats d;
+  const auto qx = hn::Set(d, block.qx[i]);
+  const auto qy = hn::Set(d, block.qy[i]);
+  const auto qz = hn::Set(d, block.qz[i]);
+  const auto r2 = hn::Set(d, block.r2[i]);
   std::size_t count = 0;
   for (std::size_t c = 0; c < candidates.size; c += lanes) {
-    const auto v = squaredDistances(block, i, candidates, c);
-    count += packStore(d, v, hn::Lt(v, hn::Set(d, block.r2[i])), d2 + count);
+    const auto v = squaredLength(hn::Sub(hn::Load(d, candidates.x + c), qx),
+                                 hn::Sub(hn::Load(d, candidates.y + c), qy),
+                                 hn::Sub(hn::Load(d, candidates.z + c), qz));
+    count += packStore(d, v, hn::Lt(v, r2), d2 + count);
   }
   hn::StoreU(hn::Set(d, std::numeric_limits<float>::infinity()), d, d2 + count);
   return count;
@@ -136,7 +184,7 @@ HWY_INLINE bool
 narrow(SweepBlock& block,
        std::size_t i,
        std::size_t k,
-       const Candidates& candidates,
+       const PackedPoints& candidates,
        float* d2)
 {
   const std::size_t count = collectDistances(block, i, candidates, d2);
@@ -158,16 +206,16 @@ narrow(SweepBlock& block,
 inline bool
 nearest(SweepBlock& block, std::size_t k)
 {
-  SimdScratch& scratch = simdScratch();
-  CandidatePacker packer(block, scratch.candidates);
-  packer.next<false>();
-  if (!packer.isDone()) {
+  constexpr std::size_t most_clusters = 256;
+  const NearClusters near(block);
+  if (near.size() > most_clusters) {
     return portableKernels().nearest(block, k);
   }
-  float* d2 = scratch.values.atLeast(scratch.candidates.size + lanes);
+  const PackedPoints candidates = packPoints(block, near);
+  float* d2 = simdScratch().values.atLeast(candidates.size + lanes);
   bool all = true;
   for (std::size_t i = 0; i < block.size; ++i) {
-    all = narrow(block, i, k, scratch.candidates, d2) && all;
+    all = narrow(block, i, k, candidates, d2) && all;
   }
   return all;
 }

@@ -15,7 +15,7 @@
 #endif
 
 #include "simd_covariance-inl.h"
-#include "simd_normals-inl.h"
+#include "simd_moments-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
@@ -38,8 +38,8 @@ addWhere(__mmask16 mask, __m512i& sum, const std::uint32_t* value)
 template <bool with_ties>
 HWY_NOINLINE void
 addMoments(const QueryLanes<with_ties>& lanes_queries,
-           const Candidates& candidates,
-           const std::uint32_t* moments,
+           const float* slots,
+           const std::uint32_t* offsets,
            std::size_t begin,
            std::size_t end,
            std::size_t first_lane,
@@ -65,23 +65,24 @@ addMoments(const QueryLanes<with_ties>& lanes_queries,
   __m512i s15 = zero;
   constexpr std::uint32_t one = 1;
   for (std::size_t c = begin; c < end; ++c) {
-    const __mmask16 mask = queries.neighborMask(candidates, c).raw;
-    const std::uint32_t* value = moments + c;
-    addWhere(mask, s0, value + sum_x * moment_stride);
-    addWhere(mask, s1, value + sum_y * moment_stride);
-    addWhere(mask, s2, value + sum_z * moment_stride);
-    addWhere(mask, s3, value + low_xx * moment_stride);
-    addWhere(mask, s4, value + low_xy * moment_stride);
-    addWhere(mask, s5, value + low_xz * moment_stride);
-    addWhere(mask, s6, value + low_yy * moment_stride);
-    addWhere(mask, s7, value + low_yz * moment_stride);
-    addWhere(mask, s8, value + low_zz * moment_stride);
-    addWhere(mask, s9, value + high_xx * moment_stride);
-    addWhere(mask, s10, value + high_xy * moment_stride);
-    addWhere(mask, s11, value + high_xz * moment_stride);
-    addWhere(mask, s12, value + high_yy * moment_stride);
-    addWhere(mask, s13, value + high_yz * moment_stride);
-    addWhere(mask, s14, value + high_zz * moment_stride);
+    const float* candidate = slots + offsets[c];
+    const __mmask16 mask = queries.neighborMask(candidate).raw;
+    const auto* value = reinterpret_cast<const std::uint32_t*>(candidate);
+    addWhere(mask, s0, value + momentAt(sum_x));
+    addWhere(mask, s1, value + momentAt(sum_y));
+    addWhere(mask, s2, value + momentAt(sum_z));
+    addWhere(mask, s3, value + momentAt(low_xx));
+    addWhere(mask, s4, value + momentAt(low_xy));
+    addWhere(mask, s5, value + momentAt(low_xz));
+    addWhere(mask, s6, value + momentAt(low_yy));
+    addWhere(mask, s7, value + momentAt(low_yz));
+    addWhere(mask, s8, value + momentAt(low_zz));
+    addWhere(mask, s9, value + momentAt(high_xx));
+    addWhere(mask, s10, value + momentAt(high_xy));
+    addWhere(mask, s11, value + momentAt(high_xz));
+    addWhere(mask, s12, value + momentAt(high_yy));
+    addWhere(mask, s13, value + momentAt(high_yz));
+    addWhere(mask, s14, value + momentAt(high_zz));
     addWhere(mask, s15, &one);
   }
   addLanes(hn::VFromD<Words>{s0}, block.values[sum_x] + first_lane);
@@ -105,38 +106,38 @@ addMoments(const QueryLanes<with_ties>& lanes_queries,
 #else
 
 /** \brief A few moments at a time, from stored masks: registers are few. */
-template <std::size_t count>
+template <std::size_t first, std::size_t count>
 HWY_INLINE void
 addSomeMoments(const std::uint32_t* masks,
-               const std::uint32_t* moments,
-               std::size_t begin,
-               std::size_t end,
-               std::uint64_t (*totals)[block_size],
-               std::size_t first_lane)
+               const float* slots,
+               const std::uint32_t* offsets,
+               std::size_t size,
+               std::size_t first_lane,
+               BlockMoments& block)
 {
   const Words w;
   hn::VFromD<Words> sums[count];
   for (auto& sum : sums) {
     sum = hn::Zero(w);
   }
-  for (std::size_t c = begin; c < end; ++c) {
-    const auto mask = hn::Load(w, masks + (c - begin) * lanes);
+  for (std::size_t c = 0; c < size; ++c) {
+    const auto mask = hn::Load(w, masks + c * lanes);
+    const auto* value = reinterpret_cast<const std::uint32_t*>(slots + offsets[c]);
     HWY_UNROLL(5)
     for (std::size_t m = 0; m < count; ++m) {
-      sums[m] =
-          hn::Add(sums[m], hn::And(mask, hn::Set(w, moments[m * moment_stride + c])));
+      sums[m] = hn::Add(sums[m], hn::And(mask, hn::Set(w, value[momentAt(first + m)])));
     }
   }
   for (std::size_t m = 0; m < count; ++m) {
-    addLanes(sums[m], totals[m] + first_lane);
+    addLanes(sums[m], block.values[first + m] + first_lane);
   }
 }
 
 template <bool with_ties>
 HWY_INLINE void
 addMoments(const QueryLanes<with_ties>& queries,
-           const Candidates& candidates,
-           const std::uint32_t* moments,
+           const float* slots,
+           const std::uint32_t* offsets,
            std::size_t begin,
            std::size_t end,
            std::size_t first_lane,
@@ -147,18 +148,18 @@ addMoments(const QueryLanes<with_ties>& queries,
       simdScratch().masks.atLeast(candidates_between_widening * lanes);
   auto counts = hn::Zero(w);
   for (std::size_t c = begin; c < end; ++c) {
-    const auto mask =
-        hn::VecFromMask(w, hn::RebindMask(w, queries.neighborMask(candidates, c)));
+    const auto mask = hn::VecFromMask(
+        w, hn::RebindMask(w, queries.neighborMask(slots + offsets[c])));
     counts = hn::Sub(counts, mask);
     hn::Store(mask, w, masks + (c - begin) * lanes);
   }
   addLanes(counts, block.count + first_lane);
-  constexpr std::size_t part = 5;
-  static_assert(moment_count % part == 0, "whole parts");
-  for (std::size_t m = 0; m < moment_count; m += part) {
-    addSomeMoments<part>(
-        masks, moments + m * moment_stride, begin, end, block.values + m, first_lane);
-  }
+  static_assert(moment_count == 15, "three parts of five");
+  const std::size_t size = end - begin;
+  offsets += begin;
+  addSomeMoments<0, 5>(masks, slots, offsets, size, first_lane, block);
+  addSomeMoments<5, 5>(masks, slots, offsets, size, first_lane, block);
+  addSomeMoments<10, 5>(masks, slots, offsets, size, first_lane, block);
 }
 
 #endif
@@ -168,8 +169,7 @@ HWY_INLINE void
 addPortion(const SweepBlock& block,
            const float* r2,
            const float* tie_d2,
-           const Candidates& candidates,
-           const std::uint32_t* moments,
+           const CandidateList& candidates,
            BlockMoments& sums)
 {
   for (std::size_t lane = 0; lane < block.size; lane += lanes) {
@@ -177,7 +177,7 @@ addPortion(const SweepBlock& block,
     for (std::size_t c = 0; c < candidates.size; c += candidates_between_widening) {
       const std::size_t end =
           std::min(candidates.size, c + candidates_between_widening);
-      addMoments(queries, candidates, moments, c, end, lane, sums);
+      addMoments(queries, candidates.slots, candidates.offsets, c, end, lane, sums);
     }
   }
 }
@@ -224,7 +224,7 @@ largestOf(const BlockMoments& sums, std::size_t size)
 }
 
 HWY_INLINE BlockMoments
-sumMoments(const SweepBlock& block, const Group& group)
+sumMoments(const SweepBlock& block, const NearClusters& near, const Group& group)
 {
   BlockMoments sums{};
   setOrigin(block, group, sums);
@@ -234,17 +234,30 @@ sumMoments(const SweepBlock& block, const Group& group)
     r2[i] = group.has[i] ? block.r2[i] : -1.0f;
     tie_d2[i] = group.has[i] ? block.tie_d2[i] : -1.0f;
   }
-  Candidates& candidates = simdScratch().candidates;
-  CandidatePacker packer(block, candidates);
-  while (!packer.isDone()) {
-    packer.next<false>();
-    const std::uint32_t* moments = momentsOf(candidates, quantizer);
-    if (packer.hasTies()) {
-      addPortion<true>(block, r2, tie_d2, candidates, moments, sums);
-    }
-    else {
-      addPortion<false>(block, r2, tie_d2, candidates, moments, sums);
-    }
+  const auto fill = [&](const Points& points,
+                        std::size_t,
+                        float* slot,
+                        auto is_point,
+                        std::size_t offset,
+                        CandidateLister& lister) {
+    stageMoments(quantizer, points, slot);
+    lister.add(points, is_point, offset);
+  };
+  constexpr std::size_t portion = 256;
+  for (std::size_t begin = 0; begin < near.size(); begin += portion) {
+    const std::size_t size = std::min(portion, near.size() - begin);
+    near.hasTies() ? addPortion<true>(block,
+                                      r2,
+                                      tie_d2,
+                                      stageClusters<moments_stride, true>(
+                                          block, near, begin, size, fill),
+                                      sums)
+                   : addPortion<false>(block,
+                                       r2,
+                                       tie_d2,
+                                       stageClusters<moments_stride, false>(
+                                           block, near, begin, size, fill),
+                                       sums);
   }
   return sums;
 }
@@ -292,13 +305,14 @@ normals(const SweepBlock& block, NormalResult* results)
   for (std::size_t i = 0; i < block.size; ++i) {
     levels[i] = levelOf(std::max(block.r2[i], block.tie_d2[i]));
   }
+  const NearClusters near(block);
   const bool on_surface = block.queries_on_surface;
   for (std::size_t first = 0; first < block.size; ++first) {
     if (done[first]) {
       continue;
     }
     const Group group = groupOf(block, levels, first);
-    const BlockMoments sums = sumMoments(block, group);
+    const BlockMoments sums = sumMoments(block, near, group);
     BlockCovariances covariances;
     NormalResult normals[block_size];
     centerMoments(sums, covariances);

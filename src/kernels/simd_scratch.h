@@ -59,81 +59,13 @@ private:
   std::size_t capacity_ = 0;
 };
 
-/** \brief Candidates are looked at in portions of this size, so that buffers stay small
- * however many points there are. */
-constexpr std::size_t portion_size = 4096;
-
-/** \brief Surface points near a block of queries, packed: arrays at fixed distances, so
- * that a loop needs one register for all of them. */
-class Candidates {
-public:
-  std::size_t size = 0;
-
-  void
-  allocate()
-  {
-    values_.atLeast(6 * stride);
-    order_.atLeast(stride);
-  }
-
-  float*
-  x() const
-  {
-    return values_.data();
-  }
-
-  float*
-  y() const
-  {
-    return x() + stride;
-  }
-
-  float*
-  z() const
-  {
-    return x() + 2 * stride;
-  }
-
-  float*
-  nx() const
-  {
-    return x() + 3 * stride;
-  }
-
-  float*
-  ny() const
-  {
-    return x() + 4 * stride;
-  }
-
-  float*
-  nz() const
-  {
-    return x() + 5 * stride;
-  }
-
-  /** \brief Original indices, if there are ties. */
-  std::uint32_t*
-  order() const
-  {
-    return order_.data();
-  }
-
-  /** \brief From one array to the next. Not a multiple of 4096 bytes: arrays would
-   * share the same few cache lines. */
-  static constexpr std::size_t stride = portion_size + 80;
-
-private:
-  AlignedBuffer<float> values_;
-  AlignedBuffer<std::uint32_t> order_;
-};
-
 /** \brief What a thread keeps from block to block. */
 struct SimdScratch {
-  Candidates candidates;
-  AlignedBuffer<float> values;          ///< of one query
+  AlignedBuffer<std::uint32_t> near;    ///< clusters near the block
+  AlignedBuffer<float> slots;           ///< their points
+  AlignedBuffer<std::uint32_t> offsets; ///< of candidates in the slots
   AlignedBuffer<std::uint32_t> angles;  ///< of a block's queries, one after the other
-  AlignedBuffer<std::uint32_t> moments; ///< of the candidates
+  AlignedBuffer<float> values;          ///< of one query
   AlignedBuffer<std::uint32_t> masks;
 };
 

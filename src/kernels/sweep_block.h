@@ -14,15 +14,19 @@
 
 namespace pcl::kernels {
 
-/** \brief Sorted positions [begin, end) of surface points. */
-struct Run {
+constexpr std::size_t block_size = 16;
+
+/** \brief A range of clusters [begin, end) of surface points (clusters.h). */
+struct ClusterRun {
   std::uint32_t begin;
   std::uint32_t end;
 };
 
-constexpr std::size_t block_size = 16;
+struct Box {
+  float x_min, x_max, y_min, y_max, z_min, z_max;
+};
 
-/** \brief Some queries that are close together, and the runs of surface points that
+/** \brief Some queries that are close together, and the runs of clusters that
  * hold all their neighbors: what a kernel works on.
  *
  * Surface point j is a neighbor of query i if d2 < r2[i], or if d2 == tie_d2[i] and
@@ -32,10 +36,13 @@ struct SweepBlock {
   const float *x = nullptr, *y = nullptr, *z = nullptr;    ///< surface, sorted
   const float *nx = nullptr, *ny = nullptr, *nz = nullptr; ///< its unit normals, or NaN
   const std::uint32_t* order = nullptr;                    ///< its original indices
-  const Run* runs = nullptr;
+  const std::uint32_t* cluster_begin = nullptr; ///< first point of each cluster
+  const float* cluster_box[6] = {};             ///< least x, y, z; most x, y, z
+  const ClusterRun* runs = nullptr;
   std::size_t run_count = 0;
 
   std::size_t size = 0; ///< number of queries
+  Box box{};            ///< of the queries
   float qx[block_size] = {}, qy[block_size] = {}, qz[block_size] = {};
   float qnx[block_size] = {}, qny[block_size] = {},
         qnz[block_size] = {}; ///< if queries_on_surface
@@ -71,7 +78,6 @@ const KernelTable& portableKernels();
 /** \brief What a query knows of the surface at its own place. */
 struct OwnPoints {
   float nx[block_size], ny[block_size], nz[block_size]; ///< normals, or NaN
-  float ax[block_size], ay[block_size], az[block_size]; ///< offset of a neighbor, or 0
   std::uint32_t is_neighbor[block_size]; ///< 1 if the query's own point counts, else 0
 };
 

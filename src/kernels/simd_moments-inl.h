@@ -7,16 +7,18 @@
  * All rights reserved
  */
 
-#if defined(PCL_SHAPE_SIMD_NORMALS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef PCL_SHAPE_SIMD_NORMALS_INL_H_
-#undef PCL_SHAPE_SIMD_NORMALS_INL_H_
+#if defined(PCL_SHAPE_SIMD_MOMENTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PCL_SHAPE_SIMD_MOMENTS_INL_H_
+#undef PCL_SHAPE_SIMD_MOMENTS_INL_H_
 #else
-#define PCL_SHAPE_SIMD_NORMALS_INL_H_
+#define PCL_SHAPE_SIMD_MOMENTS_INL_H_
 #endif
 
 #include "moments.h"
 #include "neighborhood.h"
-#include "simd_candidates-inl.h"
+#include "simd_slots-inl.h"
+
+#include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
@@ -33,7 +35,7 @@ levelOf(float r2)
   return exponent > 0 ? (exponent + 1) / 2 : exponent / 2;
 }
 
-/** \brief The candidates' coordinates in units from an origin, as 32-bit words. Those
+/** \brief Candidates' coordinates in units from an origin, as 32-bit words. Those
  * that are no neighbor of anybody may have no meaning.
  *
  * Units are a power of two, so that scaling is exact and rounding does not depend on
@@ -49,10 +51,9 @@ public:
   {}
 
   HWY_INLINE hn::VFromD<Words>
-  operator()(const float* coordinates, std::size_t axis) const
+  operator()(hn::VFromD<Floats> v, std::size_t axis) const
   {
     const Floats d;
-    const auto v = hn::LoadU(d, coordinates);
     if (HWY_LIKELY(fits_)) {
       const auto origin = hn::Set(Ints(), static_cast<std::int32_t>(origin_[axis]));
       const auto units = nearestInt(hn::Mul(v, hn::Set(d, static_cast<float>(scale_))));
@@ -97,82 +98,44 @@ storeProduct(hn::VFromD<Words> a,
   const auto interleave = [&](auto even, auto odd_lanes) {
     return hn::BitCast(w, hn::Or(even, hn::ShiftLeft<32>(odd_lanes)));
   };
-  hn::StoreU(
+  hn::Store(
       interleave(hn::And(even_product, mask), hn::And(odd_product, mask)), w, low);
-  hn::StoreU(interleave(hn::And(hn::ShiftRight<half_bits>(even_product),
+  hn::Store(interleave(hn::And(hn::ShiftRight<half_bits>(even_product),
                                 hn::Set(l, 0xffffffffu)),
                         hn::ShiftRight<half_bits>(odd_product)),
              w,
              high);
 }
 
-constexpr std::size_t moment_stride = portion_size + block_size;
+constexpr std::size_t moments_stride = slot_stride<moment_count>;
 
-/** \brief Moments of each candidate, as moment_count arrays. */
-HWY_INLINE std::uint32_t*
-momentsOf(const Candidates& candidates, const Quantizer& quantizer)
+/** \brief Where a candidate's moment is, from where its x is. */
+constexpr std::size_t
+momentAt(std::size_t moment)
 {
-  std::uint32_t* moments = simdScratch().moments.atLeast(moment_count * moment_stride);
-  const Words w;
-  for (std::size_t c = 0; c < candidates.size; c += lanes) {
-    const auto x = quantizer(candidates.x() + c, 0);
-    const auto y = quantizer(candidates.y() + c, 1);
-    const auto z = quantizer(candidates.z() + c, 2);
-    const auto at = [&](std::size_t moment) {
-      return moments + moment * moment_stride + c;
-    };
-    hn::StoreU(x, w, at(sum_x));
-    hn::StoreU(y, w, at(sum_y));
-    hn::StoreU(z, w, at(sum_z));
-    storeProduct(x, x, at(low_xx), at(high_xx));
-    storeProduct(x, y, at(low_xy), at(high_xy));
-    storeProduct(x, z, at(low_xz), at(high_xz));
-    storeProduct(y, y, at(low_yy), at(high_yy));
-    storeProduct(y, z, at(low_yz), at(high_yz));
-    storeProduct(z, z, at(low_zz), at(high_zz));
-  }
-  return moments;
+  return (slot_common + moment) * block_size;
 }
 
-/** \brief Some lanes' queries and which candidates are their neighbors. */
-template <bool with_ties>
-class QueryLanes {
-public:
-  QueryLanes(const SweepBlock& block,
-             const float* r2,
-             const float* tie_d2,
-             std::size_t first)
-  : x_(hn::LoadU(Floats(), block.qx + first))
-  , y_(hn::LoadU(Floats(), block.qy + first))
-  , z_(hn::LoadU(Floats(), block.qz + first))
-  , r2_(hn::LoadU(Floats(), r2 + first))
-  , tie_d2_(hn::LoadU(Floats(), tie_d2 + first))
-  , tie_index_(hn::BitCast(Ints(), hn::LoadU(Words(), block.tie_index + first)))
-  {}
-
-  HWY_INLINE auto
-  neighborMask(const Candidates& candidates, std::size_t c) const
-  {
-    const Floats d;
-    const auto d2 = squaredLength(hn::Sub(hn::Set(d, candidates.x()[c]), x_),
-                                  hn::Sub(hn::Set(d, candidates.y()[c]), y_),
-                                  hn::Sub(hn::Set(d, candidates.z()[c]), z_));
-    const auto near = hn::Lt(d2, r2_);
-    if constexpr (with_ties) {
-      const auto order =
-          hn::Set(Ints(), static_cast<std::int32_t>(candidates.order()[c]));
-      const auto first = hn::RebindMask(d, hn::Not(hn::Gt(order, tie_index_)));
-      return hn::Or(near, hn::And(hn::Eq(d2, tie_d2_), first));
-    }
-    else {
-      return near;
-    }
-  }
-
-private:
-  hn::VFromD<Floats> x_, y_, z_, r2_, tie_d2_;
-  hn::VFromD<Ints> tie_index_;
-};
+/** \brief Writes the moments of a vector of points into their slot. */
+HWY_INLINE void
+stageMoments(const Quantizer& quantizer, const Points& points, float* slot)
+{
+  const Words w;
+  const auto x = quantizer(points.x, 0);
+  const auto y = quantizer(points.y, 1);
+  const auto z = quantizer(points.z, 2);
+  auto* words = reinterpret_cast<std::uint32_t*>(slot);
+  const auto at = [&](std::size_t moment) { return words + momentAt(moment); };
+  hn::Store(x, w, at(sum_x));
+  hn::Store(y, w, at(sum_y));
+  hn::Store(z, w, at(sum_z));
+  storeProduct(x, x, at(low_xx), at(high_xx));
+  storeProduct(x, y, at(low_xy), at(high_xy));
+  storeProduct(x, z, at(low_xz), at(high_xz));
+  storeProduct(y, y, at(low_yy), at(high_yy));
+  storeProduct(y, z, at(low_yz), at(high_yz));
+  storeProduct(z, z, at(low_zz), at(high_zz));
+}
 
 HWY_INLINE void
 addLanes(hn::VFromD<Words> sums, std::uint64_t* totals)
