@@ -97,6 +97,10 @@ typicalDistance(const XYZView& surface, std::size_t k)
   return std::sqrt(static_cast<double>(typical[typical.size() / 2]));
 }
 
+/** Rows a little wider than the radius: neighbors are in the next rows, never in those
+ * behind them. */
+constexpr double rows_a_radius = 1.001;
+
 double
 edgeFor(const NeighborhoodSize& size, const XYZView& surface, std::size_t queries)
 {
@@ -104,12 +108,12 @@ edgeFor(const NeighborhoodSize& size, const XYZView& surface, std::size_t querie
     return typicalDistance(surface, size.k);
   }
   if (!size.radii) {
-    return size.radius * (getenv("EF") ? atof(getenv("EF")) : 1.0);
+    return rows_a_radius * size.radius;
   }
   std::vector<float> radii(size.radii, size.radii + queries);
   const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
   std::nth_element(radii.begin(), middle, radii.end());
-  return *middle;
+  return rows_a_radius * *middle;
 }
 
 } // namespace

@@ -86,9 +86,7 @@ BlockSweep::queriesOf(std::size_t index) const
 }
 
 void
-BlockSweep::findCandidates(SweepBlock& block,
-                           RunFinder& finder,
-                           double& reach) const
+BlockSweep::findCandidates(SweepBlock& block, RunFinder& finder, double& reach) const
 {
   if (neighborhood_.k > 0) {
     findNearest(block, finder, reach);
@@ -104,9 +102,7 @@ BlockSweep::findCandidates(SweepBlock& block,
 }
 
 void
-BlockSweep::findNearest(SweepBlock& block,
-                        RunFinder& finder,
-                        double& reach) const
+BlockSweep::findNearest(SweepBlock& block, RunFinder& finder, double& reach) const
 {
   while (true) {
     const auto& runs = finder.find(block.box, reach);

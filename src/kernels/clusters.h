@@ -34,7 +34,8 @@ struct Clusters {
   }
 };
 
-/** \brief Split the sorted points of an index into clusters. Sets its rows' clusters. */
+/** \brief Split the sorted points of an index into clusters. Sets its rows' clusters.
+ */
 void makeClusters(RowIndex& index, unsigned threads);
 
 } // namespace pcl::kernels

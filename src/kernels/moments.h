@@ -43,16 +43,16 @@ enum Moment : std::size_t {
 };
 
 /** \brief Moments of the neighbors of a block's queries, about one origin. */
-struct BlockMoments {
+struct alignas(64) BlockMoments {
   std::uint64_t count[block_size];
   std::uint64_t values[moment_count][block_size];
-  double origin[3];          ///< in units, below all neighbors
   double own[3][block_size]; ///< the queries, in units from the origin
+  double origin[3];          ///< in units, below all neighbors
 };
 
 /** \brief Covariances of a block's neighborhoods, in units^2 that are the same for all.
  */
-struct BlockCovariances {
+struct alignas(64) BlockCovariances {
   double xx[block_size], xy[block_size], xz[block_size];
   double yy[block_size], yz[block_size], zz[block_size];
 };

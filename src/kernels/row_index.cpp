@@ -21,7 +21,7 @@ namespace pcl::kernels {
 namespace {
 
 /** Points are first sorted by cells of this fraction of the edge along x. */
-constexpr double x_cells_an_edge = 64.0;
+constexpr double x_cells_an_edge = 8.0;
 
 /** More digits of x than these are left to the sort within the rows. */
 constexpr int most_x_bits = 16;
@@ -268,9 +268,8 @@ sortRow(RowIndex& index, std::uint32_t begin, std::uint32_t end)
   for (std::uint32_t i = begin; i < end; ++i) {
     row.push_back({index.x[i], index.y[i], index.z[i], index.order[i]});
   }
-  std::stable_sort(row.begin(), row.end(), [](const Point& a, const Point& b) {
-    return a.x < b.x;
-  });
+  std::stable_sort(
+      row.begin(), row.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
   for (std::uint32_t i = begin; i < end; ++i) {
     const Point& p = row[i - begin];
     index.x[i] = p.x;
@@ -351,8 +350,7 @@ buildRowIndex(const XYZView& points,
     const KeyLayout layout(all, index.cellsAMetre());
     const auto sortBy = [&](auto key) {
       using Key = decltype(key);
-      const auto entries =
-          sortedEntries<Key>(selection, parts, count, layout, threads);
+      const auto entries = sortedEntries<Key>(selection, parts, count, layout, threads);
       fill(selection, entries, layout, index, threads);
     };
     layout.bits() <= 32 ? sortBy(std::uint32_t{}) : sortBy(std::uint64_t{});

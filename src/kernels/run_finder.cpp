@@ -76,7 +76,8 @@ RunFinder::Window
 RunFinder::windowOf(const Box& box, double far) const
 {
   const double cells = surface_.cellsAMetre();
-  const double steps = std::floor(std::min<double>(most_cell, far * cells + 1e-5)) + 1.0;
+  const double steps =
+      std::floor(std::min<double>(most_cell, far * cells + 1e-5)) + 1.0;
   const auto reach = static_cast<std::int64_t>(steps);
   const auto cell = [&](float v, std::int64_t offset) {
     const std::int64_t moved = cellOf(v, cells) + offset;

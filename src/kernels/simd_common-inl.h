@@ -81,6 +81,20 @@ squaredLength(V x, V y, V z)
   return hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
 }
 
+using Doubles = hn::CappedTag<double, block_size>;
+
+constexpr std::size_t double_lanes =
+    HWY_LANES(double) < block_size ? HWY_LANES(double) : block_size;
+
+/** \brief Whole numbers below 2^63 as doubles. */
+HWY_INLINE hn::VFromD<Doubles>
+toDoubles(const std::uint64_t* values)
+{
+  const hn::RebindToSigned<Doubles> i;
+  return hn::ConvertTo(Doubles(),
+                       hn::LoadU(i, reinterpret_cast<const std::int64_t*>(values)));
+}
+
 } // namespace pcl::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -18,15 +18,14 @@
 #include "simd_inad_lanes-inl.h"
 #include "simd_spreads-inl.h"
 
-
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
 
 constexpr INADResult unknown_inad{std::numeric_limits<float>::quiet_NaN(),
                                   std::numeric_limits<float>::quiet_NaN()};
 
-/** Clusters are looked at in portions of this many, so that buffers stay small however many
- * points there are. */
+/** Clusters are looked at in portions of this many, so that buffers stay small however
+ * many points there are. */
 constexpr std::size_t most_clusters = 256;
 
 /** \brief The INAD of one block. */
@@ -66,20 +65,20 @@ private:
 
   template <bool with_ties, bool is_smooth>
   void
-  collect(const CandidatePositions& candidates, std::uint32_t* angles, BlockSums& sums) const
+  collect(const CandidatePositions& candidates,
+          std::uint32_t* angles,
+          BlockSums& sums) const
   {
     for (std::size_t first = 0; first < block_.size; first += lanes) {
-      collectAngles<with_ties, is_smooth>(block_,
-                                          own_,
-                                          first,
-                                          candidates,
-                                          angles + first * candidates.total(),
-                                          sums);
+      collectAngles<with_ties, is_smooth>(
+          block_, own_, first, candidates, angles + first * candidates.total(), sums);
     }
   }
 
   void
-  collect(const CandidatePositions& candidates, std::uint32_t* angles, BlockSums& sums) const
+  collect(const CandidatePositions& candidates,
+          std::uint32_t* angles,
+          BlockSums& sums) const
   {
     if (near_.hasTies()) {
       collect<true, false>(candidates, angles, sums);
@@ -96,8 +95,7 @@ private:
   sumKeptOf(std::size_t candidates, const std::uint32_t* angles, BlockSums& sums) const
   {
     for (std::size_t first = 0; first < block_.size; first += lanes) {
-      sumKept(
-          angles + first * candidates, candidates, ranges_, first, sums);
+      sumKept(angles + first * candidates, candidates, ranges_, first, sums);
     }
   }
 
@@ -124,7 +122,8 @@ private:
     spreadsOf(kept, kept_);
   }
 
-  /** \brief The ranges that follow from the sums over all angles, own points included. */
+  /** \brief The ranges that follow from the sums over all angles, own points included.
+   */
   void
   setAll(BlockSums& all)
   {
@@ -229,8 +228,7 @@ private:
   bool
   hasNeighbors(std::size_t i) const
   {
-    return !std::isnan(own_.nx[i]) &&
-           count_[i] >= NeighborhoodSweep::min_neighbors;
+    return !std::isnan(own_.nx[i]) && count_[i] >= NeighborhoodSweep::min_neighbors;
   }
 
   bool

@@ -80,10 +80,9 @@ private:
     const Floats d;
     const auto ny = hn::LoadU(d, block_.ny + position);
     const auto nz = hn::LoadU(d, block_.nz + position);
-    return hn::MulAdd(
-        nx,
-        hn::Set(d, x_),
-        hn::MulAdd(ny, hn::Set(d, y_), hn::Mul(nz, hn::Set(d, z_))));
+    return hn::MulAdd(nx,
+                      hn::Set(d, x_),
+                      hn::MulAdd(ny, hn::Set(d, y_), hn::Mul(nz, hn::Set(d, z_))));
   }
 
   const SweepBlock& block_;

@@ -21,8 +21,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
 
-/** \brief Stands for the angle to what is no neighbor: it is in no range. What x86 makes
- * of the square root of a negative number. */
+/** \brief Stands for the angle to what is no neighbor: it is in no range. What x86
+ * makes of the square root of a negative number. */
 constexpr std::uint32_t no_angle = 0x80000000u;
 
 /** \brief Stands for the squared chord to what is no neighbor. */
@@ -55,13 +55,12 @@ collectChords(const QueryLanes<with_ties>& queries,
   for (std::size_t c = 0; c < size; ++c) {
     const std::size_t j = positions[c];
     const auto mask = queries.neighborMask(block, j);
-    const auto chord =
-        squaredChords<is_smooth>(hn::Set(d, block.nx[j]),
-                                 hn::Set(d, block.ny[j]),
-                                 hn::Set(d, block.nz[j]),
-                                 normal[0],
-                                 normal[1],
-                                 normal[2]);
+    const auto chord = squaredChords<is_smooth>(hn::Set(d, block.nx[j]),
+                                                hn::Set(d, block.ny[j]),
+                                                hn::Set(d, block.nz[j]),
+                                                normal[0],
+                                                normal[1],
+                                                normal[2]);
     hn::Store(hn::IfThenElse(mask, chord, hn::Set(d, no_chord)), d, chords + c * lanes);
     counts = hn::IfThenElse(hn::RebindMask(w, mask), hn::Add(counts, one), counts);
   }
@@ -103,9 +102,8 @@ collectAngles(const float* HWY_RESTRICT chords,
     const auto chord = hn::Load(d, chords + c);
     auto units = anglesOf(chord);
 #if !HWY_ARCH_X86
-    units = hn::IfThenElse(hn::RebindMask(w, hn::Lt(chord, hn::Zero(d))),
-                           hn::Set(w, no_angle),
-                           units);
+    units = hn::IfThenElse(
+        hn::RebindMask(w, hn::Lt(chord, hn::Zero(d))), hn::Set(w, no_angle), units);
 #endif
     hn::Store(units, w, angles + c);
     const auto not_less =
@@ -149,8 +147,8 @@ collectAngles(const SweepBlock& block,
     collectSureChords<is_smooth>(normal, block, candidates.sure + c, size, chords);
     collectAngles(chords, size, angles + c * lanes, adder);
   }
-  counts = hn::Add(
-      counts, hn::Set(Words(), static_cast<std::uint32_t>(candidates.sure_size)));
+  counts = hn::Add(counts,
+                   hn::Set(Words(), static_cast<std::uint32_t>(candidates.sure_size)));
   addCounts(counts, sums.count + first);
   adder.addSums(sums.sum + first);
   adder.addSquares(sums.squares + first);

@@ -101,10 +101,10 @@ storeProduct(hn::VFromD<Words> a,
   hn::Store(
       interleave(hn::And(even_product, mask), hn::And(odd_product, mask)), w, low);
   hn::Store(interleave(hn::And(hn::ShiftRight<half_bits>(even_product),
-                                hn::Set(l, 0xffffffffu)),
-                        hn::ShiftRight<half_bits>(odd_product)),
-             w,
-             high);
+                               hn::Set(l, 0xffffffffu)),
+                       hn::ShiftRight<half_bits>(odd_product)),
+            w,
+            high);
 }
 
 constexpr std::size_t moments_stride = slot_stride<moment_count>;

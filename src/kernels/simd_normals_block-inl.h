@@ -15,6 +15,7 @@
 #endif
 
 #include "simd_covariance-inl.h"
+#include "simd_eigen-inl.h"
 #include "simd_moments-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -148,8 +149,8 @@ addMoments(const QueryLanes<with_ties>& queries,
       simdScratch().masks.atLeast(candidates_between_widening * lanes);
   auto counts = hn::Zero(w);
   for (std::size_t c = begin; c < end; ++c) {
-    const auto mask = hn::VecFromMask(
-        w, hn::RebindMask(w, queries.neighborMask(slots + offsets[c])));
+    const auto mask =
+        hn::VecFromMask(w, hn::RebindMask(w, queries.neighborMask(slots + offsets[c])));
     counts = hn::Sub(counts, mask);
     hn::Store(mask, w, masks + (c - begin) * lanes);
   }
@@ -184,55 +185,53 @@ addPortion(const SweepBlock& block,
 
 /** \brief Queries of a block whose moments are taken about one origin. */
 struct Group {
-  bool has[block_size] = {};
+  double has[block_size] = {}; ///< 1 or 0
   int level = 0;
 };
 
-/** \brief The origin in units: below all neighbors of the group. */
-HWY_INLINE void
+/** \brief The origin in units: below all neighbors of the group. Returns the largest
+ * coordinate of a neighbor of any query, absolute, in units. */
+HWY_INLINE double
 setOrigin(const SweepBlock& block, const Group& group, BlockMoments& sums)
 {
-  const double scale = std::ldexp(1.0, offset_bits - group.level);
+  const Doubles d;
+  const auto scale = hn::Set(d, std::ldexp(1.0, offset_bits - group.level));
   const float* coordinates[] = {block.qx, block.qy, block.qz};
+  const hn::Rebind<float, Doubles> floats;
+  auto largest = hn::Zero(d);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < block.size; ++i) {
-      sums.own[axis][i] =
-          std::nearbyint(static_cast<double>(coordinates[axis][i]) * scale);
-      least = group.has[i] ? std::min(least, sums.own[axis][i]) : least;
+    auto least = hn::Set(d, std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < block_size; i += double_lanes) {
+      const auto q = hn::PromoteTo(d, hn::LoadU(floats, coordinates[axis] + i));
+      const auto units = hn::Round(hn::Mul(q, scale));
+      hn::Store(units, d, sums.own[axis] + i);
+      const auto has = hn::Gt(hn::LoadU(d, group.has + i), hn::Zero(d));
+      const auto is_query = hn::FirstN(d, block.size > i ? block.size - i : 0);
+      least = hn::Min(least, hn::IfThenElse(has, units, least));
+      largest = hn::Max(largest, hn::IfThenElseZero(is_query, hn::Abs(units)));
     }
     constexpr double below = (1 << offset_bits) + 2;
-    sums.origin[axis] = least - below;
-    for (std::size_t i = 0; i < block.size; ++i) {
-      sums.own[axis][i] -= sums.origin[axis];
-    }
-  }
-}
-
-/** \brief The largest coordinate of a neighbor, absolute, in units. */
-HWY_INLINE double
-largestOf(const BlockMoments& sums, std::size_t size)
-{
-  double largest = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::size_t i = 0; i < size; ++i) {
-      largest = std::max(largest, std::abs(sums.own[axis][i] + sums.origin[axis]));
+    sums.origin[axis] = hn::GetLane(hn::MinOfLanes(d, least)) - below;
+    for (std::size_t i = 0; i < block_size; i += double_lanes) {
+      const auto own = hn::Load(d, sums.own[axis] + i);
+      hn::Store(hn::Sub(own, hn::Set(d, sums.origin[axis])), d, sums.own[axis] + i);
     }
   }
   constexpr double reach = 1 << (offset_bits + 1);
-  return largest + reach;
+  return hn::GetLane(hn::MaxOfLanes(d, largest)) + reach;
 }
 
 HWY_INLINE BlockMoments
 sumMoments(const SweepBlock& block, const NearClusters& near, const Group& group)
 {
   BlockMoments sums{};
-  setOrigin(block, group, sums);
-  const Quantizer quantizer(group.level, sums.origin, largestOf(sums, block.size));
+  const double largest = setOrigin(block, group, sums);
+  const Quantizer quantizer(group.level, sums.origin, largest);
   float r2[block_size], tie_d2[block_size];
   for (std::size_t i = 0; i < block_size; ++i) {
-    r2[i] = group.has[i] ? block.r2[i] : -1.0f;
-    tie_d2[i] = group.has[i] ? block.tie_d2[i] : -1.0f;
+    const bool has = group.has[i] != 0.0;
+    r2[i] = has ? block.r2[i] : -1.0f;
+    tie_d2[i] = has ? block.tie_d2[i] : -1.0f;
   }
   const auto fill = [&](const Points& points,
                         std::size_t,
@@ -246,18 +245,19 @@ sumMoments(const SweepBlock& block, const NearClusters& near, const Group& group
   constexpr std::size_t portion = 256;
   for (std::size_t begin = 0; begin < near.size(); begin += portion) {
     const std::size_t size = std::min(portion, near.size() - begin);
-    near.hasTies() ? addPortion<true>(block,
-                                      r2,
-                                      tie_d2,
-                                      stageClusters<moments_stride, true>(
-                                          block, near, begin, size, fill),
-                                      sums)
-                   : addPortion<false>(block,
-                                       r2,
-                                       tie_d2,
-                                       stageClusters<moments_stride, false>(
-                                           block, near, begin, size, fill),
-                                       sums);
+    near.hasTies()
+        ? addPortion<true>(
+              block,
+              r2,
+              tie_d2,
+              stageClusters<moments_stride, true>(block, near, begin, size, fill),
+              sums)
+        : addPortion<false>(
+              block,
+              r2,
+              tie_d2,
+              stageClusters<moments_stride, false>(block, near, begin, size, fill),
+              sums);
   }
   return sums;
 }
@@ -271,12 +271,12 @@ groupOf(const SweepBlock& block, const int* levels, std::size_t query)
   group.level = levels[query];
   const double scale = std::ldexp(1.0, offset_bits - group.level);
   for (std::size_t i = 0; i < block.size; ++i) {
-    group.has[i] = levels[i] == group.level;
+    group.has[i] = levels[i] == group.level ? 1.0 : 0.0;
   }
   for (const float* coordinates : {block.qx, block.qy, block.qz}) {
     double least = coordinates[query], most = coordinates[query];
     for (std::size_t i = 0; i < block.size; ++i) {
-      if (group.has[i]) {
+      if (group.has[i] != 0.0) {
         least = std::min<double>(least, coordinates[i]);
         most = std::max<double>(most, coordinates[i]);
       }
@@ -285,7 +285,7 @@ groupOf(const SweepBlock& block, const int* levels, std::size_t query)
     if (!((most - least) * scale <= most_units)) {
       group = {};
       group.level = levels[query];
-      group.has[query] = true;
+      group.has[query] = 1.0;
       break;
     }
   }
@@ -318,7 +318,7 @@ normals(const SweepBlock& block, NormalResult* results)
     centerMoments(sums, covariances);
     normalsOfCovariances(covariances, block.size, normals);
     for (std::size_t i = 0; i < block.size; ++i) {
-      if (!group.has[i]) {
+      if (group.has[i] == 0.0) {
         continue;
       }
       done[i] = true;

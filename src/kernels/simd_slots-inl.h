@@ -19,7 +19,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
 
-/** \brief Arrays of block_size values at the front of every slot; a kernel's own follow.
+/** \brief Arrays of block_size values at the front of every slot; a kernel's own
+ * follow.
  */
 enum SlotArray : std::size_t { slot_x, slot_y, slot_z, slot_order, slot_common };
 
@@ -106,9 +107,9 @@ private:
     const auto apart = [&](std::size_t axis, float least, float most) {
       const auto low = hn::LoadU(d, block_.cluster_box[axis] + c);
       const auto high = hn::LoadU(d, block_.cluster_box[axis + 3] + c);
-      return hn::Max(hn::Max(hn::Sub(hn::Set(d, least), high),
-                             hn::Sub(low, hn::Set(d, most))),
-                     hn::Zero(d));
+      return hn::Max(
+          hn::Max(hn::Sub(hn::Set(d, least), high), hn::Sub(low, hn::Set(d, most))),
+          hn::Zero(d));
     };
     const Box& box = block_.box;
     const auto d2 = squaredLength(apart(0, box.x_min, box.x_max),
@@ -177,8 +178,7 @@ public:
     // Nothing is nearer to all corners than half the diagonal.
     const float dx = box.x_max - box.x_min, dy = box.y_max - box.y_min,
                 dz = box.z_max - box.z_min;
-    with_sure_ =
-        with_sure && 0.5f * (dx * dx + dy * dy + dz * dz) < near.sureReach2();
+    with_sure_ = with_sure && 0.5f * (dx * dx + dy * dy + dz * dz) < near.sureReach2();
   }
 
   /** \brief Those near enough to the queries' box, among lanes that count; the first
@@ -203,8 +203,7 @@ public:
       const auto most2 = squaredLength(
           hn::Min(x_low, x_high), hn::Min(y_low, y_high), hn::Min(z_low, z_high));
       const auto sure = hn::And(hn::Lt(most2, sure_reach2_), mask);
-      sure_size_ +=
-          packStore(w, numbers, hn::RebindMask(w, sure), sure_ + sure_size_);
+      sure_size_ += packStore(w, numbers, hn::RebindMask(w, sure), sure_ + sure_size_);
       rest = hn::AndNot(sure, mask);
     }
     some_size_ += packStore(w, numbers, hn::RebindMask(w, rest), some_ + some_size_);
@@ -310,8 +309,7 @@ stageClusters(const SweepBlock& block,
     const std::uint32_t size = block.cluster_begin[cluster + 1] - first;
     for (std::size_t i = 0; i < size; i += lanes) {
       const std::size_t offset = s * stride + i;
-      const Points points =
-          stagePoints<with_order>(block, first + i, slots + offset);
+      const Points points = stagePoints<with_order>(block, first + i, slots + offset);
       fill(points, first + i, slots + offset, pointsOfCluster(size, i), offset, lister);
     }
   }
@@ -341,8 +339,7 @@ public:
   neighborMask(const SweepBlock& block, std::size_t position) const
   {
     const std::uint32_t order = with_ties ? block.order[position] : 0;
-    return neighborMask(
-        block.x[position], block.y[position], block.z[position], order);
+    return neighborMask(block.x[position], block.y[position], block.z[position], order);
   }
 
   /** \brief The same of a point in a slot. */

@@ -20,11 +20,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
 
-using Doubles = hn::CappedTag<double, block_size>;
-
-constexpr std::size_t double_lanes =
-    HWY_LANES(double) < block_size ? HWY_LANES(double) : block_size;
-
 /** \brief Sums over the angles of each query of a block, in units (angle.h). */
 struct BlockSums {
   std::uint64_t count[block_size] = {};
@@ -44,14 +39,6 @@ struct BlockRanges {
   std::uint32_t width[block_size] = {};
 };
 
-HWY_INLINE hn::VFromD<Doubles>
-toDoubles(const std::uint64_t* values)
-{
-  const hn::RebindToSigned<Doubles> i;
-  return hn::ConvertTo(Doubles(),
-                       hn::LoadU(i, reinterpret_cast<const std::int64_t*>(values)));
-}
-
 /** \brief From sums over at most most_for_64_bits angles. */
 HWY_INLINE void
 spreadsOf(const BlockSums& sums, BlockSpreads& spreads)
@@ -63,8 +50,8 @@ spreadsOf(const BlockSums& sums, BlockSpreads& spreads)
     const auto sum = toDoubles(sums.sum + i);
     const auto mean = hn::Div(sum, n);
     // What the squares' 2^47 lose in 53 bits is less than a unit^2.
-    const auto variance = hn::Mul(
-        hn::Sub(toDoubles(sums.squares + i), hn::Mul(mean, sum)), inverse);
+    const auto variance =
+        hn::Mul(hn::Sub(toDoubles(sums.squares + i), hn::Mul(mean, sum)), inverse);
     hn::StoreU(mean, d, spreads.mean + i);
     hn::StoreU(hn::Sqrt(hn::Max(hn::Zero(d), variance)), d, spreads.sd + i);
   }
@@ -87,8 +74,7 @@ keptRanges(const BlockSpreads& spreads, double outlier_rate, BlockRanges& ranges
     const auto last =
         hn::IfThenElse(all, most, hn::Floor(hn::Min(most, hn::Add(mean, width))));
     const auto store = [&](auto values, std::uint32_t* to) {
-      hn::StoreU(
-          hn::DemoteTo(ints, values), ints, reinterpret_cast<std::int32_t*>(to));
+      hn::StoreU(hn::DemoteTo(ints, values), ints, reinterpret_cast<std::int32_t*>(to));
     };
     store(first, ranges.least + i);
     store(hn::Sub(last, first), ranges.width + i);

@@ -63,10 +63,10 @@ public:
     const auto dx = hn::Sub(hn::Set(d, x), x_);
     const auto dy = hn::Sub(hn::Set(d, y), y_);
     const auto dz = hn::Sub(hn::Set(d, z), z_);
-    const auto cross2 = squaredLength(
-        hn::Sub(hn::Mul(anchor_y_, dz), hn::Mul(anchor_z_, dy)),
-        hn::Sub(hn::Mul(anchor_z_, dx), hn::Mul(anchor_x_, dz)),
-        hn::Sub(hn::Mul(anchor_x_, dy), hn::Mul(anchor_y_, dx)));
+    const auto cross2 =
+        squaredLength(hn::Sub(hn::Mul(anchor_y_, dz), hn::Mul(anchor_z_, dy)),
+                      hn::Sub(hn::Mul(anchor_z_, dx), hn::Mul(anchor_x_, dz)),
+                      hn::Sub(hn::Mul(anchor_x_, dy), hn::Mul(anchor_y_, dx)));
     const auto is_neighbor = hn::Lt(squaredLength(dx, dy, dz), r2_);
     const auto spreads = hn::And(is_neighbor, hn::Gt(cross2, least_cross2_));
     spreads_ = hn::IfThenElse(spreads, hn::Set(d, 1.0f), spreads_);

@@ -1,0 +1,166 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#if defined(PCL_SHAPE_SIMD_EIGEN_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PCL_SHAPE_SIMD_EIGEN_INL_H_
+#undef PCL_SHAPE_SIMD_EIGEN_INL_H_
+#else
+#define PCL_SHAPE_SIMD_EIGEN_INL_H_
+#endif
+
+#include "moments.h"
+#include "simd_common-inl.h"
+#include "symmetric_eigen.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pcl::kernels::HWY_NAMESPACE {
+
+using DoubleV = hn::VFromD<Doubles>;
+
+/** \brief Symmetric matrices, one a lane, scaled to trace 1, and their characteristic
+ * polynomials l^3 - l^2 + c1 l - c0. */
+struct MatrixLanes {
+  DoubleV xx, xy, xz, yy, yz, zz, c1, c0;
+};
+
+HWY_INLINE MatrixLanes
+scaledToTraceOne(const BlockCovariances& m, std::size_t first)
+{
+  const Doubles d;
+  const auto load = [&](const double* values) { return hn::Load(d, values + first); };
+  const auto trace = hn::Add(hn::Add(load(m.xx), load(m.yy)), load(m.zz));
+  const auto scale = hn::Div(hn::Set(d, 1.0), trace);
+  MatrixLanes l;
+  l.xx = hn::Mul(load(m.xx), scale);
+  l.xy = hn::Mul(load(m.xy), scale);
+  l.xz = hn::Mul(load(m.xz), scale);
+  l.yy = hn::Mul(load(m.yy), scale);
+  l.yz = hn::Mul(load(m.yz), scale);
+  l.zz = hn::Mul(load(m.zz), scale);
+  const auto minor = [](auto a, auto b, auto c, auto e) {
+    return hn::NegMulAdd(c, e, hn::Mul(a, b));
+  };
+  const auto x_minor = minor(l.yy, l.zz, l.yz, l.yz);
+  l.c1 = hn::Add(hn::Add(minor(l.xx, l.yy, l.xy, l.xy), minor(l.xx, l.zz, l.xz, l.xz)),
+                 x_minor);
+  const auto xy_term = hn::Mul(l.xy, minor(l.xy, l.zz, l.yz, l.xz));
+  const auto xz_term = hn::Mul(l.xz, minor(l.xy, l.yz, l.yy, l.xz));
+  l.c0 = hn::Add(hn::MulSub(l.xx, x_minor, xy_term), xz_term);
+  return l;
+}
+
+/** \brief The smallest roots by Newton's method from 0, from where it climbs to them.
+ * Each stops by itself, whatever the others do. */
+HWY_INLINE DoubleV
+smallestRoots(const MatrixLanes& m)
+{
+  const Doubles d;
+  constexpr int most_steps = 64;
+  const auto least_climb = hn::Set(d, 1e-15);
+  auto root = hn::Zero(d);
+  auto moves = hn::Eq(root, root);
+  for (int step = 0; step < most_steps && !hn::AllFalse(d, moves); ++step) {
+    const auto shifted = hn::Sub(root, hn::Set(d, 1.0));
+    const auto value = hn::MulSub(hn::MulAdd(shifted, root, m.c1), root, m.c0);
+    const auto twice = hn::MulSub(hn::Set(d, 3.0), root, hn::Set(d, 2.0));
+    const auto slope = hn::MulAdd(twice, root, m.c1);
+    const auto climb = hn::Neg(hn::Div(value, slope));
+    moves =
+        hn::And(moves, hn::And(hn::Gt(climb, least_climb), hn::Gt(slope, hn::Zero(d))));
+    root = hn::Add(root, hn::IfThenElseZero(moves, climb));
+  }
+  return root;
+}
+
+/** \brief Vectors, one a lane. */
+struct VectorLanes {
+  DoubleV x, y, z, squared_length;
+};
+
+HWY_INLINE VectorLanes
+vectorLanes(DoubleV x, DoubleV y, DoubleV z)
+{
+  return {x, y, z, hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)))};
+}
+
+HWY_INLINE VectorLanes
+longer(const VectorLanes& a, const VectorLanes& b)
+{
+  const auto is_b = hn::Gt(b.squared_length, a.squared_length);
+  return {hn::IfThenElse(is_b, b.x, a.x),
+          hn::IfThenElse(is_b, b.y, a.y),
+          hn::IfThenElse(is_b, b.z, a.z),
+          hn::IfThenElse(is_b, b.squared_length, a.squared_length)};
+}
+
+/** \brief The longest cross product of two rows of M - l I. */
+HWY_INLINE VectorLanes
+eigenvectors(const MatrixLanes& m, DoubleV root)
+{
+  const auto xx = hn::Sub(m.xx, root), yy = hn::Sub(m.yy, root),
+             zz = hn::Sub(m.zz, root);
+  const auto minor = [](auto a, auto b, auto c, auto e) {
+    return hn::NegMulAdd(c, e, hn::Mul(a, b));
+  };
+  const auto first = vectorLanes(minor(m.xy, m.yz, m.xz, yy),
+                                 minor(m.xz, m.xy, xx, m.yz),
+                                 minor(xx, yy, m.xy, m.xy));
+  const auto second = vectorLanes(minor(m.xy, zz, m.xz, m.yz),
+                                  minor(m.xz, m.xz, xx, zz),
+                                  minor(xx, m.yz, m.xy, m.xz));
+  const auto third = vectorLanes(minor(yy, zz, m.yz, m.yz),
+                                 minor(m.yz, m.xz, m.xy, zz),
+                                 minor(m.xy, m.yz, yy, m.xz));
+  return longer(longer(first, second), third);
+}
+
+/** \brief As normalOfCovariance(), for all queries at once. */
+HWY_INLINE void
+normalsOfCovariances(const BlockCovariances& covariances,
+                     std::size_t size,
+                     NormalResult* results)
+{
+  const Doubles d;
+  HWY_ALIGN double x[block_size], y[block_size], z[block_size], roots[block_size];
+  HWY_ALIGN double safe[block_size];
+  for (std::size_t i = 0; i < size; i += double_lanes) {
+    const auto m = scaledToTraceOne(covariances, i);
+    const auto root = smallestRoots(m);
+    const auto v = eigenvectors(m, root);
+    const auto scale = hn::Div(hn::Set(d, 1.0), hn::Sqrt(v.squared_length));
+    hn::Store(hn::Mul(v.x, scale), d, x + i);
+    hn::Store(hn::Mul(v.y, scale), d, y + i);
+    hn::Store(hn::Mul(v.z, scale), d, z + i);
+    hn::Store(root, d, roots + i);
+    // The other two roots have the sum s and the product q; q <= ratio s^2 on a line.
+    const auto s = hn::Sub(hn::Set(d, 1.0), root);
+    const auto q = hn::NegMulAdd(root, s, m.c1);
+    const auto is_safe =
+        hn::And(hn::Gt(v.squared_length, hn::Set(d, 1e-16)),
+                hn::Gt(q, hn::Mul(hn::Set(d, 4.0 * line_ratio), hn::Mul(s, s))));
+    hn::Store(hn::IfThenElseZero(is_safe, hn::Set(d, 1.0)), d, safe + i);
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    results[i] = safe[i] != 0.0 ? NormalResult{static_cast<float>(x[i]),
+                                               static_cast<float>(y[i]),
+                                               static_cast<float>(z[i]),
+                                               static_cast<float>(roots[i])}
+                                : normalOfCovariance({covariances.xx[i],
+                                                      covariances.xy[i],
+                                                      covariances.xz[i],
+                                                      covariances.yy[i],
+                                                      covariances.yz[i],
+                                                      covariances.zz[i]});
+  }
+}
+
+} // namespace pcl::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
