@@ -81,7 +81,8 @@ run(int argc, char** argv)
                     {"max_extra_bytes_per_point", size.extra_bytes},
                     {"neighbors_per_point", size.neighbors}});
   }
-  const nlohmann::ordered_json report{{"threads", options.threads}, {"sizes", rows}};
+  const nlohmann::ordered_json report{
+      {"threads", options.threads}, {"target", options.target}, {"sizes", rows}};
   std::cout << report.dump() << std::endl;
   return 0;
 }

@@ -162,8 +162,10 @@ run(int argc, char** argv)
     rows.push_back(compare(options, cloud, normals, k, agrees));
     std::cerr << rows.back() << '\n';
   }
-  const nlohmann::ordered_json report{
-      {"points", cloud->size()}, {"threads", options.threads}, {"k_sweep", rows}};
+  const nlohmann::ordered_json report{{"points", cloud->size()},
+                                      {"threads", options.threads},
+                                      {"target", options.target},
+                                      {"k_sweep", rows}};
   std::cout << report.dump() << std::endl;
   if (!agrees) {
     std::cerr << "k_sweep: the results do not agree\n";

@@ -113,7 +113,8 @@ run(int argc, char** argv)
       {"neighbors_pcl", theirs.neighbors},
       {"neighbors", neighbors},
       {"mu_p999", quantile(mu, 0.999)},
-      {"sigma_p999", quantile(sigma, 0.999)}};
+      {"sigma_p999", quantile(sigma, 0.999)},
+      {"target", settings.target}};
   std::cout << report.dump() << std::endl;
   const bool agrees = neighbors == theirs.neighbors && quantile(mu, 0.99) < agreement &&
                       quantile(sigma, 0.99) < agreement;

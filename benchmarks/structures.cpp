@@ -142,6 +142,7 @@ run(int argc, char** argv)
       {"points", points},
       {"organized", cloud->isOrganized()},
       {"threads", settings.threads},
+      {"target", settings.target},
       {"radius", settings.radius},
       {"pcl_shape_us_per_query", 1e3 * median(shape_ms) / queries},
       {"structures", rows}};

@@ -19,12 +19,16 @@ namespace po = boost::program_options;
 po::options_description
 commonOptions(const std::string& program, Options& o)
 {
+  std::string targets;
+  for (const std::string& target : pcl::kernels::availableTargets()) {
+    targets += (targets.empty() ? "of this machine's: " : ", ") + target;
+  }
   po::options_description description(program + " [CLOUD.pcd] [options]");
-  const auto add = [&](const char* name, auto* value, const char* help) {
-    description.add_options()(name, po::value(value), help);
+  const auto add = [&](const char* name, auto* value, const std::string& help) {
+    description.add_options()(name, po::value(value), help.c_str());
   };
   add("generate", &o.generate, "a cloud instead of a file: scene, sheet or laser");
-  add("target", &o.target, "avx3, avx2, sse4, neon or portable");
+  add("target", &o.target, targets);
   add("threads", &o.threads, "threads of everything that is compared");
   add("repeat", &o.repeat, "runs of each, in turns");
   description.add_options()("shuffle",
@@ -61,6 +65,9 @@ parse(int argc, char** argv, const po::options_description& description, Options
     throw std::invalid_argument("a file or -generate is allowed, not both");
   }
   pcl::kernels::chooseTarget(o.target);
+  if (o.target.empty()) {
+    o.target = pcl::kernels::availableTargets().front();
+  }
 }
 
 int

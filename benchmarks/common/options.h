@@ -17,7 +17,7 @@
 struct Options {
   std::string cloud;    ///< a PCD file
   std::string generate; ///< instead of a file: "scene", "sheet" or "laser"
-  std::string target;   ///< instruction set, empty for the best one
+  std::string target;   ///< instruction set; parse() fills in the best one
   unsigned threads = 1;
   unsigned repeat = 3;
   bool shuffle = false;
