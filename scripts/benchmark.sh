@@ -14,7 +14,12 @@ out=${2:?$usage}
 data=${3:-}
 repeat=${REPEAT:-3}
 read -ra points <<<"${POINTS:-100000 200000 500000 1000000 2000000 5000000 10000000}"
+load=$(cut -d ' ' -f 1 /proc/loadavg)
 scripts=$(dirname "${BASH_SOURCE[0]}")
+if [[ ! -x $build/benchmarks/structures ]]; then
+  echo "$build/benchmarks/structures is missing: install libnanoflann-dev and build again" >&2
+  exit 2
+fi
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -48,11 +53,12 @@ bench() {
 cached() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"; }
 
 machine() {
-  printf '{"processor": "%s", "cores": %d, "compiler": "%s", "build_type": "%s", "pcl": "%s"}' \
+  printf '{"processor": "%s", "cores": %d, "compiler": "%s", "build_type": "%s", "pcl": "%s", ' \
     "$(lscpu | sed -n 's/^Model name: *//p' | head -n 1)" "$(nproc)" \
     "$("$(cached CMAKE_CXX_COMPILER)" --version | head -n 1)" "$(cached CMAKE_BUILD_TYPE)" \
     "$(awk '/PCL_VERSION_PRETTY/ { print $3; exit }' \
          "$(cached PCL_COMMON_INCLUDE_DIR)/pcl/pcl_config.h" | tr -d '"')"
+  printf '"repeat": %d, "load": %s}' "$repeat" "$load"
 }
 
 for cloud in "${clouds[@]}"; do
@@ -70,8 +76,10 @@ for target in avx2 sse4; do
   fi
 done
 bench surfaces "$name" pipeline_vs_pcl "$cloud" -task surfaces
-bench surfaces scene pipeline_vs_pcl -generate scene -task surfaces
-bench edges scene pipeline_vs_pcl -generate scene -task edges
+if [[ $name != scene ]]; then
+  bench surfaces scene pipeline_vs_pcl -generate scene -task surfaces
+  bench edges scene pipeline_vs_pcl -generate scene -task edges
+fi
 bench uneven "$name, shuffled" pipeline_vs_pcl "$cloud" -shuffle
 bench uneven "laser scan" pipeline_vs_pcl -generate laser -scale "${SCALE:-30}"
 bench k_sweep "$name" k_sweep "$cloud"
