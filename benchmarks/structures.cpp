@@ -100,43 +100,53 @@ rowOf(const Measured& m, double queries)
           {"neighbors", m.result.neighbors}};
 }
 
+struct AllMeasured {
+  std::vector<Measured> structures;
+  std::vector<double> shape_ms;
+  std::vector<float> shape_mu;
+};
+
+/** \brief All structures in turns, and pcl_shape between them. */
+AllMeasured
+measure(const Settings& settings, const Cloud::ConstPtr& cloud)
+{
+  const Normals::ConstPtr normals = normalsOf(cloud, settings);
+  const std::vector<SearchStructure> structures = searchStructures(*cloud);
+  AllMeasured all;
+  for (const SearchStructure& structure : structures) {
+    all.structures.push_back({structure.name, {}, {}, {}});
+  }
+  for (unsigned i = 0; i < settings.repeat; ++i) {
+    for (std::size_t s = 0; s < structures.size(); ++s) {
+      Measured& m = all.structures[s];
+      std::unique_ptr<RadiusSearch> search;
+      m.build_ms.push_back(millisecondsOf(
+          [&] { search = structures[s].build(cloud, settings.radius); }));
+      m.query_ms.push_back(millisecondsOf([&] {
+        m.result = search->run(*normals, static_cast<int>(settings.threads));
+      }));
+      all.shape_ms.push_back(
+          millisecondsOf([&] { all.shape_mu = runShape(cloud, normals, settings); }));
+      std::cerr << m.name << ": " << m.query_ms.back() << " ms\n";
+    }
+  }
+  return all;
+}
+
 int
 run(int argc, char** argv)
 {
   const Settings settings = settingsOf(argc, argv);
   const Cloud::ConstPtr cloud = cloudOf(settings);
-  const Normals::ConstPtr normals = normalsOf(cloud, settings);
   const auto points = std::count_if(
       cloud->begin(), cloud->end(), [](const auto& p) { return pcl::isFinite(p); });
   const auto queries = static_cast<double>(points);
-
-  std::vector<Measured> all;
-  for (const SearchStructure& structure : searchStructures(*cloud)) {
-    all.push_back({structure.name, {}, {}, {}});
-  }
-  std::vector<double> shape_ms;
-  std::vector<float> mu;
-  for (unsigned i = 0; i < settings.repeat; ++i) {
-    std::size_t s = 0;
-    for (const SearchStructure& structure : searchStructures(*cloud)) {
-      Measured& m = all[s++];
-      std::unique_ptr<RadiusSearch> search;
-      m.build_ms.push_back(
-          millisecondsOf([&] { search = structure.build(cloud, settings.radius); }));
-      m.query_ms.push_back(millisecondsOf([&] {
-        m.result = search->run(*normals, static_cast<int>(settings.threads));
-      }));
-      shape_ms.push_back(
-          millisecondsOf([&] { mu = runShape(cloud, normals, settings); }));
-      std::cerr << m.name << ": " << m.query_ms.back() << " ms\n";
-    }
-  }
-
+  const AllMeasured all = measure(settings, cloud);
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   bool all_agree = true;
-  for (const Measured& m : all) {
+  for (const Measured& m : all.structures) {
     rows.push_back(rowOf(m, queries));
-    all_agree = all_agree && agrees(m.result.mu, mu);
+    all_agree = all_agree && agrees(m.result.mu, all.shape_mu);
   }
   const nlohmann::ordered_json report{
       {"points", points},
@@ -144,7 +154,7 @@ run(int argc, char** argv)
       {"threads", settings.threads},
       {"target", settings.target},
       {"radius", settings.radius},
-      {"pcl_shape_us_per_query", 1e3 * median(shape_ms) / queries},
+      {"pcl_shape_us_per_query", 1e3 * median(all.shape_ms) / queries},
       {"structures", rows}};
   std::cout << report.dump() << std::endl;
   if (!all_agree) {
