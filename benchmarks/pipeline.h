@@ -9,34 +9,51 @@
 
 #pragma once
 
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
+#include "common/clouds.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
-/** \brief What both pipelines do: normals over 10 mm; INAD over 6 and 20 mm; of each,
- * the histogram (10 x 10 bins over 90 degrees) and its likelihood at every point. */
-struct PipelineResult {
-  std::array<std::vector<float>, 2> mu, sigma, likelihood;
-  std::uint64_t neighbors = 0; ///< of both INAD, the points themselves not counted
+/** \brief Normals, INAD over one or more radii, and of each the likelihood at every
+ * point, over 10 x 10 bins of 90 degrees. */
+struct Pipeline {
+  double normal_radius; ///< metres
+  std::vector<double> inad_radii;
+  bool own_histogram; ///< the likelihood of the cloud's own histogram, not a plane's
+
+  /** \param[in] task "pipeline" (normals over 10 mm, INAD over 6 and 20 mm, the cloud's
+   * own histogram), "edges" or "surfaces" (the detectors' radii, an ideal plane)
+   * \param[in] scale of all radii
+   */
+  static Pipeline of(const std::string& task, double scale);
 };
 
-constexpr double normal_radius = 0.010;
-constexpr std::array<double, 2> inad_radii{0.006, 0.020};
-constexpr double outlier_rate = 2.0;
-constexpr std::size_t bins = 10;
+struct PipelineResult {
+  std::vector<std::vector<float>> mu, sigma, likelihood; ///< of each radius
+  std::uint64_t neighbors = 0; ///< of all INAD, the points themselves not counted
+};
 
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+constexpr std::size_t bins = 10;
 
 /** \brief As a user of PCL writes it: NormalEstimationOMP, then a loop over
  * radiusSearch(). \param[in] sorted the argument of pcl::search::KdTree */
-PipelineResult runPcl(const Cloud::ConstPtr& cloud, bool sorted, int threads);
+PipelineResult runPcl(const Pipeline& pipeline,
+                      const Cloud::ConstPtr& cloud,
+                      bool sorted,
+                      int threads);
 
 /** \brief The same with NormalEstimationSweep and INADEstimation. */
-PipelineResult runShape(const Cloud::ConstPtr& cloud, unsigned threads);
+PipelineResult
+runShape(const Pipeline& pipeline, const Cloud::ConstPtr& cloud, unsigned threads);
 
 /** \brief The neighbors that runShape() goes through. */
-std::uint64_t countShapeNeighbors(const Cloud& cloud, unsigned threads);
+std::uint64_t
+countShapeNeighbors(const Pipeline& pipeline, const Cloud& cloud, unsigned threads);
+
+/** \brief The most bytes a point that NormalEstimationSweep or INADEstimation has in
+ * use beside the cloud that it returns. */
+double mostExtraBytes(const Pipeline& pipeline,
+                      const Cloud::ConstPtr& cloud,
+                      unsigned threads);

@@ -7,9 +7,9 @@
  * All rights reserved
  */
 
+#include "common/pcl_inad.h"
 #include "pipeline.h"
 
-#include <pcl/common/point_tests.h>
 #include <pcl/features/normal_3d_omp.h>
 #include <pcl/search/kdtree.h>
 
@@ -18,53 +18,7 @@
 
 namespace {
 
-using Normals = pcl::PointCloud<pcl::Normal>;
 using Tree = pcl::search::KdTree<pcl::PointXYZ>;
-
-struct Moments {
-  float mean, deviation;
-};
-
-Moments
-momentsOf(const std::vector<float>& angles)
-{
-  float sum = 0.0f;
-  for (const float a : angles) {
-    sum += a;
-  }
-  const float mean = sum / static_cast<float>(angles.size());
-  float squares = 0.0f;
-  for (const float a : angles) {
-    squares += (a - mean) * (a - mean);
-  }
-  return {mean, std::sqrt(squares / static_cast<float>(angles.size()))};
-}
-
-Moments
-inadAt(const Normals& normals, const pcl::Indices& found, pcl::index_t point)
-{
-  std::vector<float> angles;
-  angles.reserve(found.size());
-  const Eigen::Vector3f own = normals[point].getNormalVector3fMap();
-  for (const pcl::index_t j : found) {
-    const float cosine = std::abs(own.dot(normals[j].getNormalVector3fMap()));
-    if (j != point && std::isfinite(cosine)) {
-      angles.push_back(std::acos(std::min(cosine, 1.0f)));
-    }
-  }
-  constexpr std::size_t least = 5;
-  if (!std::isfinite(own.x()) || angles.size() < least) {
-    const float nan = std::numeric_limits<float>::quiet_NaN();
-    return {nan, nan};
-  }
-  const Moments all = momentsOf(angles);
-  const auto limit = static_cast<float>(outlier_rate) * all.deviation * (1.0f + 1e-5f);
-  const auto rejected = std::remove_if(angles.begin(), angles.end(), [&](float a) {
-    return std::abs(a - all.mean) > limit;
-  });
-  angles.erase(rejected, angles.end());
-  return angles.empty() ? all : momentsOf(angles);
-}
 
 std::size_t
 binOf(float value)
@@ -73,13 +27,16 @@ binOf(float value)
 }
 
 std::vector<float>
-backProject(const std::vector<float>& mu, const std::vector<float>& sigma)
+backProject(const std::vector<float>& mu,
+            const std::vector<float>& sigma,
+            bool own_histogram)
 {
   std::vector<float> counts(bins * bins, 0.0f);
   const auto binAt = [&](std::size_t i) {
     return binOf(mu[i]) * bins + binOf(sigma[i]);
   };
-  for (std::size_t i = 0; i < mu.size(); ++i) {
+  counts[0] = own_histogram ? 0.0f : 1.0f;
+  for (std::size_t i = 0; own_histogram && i < mu.size(); ++i) {
     if (!std::isnan(mu[i]) && binAt(i) < counts.size()) {
       ++counts[binAt(i)];
     }
@@ -97,7 +54,7 @@ backProject(const std::vector<float>& mu, const std::vector<float>& sigma)
 } // namespace
 
 PipelineResult
-runPcl(const Cloud::ConstPtr& cloud, bool sorted, int threads)
+runPcl(const Pipeline& pipeline, const Cloud::ConstPtr& cloud, bool sorted, int threads)
 {
   const Tree::Ptr tree(new Tree(sorted));
   pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation(
@@ -105,29 +62,29 @@ runPcl(const Cloud::ConstPtr& cloud, bool sorted, int threads)
   Normals normals;
   estimation.setInputCloud(cloud);
   estimation.setSearchMethod(tree);
-  estimation.setRadiusSearch(normal_radius);
+  estimation.setRadiusSearch(pipeline.normal_radius);
   estimation.compute(normals);
 
   PipelineResult result;
   std::uint64_t neighbors = 0;
-  for (std::size_t r = 0; r < inad_radii.size(); ++r) {
-    auto& mu = result.mu[r];
-    auto& sigma = result.sigma[r];
-    mu.resize(cloud->size());
-    sigma.resize(cloud->size());
-#pragma omp parallel for schedule(dynamic, 256) num_threads(threads)                     \
+  for (const double radius : pipeline.inad_radii) {
+    std::vector<float> mu(cloud->size());
+    std::vector<float> sigma(cloud->size());
+#pragma omp parallel for schedule(dynamic, 256) num_threads(threads)                   \
     reduction(+ : neighbors)
     for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(cloud->size()); ++i) {
       pcl::Indices found;
       std::vector<float> squared_distances;
       const auto point = static_cast<pcl::index_t>(i);
-      tree->radiusSearch(point, inad_radii[r], found, squared_distances);
+      tree->radiusSearch(point, radius, found, squared_distances);
       neighbors += found.size() - 1;
-      const Moments inad = inadAt(normals, found, point);
+      const MeanAndDeviation inad = inadAt(normals, found, point);
       mu[i] = inad.mean;
       sigma[i] = inad.deviation;
     }
-    result.likelihood[r] = backProject(mu, sigma);
+    result.likelihood.push_back(backProject(mu, sigma, pipeline.own_histogram));
+    result.mu.push_back(std::move(mu));
+    result.sigma.push_back(std::move(sigma));
   }
   result.neighbors = neighbors;
   return result;

@@ -7,55 +7,130 @@
  * All rights reserved
  */
 
+#include "common/heap_counter.h"
+#include "common/pcl_inad.h"
 #include "pipeline.h"
 
 #include <pcl/features/inad.h>
 #include <pcl/features/neighborhood_sweep.h>
 #include <pcl/features/normal_3d_sweep.h>
-#include <pcl/features/shape_histogram.h>
+#include <pcl/features/shape_model.h>
 
+#include <algorithm>
 #include <numeric>
+#include <stdexcept>
 
-PipelineResult
-runShape(const Cloud::ConstPtr& cloud, unsigned threads)
+namespace {
+
+using Inad = pcl::PointCloud<pcl::INAD>;
+
+template <typename Estimate>
+void
+runEstimations(const Pipeline& pipeline,
+               const Cloud::ConstPtr& cloud,
+               unsigned threads,
+               const Estimate& estimate)
 {
   pcl::NormalEstimationSweep<pcl::PointXYZ, pcl::Normal> estimation(threads);
-  const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
+  const auto normals = pcl::make_shared<Normals>();
   estimation.setInputCloud(cloud);
-  estimation.setRadiusSearch(normal_radius);
-  estimation.compute(*normals);
+  estimation.setRadiusSearch(pipeline.normal_radius);
+  estimate(estimation, *normals);
 
-  PipelineResult result;
   pcl::INADEstimation<pcl::PointXYZ, pcl::Normal> inad_estimation(threads);
   inad_estimation.setInputCloud(cloud);
   inad_estimation.setInputNormals(normals);
   inad_estimation.setOutlierRate(outlier_rate);
-  for (std::size_t r = 0; r < inad_radii.size(); ++r) {
-    pcl::PointCloud<pcl::INAD> inad;
-    inad_estimation.setRadiusSearch(inad_radii[r]);
-    inad_estimation.compute(inad);
-    pcl::ShapeHistogram histogram(bins, bins);
-    histogram.add(inad);
-    for (const pcl::INAD& value : inad) {
-      result.mu[r].push_back(value.mu);
-      result.sigma[r].push_back(value.sigma);
-      result.likelihood[r].push_back(histogram.likelihood(value));
-    }
+  for (const double radius : pipeline.inad_radii) {
+    Inad inad;
+    inad_estimation.setRadiusSearch(radius);
+    estimate(inad_estimation, inad);
   }
+}
+
+pcl::ShapeHistogram
+histogramOf(const Inad& inad, bool own_histogram)
+{
+  if (!own_histogram) {
+    return pcl::ShapeModel::idealPlane({}, bins).classes().front().histogram;
+  }
+  pcl::ShapeHistogram histogram(bins, bins);
+  histogram.add(inad);
+  return histogram;
+}
+
+void
+backProject(const Inad& inad, bool own_histogram, PipelineResult& result)
+{
+  const pcl::ShapeHistogram histogram = histogramOf(inad, own_histogram);
+  std::vector<float> mu, sigma, likelihood;
+  for (auto* values : {&mu, &sigma, &likelihood}) {
+    values->reserve(inad.size());
+  }
+  for (const pcl::INAD& value : inad) {
+    mu.push_back(value.mu);
+    sigma.push_back(value.sigma);
+    likelihood.push_back(histogram.likelihood(value));
+  }
+  result.mu.push_back(std::move(mu));
+  result.sigma.push_back(std::move(sigma));
+  result.likelihood.push_back(std::move(likelihood));
+}
+
+} // namespace
+
+Pipeline
+Pipeline::of(const std::string& task, double scale)
+{
+  if (task == "pipeline") {
+    return {0.010 * scale, {0.006 * scale, 0.020 * scale}, true};
+  }
+  if (task != "edges" && task != "surfaces") {
+    throw std::invalid_argument(task + ": pipeline, edges or surfaces is allowed");
+  }
+  const auto radii =
+      task == "edges" ? pcl::INADParameters::edges() : pcl::INADParameters::surfaces();
+  return {radii.normal_radius * scale, {radii.radius * scale}, false};
+}
+
+PipelineResult
+runShape(const Pipeline& pipeline, const Cloud::ConstPtr& cloud, unsigned threads)
+{
+  PipelineResult result;
+  runEstimations(pipeline, cloud, threads, [&](auto& estimation, auto& output) {
+    estimation.compute(output);
+    if constexpr (std::is_same_v<std::decay_t<decltype(output)>, Inad>) {
+      backProject(output, pipeline.own_histogram, result);
+    }
+  });
   return result;
 }
 
 std::uint64_t
-countShapeNeighbors(const Cloud& cloud, unsigned threads)
+countShapeNeighbors(const Pipeline& pipeline, const Cloud& cloud, unsigned threads)
 {
   pcl::NeighborhoodSweep sweep(
       {&cloud[0].x, sizeof(cloud[0]) / sizeof(float), cloud.size()});
   sweep.setNumberOfThreads(threads);
   std::vector<std::uint32_t> counts(cloud.size());
   std::uint64_t total = 0;
-  for (const double radius : inad_radii) {
+  for (const double radius : pipeline.inad_radii) {
     sweep.countNeighbors(pcl::NeighborhoodSize::ofRadius(radius), counts.data());
     total = std::accumulate(counts.begin(), counts.end(), total);
   }
   return total;
+}
+
+double
+mostExtraBytes(const Pipeline& pipeline, const Cloud::ConstPtr& cloud, unsigned threads)
+{
+  double most = 0.0;
+  runEstimations(pipeline, cloud, threads, [&](auto& estimation, auto& output) {
+    startCountingHeap();
+    estimation.compute(output);
+    const auto peak = static_cast<double>(stopCountingHeap());
+    const auto returned = static_cast<double>(output.size() * sizeof(output[0]));
+    most = std::max(most, (peak - returned) / static_cast<double>(cloud->size()));
+  });
+  return most;
 }

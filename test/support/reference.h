@@ -58,13 +58,16 @@ neighborsWithin(const XYZView& surface, const float* query, double radius)
   return found;
 }
 
-/** \brief The k nearest; ties go to the smaller index. */
+/** \brief The k nearest finite points; ties go to the smaller index. */
 inline Found
 neighborsNearest(const XYZView& surface, const float* query, std::size_t k)
 {
   std::vector<std::tuple<float, std::uint32_t>> all;
   for (std::uint32_t j = 0; j < surface.size; ++j) {
-    all.emplace_back(squaredDistance(surface[j], query), j);
+    const float d2 = squaredDistance(surface[j], query);
+    if (!std::isnan(d2)) {
+      all.emplace_back(d2, j);
+    }
   }
   std::partial_sort(
       all.begin(), all.begin() + static_cast<std::ptrdiff_t>(k), all.end());

@@ -25,15 +25,22 @@ void __libc_free(void*);
 
 namespace {
 
-std::atomic<std::size_t> in_use{0};
-std::atomic<std::size_t> peak{0};
+std::atomic<bool> is_counting{false};
+std::atomic<std::ptrdiff_t> in_use{0}; // what is freed may be older than the count
+std::atomic<std::ptrdiff_t> peak{0};
+
+std::ptrdiff_t
+usableSize(void* p)
+{
+  return static_cast<std::ptrdiff_t>(malloc_usable_size(p));
+}
 
 void*
 counted(void* p)
 {
-  if (p) {
-    const std::size_t now = in_use += malloc_usable_size(p);
-    std::size_t before = peak;
+  if (p && is_counting.load(std::memory_order_relaxed)) {
+    const std::ptrdiff_t now = in_use += usableSize(p);
+    std::ptrdiff_t before = peak;
     while (before < now && !peak.compare_exchange_weak(before, now)) {
     }
   }
@@ -43,7 +50,9 @@ counted(void* p)
 void
 uncount(void* p)
 {
-  in_use -= p ? malloc_usable_size(p) : 0;
+  if (p && is_counting.load(std::memory_order_relaxed)) {
+    in_use -= usableSize(p);
+  }
 }
 
 } // namespace
@@ -96,20 +105,17 @@ free(void* p)
 }
 }
 
-std::size_t
-heapInUse()
-{
-  return in_use;
-}
-
-std::size_t
-heapPeak()
-{
-  return peak;
-}
-
 void
-resetHeapPeak()
+startCountingHeap()
 {
-  peak = in_use.load();
+  in_use = 0;
+  peak = 0;
+  is_counting = true;
+}
+
+std::ptrdiff_t
+stopCountingHeap()
+{
+  is_counting = false;
+  return peak;
 }

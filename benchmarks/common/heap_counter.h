@@ -1,0 +1,18 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include <cstddef>
+
+/** \brief Count what the program allocates and frees from now on. */
+void startCountingHeap();
+
+/** \brief The most bytes in use since startCountingHeap(), more than then. */
+std::ptrdiff_t stopCountingHeap();

@@ -1,0 +1,38 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+/** \brief How long a call takes, by the clock on the wall. */
+template <typename Run>
+double
+millisecondsOf(const Run& run)
+{
+  const auto start = std::chrono::steady_clock::now();
+  run();
+  const std::chrono::duration<double, std::milli> elapsed =
+      std::chrono::steady_clock::now() - start;
+  return elapsed.count();
+}
+
+/** \brief The value that this share of the values does not exceed; 0 of none. */
+double quantile(std::vector<double> values, double share);
+
+inline double
+median(const std::vector<double>& values)
+{
+  return quantile(values, 0.5);
+}
+
+/** \brief Absolute differences where both are numbers. */
+std::vector<double> differences(const std::vector<float>& a,
+                                const std::vector<float>& b);

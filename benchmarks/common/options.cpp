@@ -1,0 +1,83 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "options.h"
+
+#include "../../src/kernels/targets.h"
+
+#include <iostream>
+#include <stdexcept>
+
+namespace po = boost::program_options;
+
+po::options_description
+commonOptions(const std::string& program, Options& o)
+{
+  std::string targets;
+  for (const std::string& target : pcl::kernels::availableTargets()) {
+    targets += (targets.empty() ? "of this machine's: " : ", ") + target;
+  }
+  po::options_description description(program + " [CLOUD.pcd] [options]");
+  const auto add = [&](const char* name, auto* value, const std::string& help) {
+    description.add_options()(name, po::value(value), help.c_str());
+  };
+  add("generate", &o.generate, "a cloud instead of a file: scene, sheet or laser");
+  add("target", &o.target, targets);
+  add("threads", &o.threads, "threads of everything that is compared");
+  add("repeat", &o.repeat, "runs of each, in turns");
+  description.add_options()("shuffle",
+                            po::bool_switch(&o.shuffle),
+                            "shuffle the points first")("help", "this");
+  return description;
+}
+
+void
+parse(int argc, char** argv, const po::options_description& description, Options& o)
+{
+  po::options_description all(description);
+  all.add_options()("cloud", po::value(&o.cloud));
+  po::positional_options_description positional;
+  positional.add("cloud", 1);
+  const int style =
+      po::command_line_style::unix_style | po::command_line_style::allow_long_disguise;
+  po::variables_map values;
+  po::store(po::command_line_parser(argc, argv)
+                .options(all)
+                .positional(positional)
+                .style(style & ~po::command_line_style::allow_guessing)
+                .run(),
+            values);
+  po::notify(values);
+  if (values.count("help") > 0) {
+    std::cout << description;
+    std::exit(0);
+  }
+  if (o.repeat == 0 || o.threads == 0) {
+    throw std::invalid_argument("at least 1 thread and 1 run are needed");
+  }
+  if (!o.cloud.empty() && !o.generate.empty()) {
+    throw std::invalid_argument("a file or -generate is allowed, not both");
+  }
+  pcl::kernels::chooseTarget(o.target);
+  if (o.target.empty()) {
+    o.target = pcl::kernels::availableTargets().front();
+  }
+}
+
+int
+runProgram(const char* name, int (*run)(int, char**), int argc, char** argv)
+{
+  try {
+    return run(argc, argv);
+  }
+  catch (const std::exception& e) {
+    std::cerr << name << ": " << e.what() << '\n';
+    return 2;
+  }
+}
