@@ -9,6 +9,7 @@
 
 #include "../kernels/block_sweep.h"
 #include "../kernels/finite.h"
+#include "../kernels/row_width.h"
 #include "../kernels/targets.h"
 
 #include <pcl/features/neighborhood_sweep.h>
@@ -53,69 +54,6 @@ checkSize(const NeighborhoodSize& size, std::size_t queries)
   }
 }
 
-/** \brief A finite point at this position, or the first one after it. In an image, the
- * same column of many rows may have no depth. */
-const float*
-finitePointFrom(const XYZView& points, std::size_t position)
-{
-  while (!isFinite(points[position])) {
-    position = (position + 1) % points.size;
-  }
-  return points[position];
-}
-
-/** \brief About the distance to the k-th nearest point elsewhere (of k = 1, too, cells
- * must have a size): the median over a few points. One point at least is finite. */
-double
-typicalDistance(const XYZView& surface, std::size_t k)
-{
-  constexpr std::size_t samples = 15;
-  std::vector<float> typical;
-  for (std::size_t s = 0; s < samples; ++s) {
-    const float* p =
-        finitePointFrom(surface, (2 * s + 1) * surface.size / (2 * samples));
-    std::vector<float> d2;
-    for (std::size_t i = 0; i < surface.size; ++i) {
-      const float* q = surface[i];
-      const float dx = q[0] - p[0], dy = q[1] - p[1], dz = q[2] - p[2];
-      const float d = (dx * dx + dy * dy) + dz * dz;
-      if (d > 0.0f && std::isfinite(d)) {
-        d2.push_back(d);
-      }
-    }
-    if (!d2.empty()) {
-      const auto kth =
-          d2.begin() + static_cast<std::ptrdiff_t>(std::min(k, d2.size()) - 1);
-      std::nth_element(d2.begin(), kth, d2.end());
-      typical.push_back(*kth);
-    }
-  }
-  if (typical.empty()) {
-    return 1.0;
-  }
-  std::sort(typical.begin(), typical.end());
-  return std::sqrt(static_cast<double>(typical[typical.size() / 2]));
-}
-
-/** Rows a little wider than the radius: neighbors are in the next rows, never in those
- * behind them. */
-constexpr double rows_a_radius = 1.001;
-
-double
-edgeFor(const NeighborhoodSize& size, const XYZView& surface, std::size_t queries)
-{
-  if (size.k > 0) {
-    return typicalDistance(surface, size.k);
-  }
-  if (!size.radii) {
-    return rows_a_radius * size.radius;
-  }
-  std::vector<float> radii(size.radii, size.radii + queries);
-  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-  std::nth_element(radii.begin(), middle, radii.end());
-  return rows_a_radius * *middle;
-}
-
 } // namespace
 
 /** \brief The surface and the queries, sorted for one call. */
@@ -128,18 +66,16 @@ public:
       throw std::invalid_argument("more than 2^31 - 1 points: split the cloud");
     }
     checkSize(size, sweep.size());
-    if (size.k > 0) {
-      const std::size_t finite = countFinite(sweep.surface_);
-      if (size.k > finite) {
-        throw std::invalid_argument("k " + std::to_string(size.k) +
-                                    ": it must be 1 to " + std::to_string(finite) +
-                                    ", the number of finite points");
-      }
+    const std::size_t finite = countFinite(sweep.surface_);
+    if (size.k > finite) {
+      throw std::invalid_argument("k " + std::to_string(size.k) + ": it must be 1 to " +
+                                  std::to_string(finite) +
+                                  ", the number of finite points");
     }
-    if (sweep.size() == 0 || sweep.surface_.size == 0) {
+    if (sweep.size() == 0 || finite == 0) {
       return;
     }
-    const double edge = edgeFor(size, sweep.surface_, sweep.size());
+    const double edge = rowWidth(size, sweep.surface_, sweep.size());
     surface_ = buildRowIndex(
         sweep.surface_, nullptr, sweep.surface_.size, edge, sweep.threads_);
     if (sweep.own_queries_ || sweep.indices_) {

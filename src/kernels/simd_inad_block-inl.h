@@ -80,14 +80,14 @@ private:
           std::uint32_t* angles,
           BlockSums& sums) const
   {
+    const bool is_smooth = candidates_.isSmooth();
     if (near_.hasTies()) {
-      collect<true, false>(candidates, angles, sums);
-    }
-    else if (candidates_.isSmooth()) {
-      collect<false, true>(candidates, angles, sums);
+      is_smooth ? collect<true, true>(candidates, angles, sums)
+                : collect<true, false>(candidates, angles, sums);
     }
     else {
-      collect<false, false>(candidates, angles, sums);
+      is_smooth ? collect<false, true>(candidates, angles, sums)
+                : collect<false, false>(candidates, angles, sums);
     }
   }
 

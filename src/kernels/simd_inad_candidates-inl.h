@@ -14,7 +14,7 @@
 #define PCL_SHAPE_SIMD_INAD_CANDIDATES_INL_H_
 #endif
 
-#include "simd_slots-inl.h"
+#include "simd_candidates-inl.h"
 
 #include <cmath>
 

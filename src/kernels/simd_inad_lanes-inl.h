@@ -16,6 +16,7 @@
 
 #include "simd_angles-inl.h"
 #include "simd_inad_candidates-inl.h"
+#include "simd_query_lanes-inl.h"
 #include "simd_spread_of_angles-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -21,6 +21,7 @@
 // The static target of a generic build has no SIMD: the portable kernels serve there.
 #include "simd_target.h"
 #if PCL_SHAPE_SIMD_TARGET
+#include "simd_count-inl.h"
 #include "simd_inad_block-inl.h"
 #include "simd_nearest-inl.h"
 #include "simd_normals_block-inl.h"

@@ -16,7 +16,7 @@
 
 #include "moments.h"
 #include "neighborhood.h"
-#include "simd_slots-inl.h"
+#include "simd_query_lanes-inl.h"
 
 #include <cmath>
 

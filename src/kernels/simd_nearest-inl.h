@@ -14,103 +14,26 @@
 #define PCL_SHAPE_SIMD_NEAREST_INL_H_
 #endif
 
-#include "simd_slots-inl.h"
+#include "simd_nearest_lanes-inl.h"
+#include "simd_select-inl.h"
 
 #include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
 
-template <bool with_ties>
-HWY_INLINE void
-addCounts(const SweepBlock& block,
-          const CandidatePositions& candidates,
-          std::uint32_t* counts)
-{
-  const Words w;
-  const auto one = hn::Set(w, 1);
-  for (std::size_t first = 0; first < block_size; first += lanes) {
-    const QueryLanes<with_ties> queries(block, block.r2, block.tie_d2, first);
-    auto count = hn::LoadU(w, counts + first);
-    for (std::size_t c = 0; c < candidates.size; ++c) {
-      const auto mask =
-          hn::RebindMask(w, queries.neighborMask(block, candidates.begin[c]));
-      count = hn::IfThenElse(mask, hn::Add(count, one), count);
-    }
-    hn::StoreU(count, w, counts + first);
-  }
-}
-
-inline void
-count(const SweepBlock& block, std::uint32_t* results)
-{
-  constexpr std::size_t portion = 256;
-  const NearClusters near(block);
-  std::uint32_t counts[block_size] = {};
-  for (std::size_t begin = 0; begin < near.size(); begin += portion) {
-    const std::size_t size = std::min(portion, near.size() - begin);
-    const CandidatePositions candidates = listPositions(
-        block,
-        near,
-        begin,
-        size,
-        false,
-        [](const Points& points,
-           auto is_point,
-           std::uint32_t position,
-           CandidateLister& lister) { lister.add(points, is_point, position); });
-    near.hasTies() ? addCounts<true>(block, candidates, counts)
-                   : addCounts<false>(block, candidates, counts);
-  }
-  for (std::size_t i = 0; i < block.size; ++i) {
-    const bool has_own = block.queries_on_surface || isAtSurfacePoint(block, i);
-    results[i] = counts[i] - (counts[i] > 0 && has_own ? 1 : 0);
-  }
-}
-
-/** \brief Points one after the other, padded with NaN to a whole vector. */
-struct PackedPoints {
-  const float *x, *y, *z;
-  std::size_t size;
-};
-
-/** \brief The points of the near clusters that are near the queries' box. */
-HWY_INLINE PackedPoints
-packPoints(const SweepBlock& block, const NearClusters& near)
+/** \brief Squared distances of a query to candidates from c on. */
+HWY_INLINE hn::VFromD<Floats>
+squaredDistances(const SweepBlock& block,
+                 std::size_t i,
+                 const PackedPoints& candidates,
+                 std::size_t c)
 {
   const Floats d;
-  const std::size_t stride = near.size() * block_size + block_size;
-  float* out = simdScratch().slots.atLeast(3 * stride);
-  CandidateLister lister(near, block.box, near.size(), false);
-  std::size_t size = 0;
-  for (std::size_t s = 0; s < near.size(); ++s) {
-    const std::uint32_t cluster = near.begin()[s];
-    const std::uint32_t first = block.cluster_begin[cluster];
-    const std::uint32_t points = block.cluster_begin[cluster + 1] - first;
-    for (std::size_t i = 0; i < points; i += lanes) {
-      const Points p{hn::LoadU(d, block.x + first + i),
-                     hn::LoadU(d, block.y + first + i),
-                     hn::LoadU(d, block.z + first + i)};
-      const auto mask = lister.add(p, pointsOfCluster(points, i), 0);
-      packStore(d, p.x, mask, out + size);
-      packStore(d, p.y, mask, out + stride + size);
-      size += packStore(d, p.z, mask, out + 2 * stride + size);
-    }
-  }
-  hn::StoreU(hn::Set(d, std::numeric_limits<float>::quiet_NaN()), d, out + size);
-  return {out, out + stride, out + 2 * stride, size};
-}
-
-/** \brief How many of the distances are below a bound. The padding is infinite. */
-HWY_INLINE std::size_t
-countBelow(const float* d2, std::size_t count, float bound)
-{
-  const Floats d;
-  std::size_t below = 0;
-  for (std::size_t c = 0; c < count; c += lanes) {
-    below += hn::CountTrue(d, hn::Lt(hn::LoadU(d, d2 + c), hn::Set(d, bound)));
-  }
-  return below;
+  return squaredLength(
+      hn::Sub(hn::LoadU(d, candidates.x + c), hn::Set(d, block.qx[i])),
+      hn::Sub(hn::LoadU(d, candidates.y + c), hn::Set(d, block.qy[i])),
+      hn::Sub(hn::LoadU(d, candidates.z + c), hn::Set(d, block.qz[i])));
 }
 
 /** \brief Squared distances of a query's candidates below r2, packed and padded with
@@ -122,61 +45,46 @@ collectDistances(const SweepBlock& block,
                  float* d2)
 {
   const Floats d;
-  const auto qx = hn::Set(d, block.qx[i]);
-  const auto qy = hn::Set(d, block.qy[i]);
-  const auto qz = hn::Set(d, block.qz[i]);
   const auto r2 = hn::Set(d, block.r2[i]);
   std::size_t count = 0;
   for (std::size_t c = 0; c < candidates.size; c += lanes) {
-    const auto v = squaredLength(hn::Sub(hn::Load(d, candidates.x + c), qx),
-                                 hn::Sub(hn::Load(d, candidates.y + c), qy),
-                                 hn::Sub(hn::Load(d, candidates.z + c), qz));
+    const auto v = squaredDistances(block, i, candidates, c);
     count += packStore(d, v, hn::Lt(v, r2), d2 + count);
   }
   hn::StoreU(hn::Set(d, std::numeric_limits<float>::infinity()), d, d2 + count);
   return count;
 }
 
-/** \brief The k-th smallest of the distances, k at most their number, and how many are
- * not greater. Moves the distances.
- *
- * On a surface the number of points within d grows like d^2: interpolating between
- * bounds finds the k-th in a few counts; halving between them, now and then, bounds
- * their number.
+/** \brief Of the candidates at this squared distance, the index of the n-th in order.
  */
-HWY_INLINE float
-kthSmallest(
-    float* d2, std::size_t count, std::size_t k, float most, std::size_t& not_greater)
+HWY_INLINE std::uint32_t
+nthIndexAt(const SweepBlock& block,
+           std::size_t i,
+           const PackedPoints& candidates,
+           float d2,
+           std::size_t n)
 {
   const Floats d;
-  float low = 0.0f, high = most;
-  std::size_t below_low = 0, below_high = count;
-  constexpr std::size_t few = 32;
-  for (int step = 0; below_high - below_low > few; ++step) {
-    const double share = step % 4 == 3
-                             ? 0.5
-                             : (static_cast<double>(k - below_low) - 0.5) /
-                                   static_cast<double>(below_high - below_low);
-    const auto middle =
-        static_cast<float>(low + share * (static_cast<double>(high) - low));
-    if (!(middle > low && middle < high)) {
-      break;
-    }
-    const std::size_t below = countBelow(d2, count, middle);
-    (below >= k ? high : low) = middle;
-    (below >= k ? below_high : below_low) = below;
+  const Words w;
+  std::uint32_t* indices = simdScratch().masks.atLeast(candidates.size + lanes);
+  std::size_t count = 0;
+  for (std::size_t c = 0; c < candidates.size; c += lanes) {
+    const auto equal =
+        hn::Eq(squaredDistances(block, i, candidates, c), hn::Set(d, d2));
+    count += packStore(w,
+                       hn::LoadU(w, candidates.order + c),
+                       hn::RebindMask(w, equal),
+                       indices + count);
   }
-  std::size_t kept = 0;
-  for (std::size_t c = 0; c < count; c += lanes) {
-    const auto v = hn::LoadU(d, d2 + c);
-    const auto inside =
-        hn::AndNot(hn::Lt(v, hn::Set(d, low)), hn::Lt(v, hn::Set(d, high)));
-    kept += packStore(d, v, inside, d2 + kept);
-  }
-  float* kth = d2 + (k - below_low - 1);
-  std::nth_element(d2, kth, d2 + kept);
-  not_greater = k + static_cast<std::size_t>(std::count(kth + 1, d2 + kept, *kth));
-  return *kth;
+  std::nth_element(indices, indices + (n - 1), indices + count);
+  return indices[n - 1];
+}
+
+/** \brief The points up to this squared distance are the query's neighbors. */
+HWY_INLINE void
+setRadiusTo(SweepBlock& block, std::size_t i, float d2)
+{
+  block.r2[i] = std::nextafter(d2, std::numeric_limits<float>::infinity());
 }
 
 /** \brief The k nearest of one query; false if it has fewer neighbors. */
@@ -192,16 +100,19 @@ narrow(SweepBlock& block,
     block.kth_d2[i] = std::numeric_limits<float>::quiet_NaN();
     return false;
   }
-  std::size_t before = 0;
-  const float kth = kthSmallest(d2, count, k, block.r2[i], before);
-  const float next = std::nextafter(kth, std::numeric_limits<float>::infinity());
-  if (before != k) {
-    return narrowToNearest(block, i, k);
+  const Ranked kth = kthSmallest(d2, count, k, block.r2[i]);
+  block.kth_d2[i] = kth.value;
+  if (kth.not_greater == k) {
+    setRadiusTo(block, i, kth.value);
+    return true;
   }
-  block.kth_d2[i] = kth;
-  block.r2[i] = next;
+  block.r2[i] = block.tie_d2[i] = kth.value;
+  block.tie_index[i] = nthIndexAt(block, i, candidates, kth.value, k - kth.less);
   return true;
 }
+
+/** With more candidates than these, each query's own list of distances is faster. */
+constexpr std::size_t most_in_lanes = 256;
 
 inline bool
 nearest(SweepBlock& block, std::size_t k)
@@ -212,10 +123,20 @@ nearest(SweepBlock& block, std::size_t k)
     return portableKernels().nearest(block, k);
   }
   const PackedPoints candidates = packPoints(block, near);
-  float* d2 = simdScratch().values.atLeast(candidates.size + lanes);
+  const bool in_lanes = candidates.size <= most_in_lanes;
+  float* d2 =
+      simdScratch().values.atLeast(candidates.size * (in_lanes ? lanes : 1) + lanes);
+  if (in_lanes) {
+    narrowLanes(block, k, candidates, d2);
+  }
   bool all = true;
   for (std::size_t i = 0; i < block.size; ++i) {
-    all = narrow(block, i, k, candidates, d2) && all;
+    if (in_lanes && !std::isnan(block.kth_d2[i])) {
+      setRadiusTo(block, i, block.kth_d2[i]);
+    }
+    else {
+      all = narrow(block, i, k, candidates, d2) && all;
+    }
   }
   return all;
 }

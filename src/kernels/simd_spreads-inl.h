@@ -14,7 +14,7 @@
 #define PCL_SHAPE_SIMD_SPREADS_INL_H_
 #endif
 
-#include "simd_slots-inl.h"
+#include "simd_candidates-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {

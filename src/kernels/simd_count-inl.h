@@ -1,0 +1,72 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#if defined(PCL_SHAPE_SIMD_COUNT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PCL_SHAPE_SIMD_COUNT_INL_H_
+#undef PCL_SHAPE_SIMD_COUNT_INL_H_
+#else
+#define PCL_SHAPE_SIMD_COUNT_INL_H_
+#endif
+
+#include "simd_query_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pcl::kernels::HWY_NAMESPACE {
+
+template <bool with_ties>
+HWY_INLINE void
+addCounts(const SweepBlock& block,
+          const CandidatePositions& candidates,
+          std::uint32_t* counts)
+{
+  const Words w;
+  const auto one = hn::Set(w, 1);
+  for (std::size_t first = 0; first < block_size; first += lanes) {
+    const QueryLanes<with_ties> queries(block, block.r2, block.tie_d2, first);
+    auto count = hn::LoadU(w, counts + first);
+    for (std::size_t c = 0; c < candidates.size; ++c) {
+      const auto mask =
+          hn::RebindMask(w, queries.neighborMask(block, candidates.begin[c]));
+      count = hn::IfThenElse(mask, hn::Add(count, one), count);
+    }
+    hn::StoreU(count, w, counts + first);
+  }
+}
+
+inline void
+count(const SweepBlock& block, std::uint32_t* results)
+{
+  constexpr std::size_t portion = 256;
+  const NearClusters near(block);
+  std::uint32_t counts[block_size] = {};
+  for (std::size_t begin = 0; begin < near.size(); begin += portion) {
+    const std::size_t size = std::min(portion, near.size() - begin);
+    const CandidatePositions candidates = listPositions(
+        block,
+        near,
+        begin,
+        size,
+        false,
+        [](const Points& points,
+           auto is_point,
+           std::uint32_t position,
+           CandidateLister& lister) { lister.add(points, is_point, position); });
+    near.hasTies() ? addCounts<true>(block, candidates, counts)
+                   : addCounts<false>(block, candidates, counts);
+  }
+  for (std::size_t i = 0; i < block.size; ++i) {
+    const bool has_own = block.queries_on_surface || isAtSurfacePoint(block, i);
+    results[i] = counts[i] - (counts[i] > 0 && has_own ? 1 : 0);
+  }
+}
+
+} // namespace pcl::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,120 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#if defined(PCL_SHAPE_SIMD_NEAR_CLUSTERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PCL_SHAPE_SIMD_NEAR_CLUSTERS_INL_H_
+#undef PCL_SHAPE_SIMD_NEAR_CLUSTERS_INL_H_
+#else
+#define PCL_SHAPE_SIMD_NEAR_CLUSTERS_INL_H_
+#endif
+
+#include "simd_common-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pcl::kernels::HWY_NAMESPACE {
+
+/** \brief The clusters near a block: by boxes, not by points. */
+class NearClusters {
+public:
+  explicit NearClusters(const SweepBlock& block) : block_(block)
+  {
+    float largest = 0.0f;
+    float smallest = std::numeric_limits<float>::max();
+    for (std::size_t i = 0; i < block.size; ++i) {
+      largest = std::max({largest, block.r2[i], block.tie_d2[i]});
+      smallest = std::min(smallest, block.r2[i]);
+      has_ties_ = has_ties_ || block.tie_d2[i] >= 0.0f;
+    }
+    // A box may be nearer than its points, never further, but for rounding.
+    reach2_ = largest * (1.0f + 1e-5f) + std::numeric_limits<float>::min();
+    sure_reach2_ = smallest * (1.0f - 1e-5f);
+    list();
+  }
+
+  bool
+  hasTies() const
+  {
+    return has_ties_;
+  }
+
+  /** \brief Points nearer than this (squared) to a query are its neighbors. */
+  float
+  sureReach2() const
+  {
+    return sure_reach2_;
+  }
+
+  /** \brief Squared distance that no neighbor is beyond. */
+  float
+  reach2() const
+  {
+    return reach2_;
+  }
+
+  std::size_t
+  size() const
+  {
+    return size_;
+  }
+
+  const std::uint32_t*
+  begin() const
+  {
+    return simdScratch().near.data();
+  }
+
+private:
+  void
+  list()
+  {
+    std::size_t most = 0;
+    for (std::size_t r = 0; r < block_.run_count; ++r) {
+      most += block_.runs[r].end - block_.runs[r].begin;
+    }
+    std::uint32_t* near = simdScratch().near.atLeast(most + lanes);
+    const Words w;
+    const Floats d;
+    for (std::size_t r = 0; r < block_.run_count; ++r) {
+      const ClusterRun run = block_.runs[r];
+      for (std::uint32_t c = run.begin; c < run.end; c += lanes) {
+        auto mask = isNear(c);
+        mask = hn::And(mask, hn::FirstN(d, run.end - c));
+        size_ += packStore(w, hn::Iota(w, c), hn::RebindMask(w, mask), near + size_);
+      }
+    }
+  }
+
+  HWY_INLINE hn::MFromD<Floats>
+  isNear(std::uint32_t c) const
+  {
+    const Floats d;
+    const auto apart = [&](std::size_t axis, float least, float most) {
+      const auto low = hn::LoadU(d, block_.cluster_box[axis] + c);
+      const auto high = hn::LoadU(d, block_.cluster_box[axis + 3] + c);
+      return hn::Max(
+          hn::Max(hn::Sub(hn::Set(d, least), high), hn::Sub(low, hn::Set(d, most))),
+          hn::Zero(d));
+    };
+    const Box& box = block_.box;
+    const auto d2 = squaredLength(apart(0, box.x_min, box.x_max),
+                                  apart(1, box.y_min, box.y_max),
+                                  apart(2, box.z_min, box.z_max));
+    return hn::Lt(d2, hn::Set(d, reach2_));
+  }
+
+  const SweepBlock& block_;
+  float reach2_ = 0.0f, sure_reach2_ = 0.0f;
+  bool has_ties_ = false;
+  std::size_t size_ = 0;
+};
+
+} // namespace pcl::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
