@@ -25,7 +25,8 @@ samplesOf(const Arguments& arguments)
 {
   if (arguments.has("input_dir"))
     return cloudsIn(arguments.text("input_dir"));
-  return {arguments.operands(2).front()};
+  const auto& operands = arguments.operandsFrom(2);
+  return {operands.begin(), operands.end() - 1};
 }
 
 void
@@ -43,26 +44,28 @@ printHistogram(const Report& report)
 int
 run(const Arguments& arguments)
 {
-  const std::string model_path =
-      arguments.operands(arguments.has("input_dir") ? 1 : 2).back();
-  const SampleOptions options = sampleOptions(arguments);
+  const std::string model_path = arguments.has("input_dir")
+                                     ? arguments.operands(1).back()
+                                     : arguments.operandsFrom(2).back();
+  const std::vector<SampleOptions> classes = sampleOptions(arguments);
   arguments.threads();
   const std::vector<std::string> samples = samplesOf(arguments);
   checkJsonPath(arguments, samples);
   checkJsonPath(arguments, {model_path});
   requireWritable(model_path);
 
-  ModelFile model(model_path, arguments);
+  ModelFile model(model_path, arguments, classes);
   std::vector<Report> reports;
   for (const std::string& sample : samples) {
     Report& report = reports.emplace_back();
     report.setText("", "input", sample);
     CloudFile cloud = report.time("read", [&] { return readCloud(sample); });
-    model.add(cloud, options, report);
-    printSummary(sample, report);
+    model.add(cloud, report);
   }
   Report result;
-  model.save(options, result);
+  model.save(result);
+  for (const Report& report : reports)
+    printSummary(report.text("", "input"), report);
   result.setCount("", "samples", samples.size());
   for (const Report& report : reports)
     result.setCount(
@@ -78,15 +81,24 @@ int
 main(int argc, char** argv)
 {
   CommandLine command_line("pcl_shape_histogram",
-                           "sample.pcd model.json -radius R",
+                           "sample.pcd ... model.json -radius R",
                            "Make a model file of the shape of a sample surface, or add "
                            "the sample to one.\nAll "
                            "points of the sample are neighbors; -field and -value "
-                           "choose those that are counted.");
+                           "choose those that are counted.\nWith -field and -classes "
+                           "several classes are counted at once.");
   addInadOptions(command_line);
   command_line.option("name", "NAME", "of the class (plane)")
       .option("field", "F", "count only the points where the field F ...")
       .option("value", "V", "... has the value V")
+      .option(
+          "classes", "N=V:P,...", "several classes: N, where -field is V; prior P (1)")
+      .option("normal_radius_noise",
+              "X",
+              "with -scale density: what the noise, in spacings, adds (0)")
+      .option("radius_noise", "X", "likewise")
+      .option("smoothing", "B", "bins, of densities, with -scale density (0)")
+      .option("floor", "D", "density, 1/rad^2, below which a class says nothing (0)")
       .option("bins", "N", "N x N bins (10, or as in the model file)")
       .option("mu_range", "A", "degrees, angles from there are beyond the bins (90)")
       .option("sigma_range", "A", "degrees, the same for sigma (90)")
