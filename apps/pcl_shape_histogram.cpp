@@ -8,8 +8,10 @@
  */
 
 #include "common/app.h"
+#include "common/atomic_file.h"
 #include "common/errors.h"
 #include "common/filter_app.h"
+#include "common/heat_map.h"
 #include "common/inad_options.h"
 #include "common/model_file.h"
 #include "common/pcd_reader.h"
@@ -41,6 +43,19 @@ printHistogram(const Report& report)
             << report.number("histogram", "peak_sigma") << " degrees\n";
 }
 
+/** -png: the class that was made; of several the first. */
+void
+writePicture(const Arguments& arguments,
+             const ModelFile& model,
+             const std::string& name)
+{
+  AtomicFile picture(arguments.text("png"));
+  for (const auto& of : model.model().classes())
+    if (of.name == name)
+      picture.write(heatMap(of.histogram));
+  picture.commit();
+}
+
 int
 run(const Arguments& arguments)
 {
@@ -53,6 +68,8 @@ run(const Arguments& arguments)
   checkJsonPath(arguments, samples);
   checkJsonPath(arguments, {model_path});
   requireWritable(model_path);
+  if (arguments.has("png"))
+    requireWritable(arguments.text("png"));
 
   ModelFile model(model_path, arguments, classes);
   std::vector<Report> reports;
@@ -64,6 +81,8 @@ run(const Arguments& arguments)
   }
   Report result;
   model.save(result);
+  if (arguments.has("png"))
+    writePicture(arguments, model, classes.front().name);
   for (const Report& report : reports)
     printSummary(report.text("", "input"), report);
   result.setCount("", "samples", samples.size());
@@ -103,6 +122,7 @@ main(int argc, char** argv)
       .option("mu_range", "A", "degrees, angles from there are beyond the bins (90)")
       .option("sigma_range", "A", "degrees, the same for sigma (90)")
       .option("prior", "P", "how frequent the class is, relative to the others (1)")
+      .option("png", "F", "draw the class, of several the first, as a heat map")
       .option("input_dir", "D", "all .pcd files of D instead of sample.pcd");
   addCommonOptions(command_line);
   return runApp(command_line, argc, argv, run);

@@ -55,6 +55,12 @@ public:
    * of several the first. \throws InputError if a class has no point in any sample */
   void save(Report& report);
 
+  const pcl::ShapeModel&
+  model() const
+  {
+    return model_;
+  }
+
 private:
   pcl::ShapeHistogram emptyHistogram() const;
 

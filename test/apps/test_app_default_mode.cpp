@@ -120,6 +120,25 @@ TEST_F(DefaultMode, ModelsOfSeveralClassesComeFromLabelledClouds)
   EXPECT_GE(f1(path("out.pcd"), scene, "planar"), 0.95);
 }
 
+TEST_F(DefaultMode, AHistogramIsDrawn)
+{
+  const std::string plane = file("in.pcd", asciiCloud("x y z", "F F F", planeRows(20)));
+  const std::string fold = file("fold.pcd", asciiCloud("x y z", "F F F", foldRows(20)));
+  for (const std::string& cloud : {plane, fold})
+    expectSuccess(
+        runApp("pcl_shape_histogram",
+               {cloud, cloud + ".json", "-radius", "0.02", "-png", cloud + ".png"}));
+  const std::string png = readFile(plane + ".png");
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  EXPECT_EQ(png.substr(12, 4), "IHDR");
+  EXPECT_NE(png, readFile(fold + ".png")) << "other counts, other colours";
+  expectRefused(
+      runApp("pcl_shape_histogram",
+             {plane, path("m.json"), "-radius", "0.02", "-png", path("missing/m.png")}),
+      1,
+      {"missing/m.png"});
+}
+
 TEST_F(DefaultMode, BadClassesAreRefused)
 {
   const std::string scene = sampledScene();
