@@ -28,7 +28,7 @@ classify(Detector& detector, const CloudFile& file)
 {
   Classification classes;
   detector.compute(classes.likelihoods);
-  detector.segment(classes.members);
+  classes.members = detector.classesOf(classes.likelihoods);
   if (classes.likelihoods.empty() || classes.members.empty())
     throw InputError(file.path + ": refused for the reason given above");
   return classes;
@@ -56,7 +56,7 @@ addClasses(CloudFile& file,
   }
   report.setCount("counts", "unknown", unknown);
   setField(file, "likelihood", classes.likelihoods.front());
-  if (settings.model.classes().size() > 1)
+  if (arguments.has("model") && settings.model.classes().size() > 1)
     for (std::size_t c = 0; c < names.size(); ++c)
       setField(file, "likelihood_" + names[c], classes.likelihoods[c]);
   setField(file, "surface", surface);
@@ -77,7 +77,7 @@ int
 run(const Arguments& arguments)
 {
   const DetectionSettings settings =
-      detectionSettings(arguments, Detector().getParameters());
+      detectionSettings(arguments, pcl::INADParameters::surfaces());
   requireFieldNames(settings, arguments);
   return runFilter(arguments, [&](CloudFile& file, Report& report) {
     addClasses(file, arguments, settings, report);

@@ -8,8 +8,10 @@
  */
 
 #include "common/app.h"
+#include "common/atomic_file.h"
 #include "common/errors.h"
 #include "common/filter_app.h"
+#include "common/heat_map.h"
 #include "common/inad_options.h"
 #include "common/model_file.h"
 #include "common/pcd_reader.h"
@@ -25,7 +27,8 @@ samplesOf(const Arguments& arguments)
 {
   if (arguments.has("input_dir"))
     return cloudsIn(arguments.text("input_dir"));
-  return {arguments.operands(2).front()};
+  const auto& operands = arguments.operandsFrom(2);
+  return {operands.begin(), operands.end() - 1};
 }
 
 void
@@ -40,29 +43,48 @@ printHistogram(const Report& report)
             << report.number("histogram", "peak_sigma") << " degrees\n";
 }
 
+/** -png: the class that was made; of several the first. */
+void
+writePicture(const Arguments& arguments,
+             const ModelFile& model,
+             const std::string& name)
+{
+  AtomicFile picture(arguments.text("png"));
+  for (const auto& of : model.model().classes())
+    if (of.name == name)
+      picture.write(heatMap(of.histogram));
+  picture.commit();
+}
+
 int
 run(const Arguments& arguments)
 {
-  const std::string model_path =
-      arguments.operands(arguments.has("input_dir") ? 1 : 2).back();
-  const SampleOptions options = sampleOptions(arguments);
+  const std::string model_path = arguments.has("input_dir")
+                                     ? arguments.operands(1).back()
+                                     : arguments.operandsFrom(2).back();
+  const std::vector<SampleOptions> classes = sampleOptions(arguments);
   arguments.threads();
   const std::vector<std::string> samples = samplesOf(arguments);
   checkJsonPath(arguments, samples);
   checkJsonPath(arguments, {model_path});
   requireWritable(model_path);
+  if (arguments.has("png"))
+    requireWritable(arguments.text("png"));
 
-  ModelFile model(model_path, arguments);
+  ModelFile model(model_path, arguments, classes);
   std::vector<Report> reports;
   for (const std::string& sample : samples) {
     Report& report = reports.emplace_back();
     report.setText("", "input", sample);
     CloudFile cloud = report.time("read", [&] { return readCloud(sample); });
-    model.add(cloud, options, report);
-    printSummary(sample, report);
+    model.add(cloud, report);
   }
   Report result;
-  model.save(options, result);
+  model.save(result);
+  if (arguments.has("png"))
+    writePicture(arguments, model, classes.front().name);
+  for (const Report& report : reports)
+    printSummary(report.text("", "input"), report);
   result.setCount("", "samples", samples.size());
   for (const Report& report : reports)
     result.setCount(
@@ -78,19 +100,29 @@ int
 main(int argc, char** argv)
 {
   CommandLine command_line("pcl_shape_histogram",
-                           "sample.pcd model.json -radius R",
+                           "sample.pcd ... model.json -radius R",
                            "Make a model file of the shape of a sample surface, or add "
                            "the sample to one.\nAll "
                            "points of the sample are neighbors; -field and -value "
-                           "choose those that are counted.");
+                           "choose those that are counted.\nWith -field and -classes "
+                           "several classes are counted at once.");
   addInadOptions(command_line);
   command_line.option("name", "NAME", "of the class (plane)")
       .option("field", "F", "count only the points where the field F ...")
       .option("value", "V", "... has the value V")
+      .option(
+          "classes", "N=V:P,...", "several classes: N, where -field is V; prior P (1)")
+      .option("normal_radius_noise",
+              "X",
+              "with -scale density: what the noise, in spacings, adds (0)")
+      .option("radius_noise", "X", "likewise")
+      .option("smoothing", "B", "bins, of densities, with -scale density (0)")
+      .option("floor", "D", "density, 1/rad^2, below which a class says nothing (0)")
       .option("bins", "N", "N x N bins (10, or as in the model file)")
       .option("mu_range", "A", "degrees, angles from there are beyond the bins (90)")
       .option("sigma_range", "A", "degrees, the same for sigma (90)")
       .option("prior", "P", "how frequent the class is, relative to the others (1)")
+      .option("png", "F", "draw the class, of several the first, as a heat map")
       .option("input_dir", "D", "all .pcd files of D instead of sample.pcd");
   addCommonOptions(command_line);
   return runApp(command_line, argc, argv, run);

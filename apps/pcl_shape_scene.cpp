@@ -18,6 +18,7 @@
 #include <limits>
 
 #include <scene/scene.h>
+#include <scene/surface_samples.h>
 
 namespace {
 
@@ -29,6 +30,8 @@ constexpr std::uint64_t most_objects = 30;
 constexpr std::uint64_t least_pixels = 16;
 constexpr std::uint64_t most_pixels = 4096;
 constexpr double most_noise = 0.1;
+constexpr NumberRange spacing_range{
+    0.0005, 0.02, false, "a number of metres from 0.0005 to 0.02"};
 
 void
 setNoise(const Arguments& arguments, SceneOptions& options)
@@ -65,6 +68,30 @@ sceneOptions(const Arguments& arguments)
   options.height = small("height", least_pixels, most_pixels).value_or(options.height);
   setNoise(arguments, options);
   return options;
+}
+
+/** Points all over the surfaces instead of a camera's. */
+Scene
+sampledScene(const Arguments& arguments, const SceneOptions& options)
+{
+  for (const char* camera : {"width", "height", "organized"})
+    arguments.exclude("sampling", camera);
+  pcl::scene::SampleOptions samples;
+  samples.seed = options.seed;
+  samples.objects = options.objects;
+  samples.spacing = *arguments.number("sampling", spacing_range);
+  if (arguments.has("noise") && options.noise == pcl::scene::Noise::Kinect)
+    throw UsageError("-noise 'kinect' with -sampling: allowed is none, or a number of "
+                     "metres from 0 to 0.1");
+  samples.sigma = options.white_sigma;
+  return pcl::scene::sampleScene(samples);
+}
+
+Scene
+makeScene(const Arguments& arguments, const SceneOptions& options)
+{
+  return arguments.has("sampling") ? sampledScene(arguments, options)
+                                   : pcl::scene::generateScene(options);
 }
 
 /** The pixels of an image that have depth, or all. */
@@ -136,6 +163,21 @@ reportScene(const Scene& scene, const CloudFile& cloud, Report& report)
                       })));
 }
 
+void
+reportSensor(const Arguments& arguments, const SceneOptions& options, Report& report)
+{
+  if (arguments.has("sampling")) {
+    report.setNumber(
+        "parameters", "sampling", *arguments.number("sampling", spacing_range));
+  }
+  else {
+    report.setCount("parameters", "width", options.width);
+    report.setCount("parameters", "height", options.height);
+  }
+  const char* usual = arguments.has("sampling") ? "none" : "kinect";
+  report.setText("parameters", "noise", arguments.text("noise", usual));
+}
+
 int
 run(const Arguments& arguments)
 {
@@ -149,16 +191,14 @@ run(const Arguments& arguments)
   Report report;
   report.setText("", "output", path);
   const Scene scene =
-      report.time("generate", [&] { return pcl::scene::generateScene(options); });
+      report.time("generate", [&] { return makeScene(arguments, options); });
   const CloudFile cloud =
       toCloud(scene, arguments.has("organized"), arguments.has("normals"));
   reportScene(scene, cloud, report);
   report.time("write", [&] { output.write(encodeCloud(cloud, format)); });
   report.setCount("parameters", "seed", options.seed);
   report.setCount("parameters", "objects", options.objects);
-  report.setCount("parameters", "width", options.width);
-  report.setCount("parameters", "height", options.height);
-  report.setText("parameters", "noise", arguments.text("noise", "kinect"));
+  reportSensor(arguments, options, report);
   report.setFlag("parameters", "organized", arguments.has("organized"));
   commitWithJson(arguments, toJson(arguments.app(), report), output);
   printSummary(path, report);
@@ -181,6 +221,9 @@ main(int argc, char** argv)
       .option("height", "H", "pixels, 16 to 4096 (480)")
       .option(
           "noise", "X", "kinect (default), none, or the sigma of white noise, metres")
+      .option("sampling",
+              "S",
+              "no camera: points at random on all surfaces, S metres apart")
       .flag("organized", "keep the image's layout, with NaN where there is no depth")
       .flag("normals", "write the exact normals too");
   addFormatOption(command_line);

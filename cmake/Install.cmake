@@ -8,6 +8,8 @@ install(TARGETS pcl_shape EXPORT pcl_shapeTargets
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY include/pcl ${PROJECT_BINARY_DIR}/include/pcl
   DESTINATION ${PCL_SHAPE_INSTALL_INCLUDE_DIR})
+# The library has them inside; these are to look at and to start own ones from.
+install(FILES models/edges.json models/surfaces.json DESTINATION ${CMAKE_INSTALL_DATADIR}/pcl_shape/models)
 install(EXPORT pcl_shapeTargets NAMESPACE pcl_shape:: DESTINATION ${PCL_SHAPE_PACKAGE_DIR})
 
 configure_package_config_file(cmake/pcl_shapeConfig.cmake.in

@@ -54,12 +54,26 @@ Arguments::addOption(const std::string& name, const std::string& value)
 const std::vector<std::string>&
 Arguments::operands(std::size_t count) const
 {
-  if (operands_.size() == count)
-    return operands_;
+  if (operands_.size() != count)
+    failForOperands(std::to_string(count));
+  return operands_;
+}
+
+const std::vector<std::string>&
+Arguments::operandsFrom(std::size_t least) const
+{
+  if (operands_.size() < least)
+    failForOperands("at least " + std::to_string(least));
+  return operands_;
+}
+
+void
+Arguments::failForOperands(const std::string& expected) const
+{
   std::string given;
   for (const std::string& operand : operands_)
     given += " '" + operand + "'";
-  throw UsageError("expected " + std::to_string(count) + " file names but got " +
+  throw UsageError("expected " + expected + " file names but got " +
                    std::to_string(operands_.size()) + given + ": allowed is " + app_ +
                    ' ' + usage_ + " (see -help)");
 }

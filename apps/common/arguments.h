@@ -58,6 +58,9 @@ public:
   /** \brief The operands. \throws UsageError if there are not `count` */
   const std::vector<std::string>& operands(std::size_t count) const;
 
+  /** \brief The operands, at least `least`. \throws UsageError if there are fewer */
+  const std::vector<std::string>& operandsFrom(std::size_t least) const;
+
   bool
   has(const std::string& name) const
   {
@@ -82,6 +85,8 @@ public:
   unsigned threads() const;
 
 private:
+  [[noreturn]] void failForOperands(const std::string& expected) const;
+
   std::string app_;
   std::string usage_;
   std::map<std::string, std::string> options_;

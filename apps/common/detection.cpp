@@ -15,9 +15,9 @@ namespace pcl::app {
 void
 addDetectionOptions(CommandLine& command_line)
 {
-  command_line.option("model", "F", "a model file instead of an ideal plane")
+  command_line.option("model", "F", "a model file instead of the default model")
       .option("mode", "M", "default (default), or paper: the published method")
-      .option("bins", "N", "N x N bins for the ideal plane (10)")
+      .option("bins", "N", "N x N bins for an ideal plane, as in paper mode (10)")
       .option(
           "threshold", "T", "likelihood from which a point is of the surface (0.5)");
   addInadOptions(command_line);
@@ -39,13 +39,21 @@ detectionSettings(const Arguments& arguments, const INADParameters& defaults)
   settings.threshold =
       arguments.number("threshold", probability).value_or(settings.threshold);
   const auto bins = arguments.integer("bins", 1, most_bins).value_or(default_bins);
+  const bool is_own = settings.paper || hasInadParameters(arguments) ||
+                      arguments.has("use_normals") || arguments.has("bins");
+  const bool is_density =
+      !arguments.has("scale") || radiusMode(arguments) == AdaptiveRadius::DENSITY;
   if (!arguments.has("model")) {
+    settings.adaptive = !is_own && is_density;
     settings.parameters = inadParameters(arguments, defaults);
     settings.model = pcl::ShapeModel::idealPlane(settings.parameters, bins);
     return settings;
   }
   const std::string path = arguments.text("model");
   settings.model = loadModel(path);
+  settings.adaptive =
+      !is_own && is_density && settings.model.classes().size() > 1 &&
+      settings.model.parameters().radius_mode == AdaptiveRadius::DENSITY;
   settings.parameters = inadParameters(arguments, settings.model.parameters());
   const std::string disagreement = settings.model.disagreement(settings.parameters);
   if (!disagreement.empty() && !arguments.has("ignore_model_parameters"))

@@ -12,6 +12,7 @@
 #include "arguments.h"
 #include "command_line.h"
 #include "errors.h"
+#include "filter_app.h"
 #include "inad_options.h"
 #include "inad_stages.h"
 
@@ -28,6 +29,7 @@ void addDetectionOptions(CommandLine& command_line);
 /** \brief What is to be looked for, and with which parameters. */
 struct DetectionSettings {
   bool paper = false;
+  bool adaptive = false; ///< the parameters are the detector's and the model's own
   double threshold = 0.5;
   INADParameters parameters;
   pcl::ShapeModel model;
@@ -40,8 +42,33 @@ struct DetectionSettings {
 DetectionSettings detectionSettings(const Arguments& arguments,
                                     const INADParameters& defaults);
 
-/** \brief A detector that is ready for compute() and segment(): its INAD is computed.
- */
+/** \brief A detector that is ready for compute(): it estimates what it needs itself. */
+template <typename Detector>
+void
+prepareAdaptive(Detector& detector,
+                CloudFile& file,
+                const DetectionSettings& settings,
+                const Arguments& arguments,
+                Report& report)
+{
+  const auto points = pointsOf(file);
+  reportPoints(*points, report);
+  report.setText("parameters", "mode", "default");
+  report.setText("parameters", "scale", "density");
+  report.setNumber("parameters", "threshold", settings.threshold);
+  report.setText("parameters", "model", arguments.text("model", "default"));
+  report.setCount("parameters", "threads", arguments.threads());
+  detector.setInputCloud(points);
+  if (arguments.has("model"))
+    detector.setModel(settings.model);
+  detector.setThreshold(settings.threshold);
+  detector.setNumberOfThreads(arguments.threads());
+  if (arguments.has("normals"))
+    addNormals(file, detector.getParameters(), arguments.threads());
+}
+
+/** \brief A detector that is ready for compute(): its INAD is computed, unless the
+ * settings are adaptive. */
 template <typename Detector>
 void
 prepare(Detector& detector,
@@ -50,6 +77,10 @@ prepare(Detector& detector,
         const Arguments& arguments,
         Report& report)
 {
+  if (settings.adaptive) {
+    prepareAdaptive(detector, file, settings, arguments, report);
+    return;
+  }
   const InadCloud cloud = estimateInad(file, arguments, settings.parameters, report);
   report.setText("parameters", "mode", settings.paper ? "paper" : "default");
   report.setNumber("parameters", "threshold", settings.threshold);

@@ -20,9 +20,22 @@ addInadOptions(CommandLine& command_line)
 {
   command_line.option("radius", "R", "of the neighborhoods of INAD")
       .option("normal_radius", "R", "of the neighborhoods of the normals")
+      .option("scale",
+              "S",
+              "of the radii: fixed (metres), depth (metres up to 0.8 m away, growing "
+              "with z),\ndensity (local spacings)")
       .option("k", "N", "the nearest N points instead of both radii")
       .option("outlier_rate", "C", "leave angles out beyond C sigma, 0 for none (2)")
       .flag("use_normals", "take the file's normals instead of estimating them");
+}
+
+AdaptiveRadius::RadiusMode
+radiusMode(const Arguments& arguments)
+{
+  const std::string scale = arguments.choice("scale", {"fixed", "depth", "density"});
+  if (scale == "depth")
+    return AdaptiveRadius::DEPTH;
+  return scale == "density" ? AdaptiveRadius::DENSITY : AdaptiveRadius::FIXED;
 }
 
 bool
@@ -38,15 +51,19 @@ inadParameters(const Arguments& arguments, const INADParameters& defaults)
   arguments.exclude("k", "radius");
   arguments.exclude("k", "normal_radius");
   arguments.exclude("use_normals", "normal_radius");
+  arguments.exclude("k", "scale");
   constexpr std::uint64_t most = std::numeric_limits<int>::max();
   const auto radius = arguments.number("radius", positive_length);
   const auto normal_radius = arguments.number("normal_radius", positive_length);
   const auto k = arguments.integer("k", 1, most);
   INADParameters parameters = defaults;
+  if (arguments.has("scale"))
+    parameters.radius_mode = radiusMode(arguments);
   parameters.outlier_rate =
       arguments.number("outlier_rate", non_negative).value_or(defaults.outlier_rate);
   if (k) {
     parameters.k = static_cast<int>(*k);
+    parameters.radius_mode = AdaptiveRadius::FIXED;
     parameters.radius = 0.0;
     parameters.normal_radius = 0.0;
   }
@@ -72,6 +89,8 @@ reportParameters(const INADParameters& parameters, Report& report)
     report.setNumber("parameters", "normal_radius", parameters.normal_radius);
     report.setNumber("parameters", "radius", parameters.radius);
   }
+  const char* const scales[] = {"fixed", "depth", "density"};
+  report.setText("parameters", "scale", scales[parameters.radius_mode]);
   report.setNumber("parameters", "outlier_rate", parameters.outlier_rate);
 }
 

@@ -24,8 +24,11 @@ namespace pcl::app {
 /** \brief -radius, -normal_radius, -k, -outlier_rate, -use_normals. */
 void addInadOptions(CommandLine& command_line);
 
-/** \brief Whether one of the options that addInadOptions() added, but -use_normals, is
- * given. */
+/** \brief -scale, fixed by default. */
+AdaptiveRadius::RadiusMode radiusMode(const Arguments& arguments);
+
+/** \brief Whether one of the options that addInadOptions() added, but -use_normals and
+ * -scale, is given. */
 bool hasInadParameters(const Arguments& arguments);
 
 /** \brief The parameters on the command line over given ones. -radius alone is the

@@ -15,6 +15,7 @@
 
 #include <pcl/features/inad.h>
 #include <pcl/features/normal_3d_sweep.h>
+#include <pcl/features/impl/cloud_neighborhoods.hpp>
 
 namespace pcl::app {
 namespace {
@@ -29,12 +30,25 @@ requireResult(const CloudFile& file, std::size_t size)
 
 template <typename Estimation>
 void
-setNeighborhood(Estimation& estimation, double radius, int k)
+setNeighborhood(Estimation& estimation, double radius, const INADParameters& parameters)
 {
-  if (k > 0)
-    estimation.setKSearch(k);
+  if (parameters.k > 0)
+    estimation.setKSearch(parameters.k);
   else
     estimation.setRadiusSearch(radius);
+  estimation.setRadiusMode(parameters.radius_mode);
+}
+
+/** The parameters for the noise of this cloud. */
+INADParameters
+parametersOf(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& points,
+             const INADParameters& parameters,
+             unsigned threads)
+{
+  if (parameters.normal_radius_noise == 0.0 && parameters.radius_noise == 0.0)
+    return parameters;
+  const double noise = pcl::detail::noiseOfCloud<pcl::PointXYZ>(points, threads);
+  return pcl::detail::withNoise(parameters, noise);
 }
 
 pcl::PointCloud<pcl::Normal>::Ptr
@@ -44,7 +58,7 @@ estimateNormals(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& points,
 {
   pcl::NormalEstimationSweep<pcl::PointXYZ, pcl::Normal> estimation(threads);
   estimation.setInputCloud(points);
-  setNeighborhood(estimation, parameters.normal_radius, parameters.k);
+  setNeighborhood(estimation, parameters.normal_radius, parameters);
   pcl::PointCloud<pcl::Normal>::Ptr normals(new pcl::PointCloud<pcl::Normal>);
   estimation.compute(*normals);
   return normals;
@@ -59,7 +73,7 @@ estimateAngles(const InadCloud& cloud,
   estimation.setInputCloud(cloud.points);
   estimation.setInputNormals(cloud.normals);
   estimation.setOutlierRate(parameters.outlier_rate);
-  setNeighborhood(estimation, parameters.radius, parameters.k);
+  setNeighborhood(estimation, parameters.radius, parameters);
   pcl::PointCloud<pcl::INAD>::Ptr inad(new pcl::PointCloud<pcl::INAD>);
   estimation.compute(*inad);
   return inad;
@@ -67,14 +81,25 @@ estimateAngles(const InadCloud& cloud,
 
 } // namespace
 
+void
+addNormals(CloudFile& file, const INADParameters& parameters, unsigned threads)
+{
+  const auto points = pointsOf(file);
+  const auto normals =
+      estimateNormals(points, parametersOf(points, parameters, threads), threads);
+  requireResult(file, normals->size());
+  setNormals(file, *normals);
+}
+
 InadCloud
 estimateInad(CloudFile& file,
              const Arguments& arguments,
-             const INADParameters& parameters,
+             const INADParameters& asked,
              Report& report)
 {
   const unsigned threads = arguments.threads();
   const auto points = pointsOf(file);
+  const INADParameters parameters = parametersOf(points, asked, threads);
   requireEnoughPoints(parameters, file, *points);
   reportPoints(*points, report);
   reportParameters(parameters, report);

@@ -33,4 +33,7 @@ InadCloud estimateInad(CloudFile& file,
                        const INADParameters& parameters,
                        Report& report);
 
+/** \brief Estimate the normals and write them into the file's cloud. */
+void addNormals(CloudFile& file, const INADParameters& parameters, unsigned threads);
+
 } // namespace pcl::app

@@ -17,12 +17,16 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <limits>
+#include <sstream>
 
 namespace pcl::app {
 namespace {
 
+constexpr NumberRange smoothing_range{
+    0.0, 100.0, false, "a number of bins from 0 to 100"};
 constexpr double degrees_per_radian = 180.0 / 3.14159265358979323846;
 
 /** The message, before which PCLException puts ": ". */
@@ -48,7 +52,16 @@ startModel(const std::string& path, const Arguments& arguments)
   if (!arguments.has("radius") && !arguments.has("k"))
     throw UsageError("-radius and -k are missing for the new model '" + path +
                      "': allowed is one of the two");
-  return pcl::ShapeModel(inadParameters(arguments, {}));
+  INADParameters parameters = inadParameters(arguments, {});
+  parameters.normal_radius_noise =
+      arguments.number("normal_radius_noise", non_negative).value_or(0.0);
+  parameters.radius_noise =
+      arguments.number("radius_noise", non_negative).value_or(0.0);
+  const double growth = parameters.normal_radius_noise + parameters.radius_noise;
+  if (growth > 0.0 && parameters.radius_mode != AdaptiveRadius::DENSITY)
+    throw UsageError("-normal_radius_noise or -radius_noise without -scale density: "
+                     "allowed is 0, or -scale density");
+  return pcl::ShapeModel(parameters);
 }
 
 double
@@ -56,6 +69,49 @@ radians(const Arguments& arguments, const std::string& name, double fallback)
 {
   const auto degrees = arguments.number(name, right_angle);
   return degrees ? *degrees / degrees_per_radian : fallback;
+}
+
+bool
+isName(const std::string& text)
+{
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-';
+  });
+}
+
+/** -classes NAME=VALUE[:PRIOR],... of -field. */
+std::vector<SampleOptions>
+classesOf(const Arguments& arguments)
+{
+  const std::string text = arguments.text("classes");
+  const auto fail = [&](const std::string& part) {
+    throw UsageError(
+        "-classes '" + text + "': '" + part +
+        "' is not NAME=VALUE[:PRIOR]: allowed are letters, digits, _ and - for a "
+        "name, a whole number of -field for a value, and commas between");
+  };
+  if (!arguments.has("field"))
+    throw UsageError("-classes '" + text +
+                     "' without -field: allowed is a field of the samples");
+  std::vector<SampleOptions> classes;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    const std::size_t equals = std::min(part.find('='), part.size());
+    const std::size_t colon = std::min(part.find(':', equals), part.size());
+    const std::string name = part.substr(0, equals);
+    const std::string number =
+        equals < colon ? part.substr(equals + 1, colon - equals - 1) : "";
+    const double value = parseNumber(number).value_or(-1.0);
+    const double prior =
+        colon < part.size() ? parseNumber(part.substr(colon + 1)).value_or(0.0) : 1.0;
+    constexpr double most = 4294967295.0;
+    if (!isName(name) || value < 0.0 || value > most || value != std::floor(value) ||
+        prior <= 0.0)
+      fail(part);
+    classes.push_back(
+        {name, arguments.text("field"), static_cast<std::uint32_t>(value), prior});
+  }
+  return classes;
 }
 
 struct Peak {
@@ -112,15 +168,16 @@ loadModel(const std::string& path)
   }
 }
 
-SampleOptions
+std::vector<SampleOptions>
 sampleOptions(const Arguments& arguments)
 {
+  for (const char* single : {"name", "value", "prior"})
+    arguments.exclude("classes", single);
+  if (arguments.has("classes"))
+    return classesOf(arguments);
   SampleOptions options;
   options.name = arguments.text("name", options.name);
-  const auto allowed = [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_' || c == '-';
-  };
-  if (!std::all_of(options.name.begin(), options.name.end(), allowed))
+  if (!isName(options.name))
     throw UsageError("-name '" + options.name +
                      "': allowed are letters, digits, _ and -");
   if (arguments.has("field") != arguments.has("value"))
@@ -130,16 +187,27 @@ sampleOptions(const Arguments& arguments)
   options.value = static_cast<std::uint32_t>(
       arguments.integer("value", 0, std::numeric_limits<std::uint32_t>::max())
           .value_or(0));
-  return options;
+  return {options};
 }
 
-ModelFile::ModelFile(const std::string& path, const Arguments& arguments)
+ModelFile::ModelFile(const std::string& path,
+                     const Arguments& arguments,
+                     std::vector<SampleOptions> classes)
 : path_(path)
 , arguments_(arguments)
 , model_(startModel(path, arguments))
-, histogram_(emptyHistogram())
+, classes_(std::move(classes))
+, histograms_(classes_.size(), emptyHistogram())
 {
   arguments_.number("prior", positive_number);
+  const auto floor = arguments_.number("floor", non_negative);
+  const auto smoothing = arguments_.number("smoothing", smoothing_range);
+  model_.setFloor(floor.value_or(model_.floor()));
+  model_.setSmoothing(smoothing.value_or(model_.smoothing()));
+  if (model_.smoothing() > 0.0 &&
+      model_.parameters().radius_mode == AdaptiveRadius::FIXED)
+    throw UsageError("-smoothing '" + arguments_.text("smoothing") +
+                     "' with -scale fixed: allowed is -scale density");
 }
 
 pcl::ShapeHistogram
@@ -168,55 +236,77 @@ ModelFile::emptyHistogram() const
 }
 
 void
-ModelFile::add(CloudFile& sample, const SampleOptions& options, Report& report)
+ModelFile::add(CloudFile& sample, Report& report)
 {
   const InadCloud cloud = estimateInad(sample, arguments_, model_.parameters(), report);
-  const std::vector<std::uint32_t> labels =
-      options.field.empty() ? std::vector<std::uint32_t>(sample.size(), options.value)
-                            : labelsOf(sample, options.field);
-  const std::uint64_t before = histogram_.total();
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    if (labels[i] == options.value)
-      histogram_.add((*cloud.inad)[i]);
-  const std::uint64_t counted = histogram_.total() - before;
+  std::uint64_t counted = 0;
+  for (std::size_t c = 0; c < classes_.size(); ++c) {
+    const SampleOptions& options = classes_[c];
+    const std::vector<std::uint32_t> labels =
+        options.field.empty() ? std::vector<std::uint32_t>(sample.size(), options.value)
+                              : labelsOf(sample, options.field);
+    const std::uint64_t before = histograms_[c].total();
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      if (labels[i] == options.value)
+        histograms_[c].add((*cloud.inad)[i]);
+    counted += histograms_[c].total() - before;
+  }
   report.setCount("counts", "counted", counted);
+  const SampleOptions& first = classes_.front();
   if (counted == 0)
     throw InputError(sample.path + ": no point has a known INAD" +
-                     (options.field.empty()
-                          ? std::string()
-                          : " and the value " + std::to_string(options.value) +
-                                " in field '" + options.field + "'") +
+                     (first.field.empty() ? std::string()
+                      : classes_.size() > 1
+                          ? " and a value of -classes in field '" + first.field + "'"
+                          : " and the value " + std::to_string(first.value) +
+                                " in field '" + first.field + "'") +
                      ": allowed is a sample with at least one");
 }
 
 double
-ModelFile::priorOf(const std::string& name) const
+ModelFile::priorOf(const SampleOptions& options) const
 {
+  if (options.prior)
+    return *options.prior;
   double prior = 1.0;
   for (const auto& of : model_.classes())
-    if (of.name == name)
+    if (of.name == options.name)
       prior = of.prior;
   return arguments_.number("prior", positive_number).value_or(prior);
 }
 
 void
-ModelFile::save(const SampleOptions& options, Report& report)
+ModelFile::addClasses()
 {
-  const double prior = priorOf(options.name);
-  model_.add(options.name, histogram_, prior);
+  for (std::size_t c = 0; c < classes_.size(); ++c) {
+    const SampleOptions& options = classes_[c];
+    if (histograms_[c].total() == 0)
+      throw InputError("class '" + options.name +
+                       "': no point of any sample has the value " +
+                       std::to_string(options.value) + " in field '" + options.field +
+                       "': allowed are samples with at least one");
+    model_.add(options.name, histograms_[c], priorOf(options));
+  }
+}
+
+void
+ModelFile::save(Report& report)
+{
+  addClasses();
   try {
     model_.save(path_);
   }
   catch (const pcl::PCLException& error) {
     throw InputError(messageOf(error));
   }
+  const std::string name = classes_.front().name;
   report.setText("", "model", path_);
   report.setCount("", "classes", model_.classes().size());
   reportParameters(model_.parameters(), report);
-  report.setText("parameters", "name", options.name);
-  report.setNumber("parameters", "prior", prior);
+  report.setText("parameters", "name", name);
+  report.setNumber("parameters", "prior", priorOf(classes_.front()));
   for (const auto& of : model_.classes())
-    if (of.name == options.name)
+    if (of.name == name)
       reportHistogram(of.histogram, report);
 }
 

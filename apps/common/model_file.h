@@ -15,7 +15,9 @@
 
 #include <pcl/features/shape_model.h>
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace pcl::app {
 
@@ -28,34 +30,49 @@ struct SampleOptions {
   std::string name = "plane";
   std::string field; ///< empty: all points
   std::uint32_t value = 0;
+  std::optional<double> prior; ///< else that of -prior, or of the model
 };
 
-/** \throws UsageError for a name that could not be part of a field's name, or for one
- * of -field and -value without the other */
-SampleOptions sampleOptions(const Arguments& arguments);
+/** \brief One for each class: that of -name and -value, or those of -classes.
+ * \throws UsageError for a name that could not be part of a field's name, for one of
+ * -field and -value without the other, or for -classes that are not
+ * NAME=VALUE[:PRIOR],... */
+std::vector<SampleOptions> sampleOptions(const Arguments& arguments);
 
-/** \brief A model file that is made, or extended, with samples of one class. */
+/** \brief A model file that is made, or extended, with labelled samples. */
 class ModelFile {
 public:
-  /** \throws InputError if the file exists and disagrees with the command line */
-  ModelFile(const std::string& path, const Arguments& arguments);
+  /** \param[in] classes what each sample may have
+   * \throws InputError if the file exists and disagrees with the command line */
+  ModelFile(const std::string& path,
+            const Arguments& arguments,
+            std::vector<SampleOptions> classes);
 
   /** \brief Count the INAD of a sample. \throws InputError if no point counts */
-  void add(CloudFile& sample, const SampleOptions& options, Report& report);
+  void add(CloudFile& sample, Report& report);
 
-  /** \brief Write the file, and report its parameters and the class that was added to.
-   */
-  void save(const SampleOptions& options, Report& report);
+  /** \brief Write the file, and report its parameters and the class that was added to,
+   * of several the first. \throws InputError if a class has no point in any sample */
+  void save(Report& report);
+
+  const pcl::ShapeModel&
+  model() const
+  {
+    return model_;
+  }
 
 private:
   pcl::ShapeHistogram emptyHistogram() const;
 
-  double priorOf(const std::string& name) const;
+  double priorOf(const SampleOptions& options) const;
+
+  void addClasses();
 
   std::string path_;
   const Arguments& arguments_;
   pcl::ShapeModel model_;
-  pcl::ShapeHistogram histogram_;
+  std::vector<SampleOptions> classes_;
+  std::vector<pcl::ShapeHistogram> histograms_; ///< one a class
 };
 
 } // namespace pcl::app

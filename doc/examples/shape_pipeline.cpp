@@ -47,7 +47,7 @@ main(int argc, char** argv)
   surfaces.segment(classes); // planar, curved
 
   pcl::ShapeEdgeDetection<pcl::PointXYZ> edge_detection;
-  edge_detection.setInputCloud(cloud); // normals over 15 mm, INAD over 6 mm
+  edge_detection.setInputCloud(cloud); // no radius: it follows density and noise
   pcl::PointIndices edges;
   edge_detection.segment(edges);
   // [pipeline]

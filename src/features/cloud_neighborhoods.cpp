@@ -18,7 +18,6 @@
 namespace pcl::detail {
 namespace {
 
-using kernels::countFinite;
 using kernels::isFinite;
 
 std::string
@@ -66,7 +65,7 @@ problemOfSize(double radius, int k, const XYZView& surface)
     return "neither radius nor k is set: set one of them to a positive number";
   }
   if (k != 0) {
-    const std::size_t most = countFinite(surface);
+    const std::size_t most = kernels::countFinite(surface);
     return k > 0 && static_cast<std::size_t>(k) <= most
                ? std::string()
                : "k is " + std::to_string(k) + ": 1 to " + std::to_string(most) +
@@ -118,6 +117,12 @@ bool
 allFinite(const XYZView& points)
 {
   return countFinite(points) == points.size;
+}
+
+std::size_t
+countFinite(const XYZView& points)
+{
+  return kernels::countFinite(points);
 }
 
 } // namespace pcl::detail

@@ -35,6 +35,19 @@ checkParameters(const INADParameters& p)
                                        ": both radii must be positive and k 0, or "
                                        "the radii 0 and k positive"));
   }
+  for (const double growth : {p.normal_radius_noise, p.radius_noise}) {
+    if (!(growth >= 0.0) || !std::isfinite(growth) ||
+        (growth > 0.0 && p.radius_mode != AdaptiveRadius::DENSITY)) {
+      raise<BadArgumentException>(
+          textOf("radius that grows by ",
+                 growth,
+                 " with the noise: it must be 0, or positive in density mode"));
+    }
+  }
+  if (has_k && p.radius_mode != AdaptiveRadius::FIXED) {
+    raise<BadArgumentException>(
+        textOf("k ", p.k, " with a radius mode: it must be fixed with k"));
+  }
   if (!(p.outlier_rate >= 0.0) || !std::isfinite(p.outlier_rate)) {
     raise<BadArgumentException>(textOf(
         "outlier rate ", p.outlier_rate, ": it must be 0 or positive and finite"));
@@ -146,11 +159,35 @@ ShapeModel::disagreement(const INADParameters& other) const
                << " is asked for, the model was made with " << mine << unit;
         }
       };
-  compare("normal radius", parameters_.normal_radius, other.normal_radius, " m");
-  compare("radius", parameters_.radius, other.radius, " m");
+  const char* unit =
+      parameters_.radius_mode == AdaptiveRadius::DENSITY ? " spacings" : " m";
+  compare("normal radius", parameters_.normal_radius, other.normal_radius, unit);
+  compare("radius", parameters_.radius, other.radius, unit);
   compare("k", parameters_.k, other.k, "");
   compare("outlier rate", parameters_.outlier_rate, other.outlier_rate, "");
+  compare("radius mode (0 fixed, 1 depth, 2 density)",
+          parameters_.radius_mode,
+          other.radius_mode,
+          "");
+  compare("growth of the normal radius with noise",
+          parameters_.normal_radius_noise,
+          other.normal_radius_noise,
+          "");
+  compare("growth of the radius with noise",
+          parameters_.radius_noise,
+          other.radius_noise,
+          "");
   return text.str();
+}
+
+void
+ShapeModel::setSmoothing(double bins)
+{
+  if (!(bins >= 0.0 && bins <= 100.0)) {
+    raise<BadArgumentException>(
+        textOf("smoothing ", bins, " bins: it must be from 0 to 100"));
+  }
+  smoothing_ = bins;
 }
 
 void

@@ -20,6 +20,7 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
+#include <iterator>
 #include <string>
 #include <unistd.h>
 
@@ -30,6 +31,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* format_name = "pcl_shape model";
 constexpr int format_version = 1;
+constexpr const char* scale_names[] = {"fixed", "depth", "density"};
 
 Json
 toJson(const ShapeModel::Class& c)
@@ -55,13 +57,19 @@ toJson(const ShapeModel& model)
   for (const ShapeModel::Class& c : model.classes()) {
     classes.push_back(toJson(c));
   }
+  Json parameters = {{"normal_radius", p.normal_radius},
+                     {"radius", p.radius},
+                     {"k", p.k},
+                     {"outlier_rate", p.outlier_rate}};
+  if (p.radius_mode != AdaptiveRadius::FIXED) {
+    parameters["scale"] = scale_names[p.radius_mode];
+    parameters["normal_radius_noise"] = p.normal_radius_noise;
+    parameters["radius_noise"] = p.radius_noise;
+    parameters["smoothing"] = model.smoothing();
+  }
   return {{"format", format_name},
           {"version", format_version},
-          {"parameters",
-           {{"normal_radius", p.normal_radius},
-            {"radius", p.radius},
-            {"k", p.k},
-            {"outlier_rate", p.outlier_rate}}},
+          {"parameters", parameters},
           {"bins",
            {{"mu", bins.muBins()},
             {"sigma", bins.sigmaBins()},
@@ -162,19 +170,55 @@ private:
   std::string where_;
 };
 
-INADParameters
-parametersFrom(const Json& json)
+AdaptiveRadius::RadiusMode
+scaleFrom(const Reader& reader)
 {
-  const Reader reader(
-      json, "'parameters'", {"normal_radius", "radius", "k", "outlier_rate"});
+  const std::string name = reader.text("scale");
+  for (const auto mode :
+       {AdaptiveRadius::FIXED, AdaptiveRadius::DEPTH, AdaptiveRadius::DENSITY}) {
+    if (name == scale_names[mode]) {
+      return mode;
+    }
+  }
+  reader.fail("'scale' is \"" + name + "\": it must be fixed, depth or density");
+}
+
+/** \brief The parameters; the model's smoothing is among them in the file, since only
+ * models of another scale than metres have it. */
+INADParameters
+parametersFrom(const Json& json, double& smoothing)
+{
+  const bool has_scale = json.is_object() && json.contains("scale");
+  const Reader reader = has_scale
+                            ? Reader(json,
+                                     "'parameters'",
+                                     {"normal_radius",
+                                      "radius",
+                                      "k",
+                                      "outlier_rate",
+                                      "scale",
+                                      "normal_radius_noise",
+                                      "radius_noise",
+                                      "smoothing"})
+                            : Reader(json,
+                                     "'parameters'",
+                                     {"normal_radius", "radius", "k", "outlier_rate"});
   const std::uint64_t k = reader.count("k");
   if (k > 0x7fffffff) {
     reader.fail("'k' is " + std::to_string(k) + ": at most 2^31 - 1 is allowed");
   }
-  return {reader.number("normal_radius"),
-          reader.number("radius"),
-          static_cast<int>(k),
-          reader.number("outlier_rate")};
+  INADParameters parameters;
+  parameters.normal_radius = reader.number("normal_radius");
+  parameters.radius = reader.number("radius");
+  parameters.k = static_cast<int>(k);
+  parameters.outlier_rate = reader.number("outlier_rate");
+  if (has_scale) {
+    parameters.radius_mode = scaleFrom(reader);
+    parameters.normal_radius_noise = reader.number("normal_radius_noise");
+    parameters.radius_noise = reader.number("radius_noise");
+    smoothing = reader.number("smoothing");
+  }
+  return parameters;
 }
 
 ShapeHistogram
@@ -254,7 +298,9 @@ modelFrom(const Json& json)
   const Reader reader(json,
                       "the model",
                       {"format", "version", "parameters", "bins", "floor", "classes"});
-  ShapeModel model(parametersFrom(reader.member("parameters")));
+  double smoothing = 0.0;
+  ShapeModel model(parametersFrom(reader.member("parameters"), smoothing));
+  model.setSmoothing(smoothing);
   model.setFloor(reader.number("floor"));
   const ShapeHistogram empty = emptyHistogramFrom(reader.member("bins"));
   for (const Json& c : reader.array("classes")) {
@@ -301,8 +347,15 @@ ShapeModel::load(const std::string& file_name)
   if (!stream) {
     raise<IOException>(textOf(file_name, ": cannot be read: ", std::strerror(errno)));
   }
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  return parse(text, file_name);
+}
+
+ShapeModel
+ShapeModel::parse(const std::string& text, const std::string& file_name)
+{
   try {
-    return modelFrom(Json::parse(stream));
+    return modelFrom(Json::parse(text));
   }
   catch (const Json::exception& e) {
     raise<IOException>(textOf(file_name, ": is not a complete JSON file: ", e.what()));

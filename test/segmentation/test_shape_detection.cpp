@@ -64,6 +64,7 @@ protected:
     surface_.add(SurfacePoint{{-5, 5, 5}, {0, 0, 1}});
     cloud_ = toCloud<PointXYZ>(surface_);
     detection_.setInputCloud(cloud_);
+    detection_.setMode(Detection::PAPER);
   }
 
   PointCloud<Normal>::Ptr

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <pcl/features/adaptive_radius.h>
 #include <pcl/features/feature.h>
 #include <pcl/features/inad_point.h>
 
@@ -29,6 +30,8 @@ namespace pcl {
  * point or its normal is not finite, or with fewer than five neighbors or neighbors on
  * a line or a point; the output is then not dense.
  *
+ * The radius is in metres, or as setRadiusMode() says (see AdaptiveRadius).
+ *
  * Bad settings (a null or empty cloud or search surface, one without a finite point,
  * normals of another number than the surface's points, an index out of range, both or
  * neither of radius and k, a radius that is not positive and finite, k above the number
@@ -36,7 +39,8 @@ namespace pcl {
  * features
  */
 template <typename PointInT, typename PointNT, typename PointOutT = pcl::INAD>
-class INADEstimation : public FeatureFromNormals<PointInT, PointNT, PointOutT> {
+class INADEstimation : public FeatureFromNormals<PointInT, PointNT, PointOutT>,
+                       public AdaptiveRadius {
 public:
   using Ptr = shared_ptr<INADEstimation<PointInT, PointNT, PointOutT>>;
   using ConstPtr = shared_ptr<const INADEstimation<PointInT, PointNT, PointOutT>>;

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <pcl/features/adaptive_radius.h>
 #include <pcl/features/feature.h>
 
 #include <vector>
@@ -26,13 +27,16 @@ namespace pcl {
  * with neighbors on a line or a point, has the normal NaN, and the output is then not
  * dense whatever the input says.
  *
+ * The radius is in metres, or as setRadiusMode() says (see AdaptiveRadius).
+ *
  * Bad settings (a null or empty cloud or search surface, one without a finite point, an
  * index out of range, both or neither of radius and k, a radius that is not positive
  * and finite, k above the number of finite points) are reported by PCL_ERROR and give
  * an empty output. \ingroup features
  */
 template <typename PointInT, typename PointOutT>
-class NormalEstimationSweep : public Feature<PointInT, PointOutT> {
+class NormalEstimationSweep : public Feature<PointInT, PointOutT>,
+                              public AdaptiveRadius {
 public:
   using Ptr = shared_ptr<NormalEstimationSweep<PointInT, PointOutT>>;
   using ConstPtr = shared_ptr<const NormalEstimationSweep<PointInT, PointOutT>>;

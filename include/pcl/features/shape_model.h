@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <pcl/features/adaptive_radius.h>
 #include <pcl/features/shape_histogram.h>
 
 #include <string>
@@ -16,12 +17,19 @@
 
 namespace pcl {
 
-/** \brief How the INAD of a surface is computed. Either both radii or k is positive. */
+/** \brief How the INAD of a surface is computed. Either both radii or k is positive.
+ *
+ * Radii are in metres or in local spacings, as radius_mode says. In DENSITY mode they
+ * may grow with the cloud's noise (see detail::noiseOf()): radius + radius_noise *
+ * noise. */
 struct INADParameters {
   double normal_radius = 0.025; ///< metres, neighborhood of the normals
   double radius = 0.025;        ///< metres, neighborhood of the angles
   int k = 0;                    ///< nearest points, for normals and angles alike
   double outlier_rate = 2.0;    ///< c, 0 for no rejection
+  AdaptiveRadius::RadiusMode radius_mode = AdaptiveRadius::FIXED;
+  double normal_radius_noise = 0.0; ///< spacings for a noise of one spacing
+  double radius_noise = 0.0;        ///< likewise
 
   /** \brief The paper's setting for planar and curved surfaces: 25 mm, 25 mm. */
   static INADParameters
@@ -34,7 +42,10 @@ struct INADParameters {
   static INADParameters
   edges()
   {
-    return {0.015, 0.006, 0, 2.0};
+    INADParameters parameters;
+    parameters.normal_radius = 0.015;
+    parameters.radius = 0.006;
+    return parameters;
   }
 };
 
@@ -61,6 +72,13 @@ public:
   static ShapeModel idealPlane(const INADParameters& parameters = {},
                                std::size_t bins = 10);
 
+  /** \brief The default model of edges: classes "edge" and "surface", radii in local
+   * spacings. Learned from generated scenes only (scripts/train_models.sh). */
+  static const ShapeModel& defaultEdges();
+
+  /** \brief The default model of surfaces: classes "planar" and "curved"; likewise. */
+  static const ShapeModel& defaultSurfaces();
+
   /** \brief Read a model file (JSON).
    * \throws pcl::IOException naming the file, what is wrong with it and what is allowed
    */
@@ -71,6 +89,10 @@ public:
    * without a class
    */
   void save(const std::string& file_name) const;
+
+  /** \brief Read a model from the text of a model file.
+   * \param[in] name of the text, for messages \throws pcl::IOException as load() */
+  static ShapeModel parse(const std::string& text, const std::string& name);
 
   /** \brief Add a class, or merge into the one of that name.
    * \throws pcl::BadArgumentException for an empty name, an empty histogram, a prior
@@ -112,10 +134,23 @@ public:
   /** \throws pcl::BadArgumentException if it is negative or not finite */
   void setFloor(double floor);
 
+  /** \brief Standard deviation, in bins, of the Gaussian that densities are smoothed
+   * with where evidence is averaged (DENSITY mode); 0 for none. Counts of a few samples
+   * vary from bin to bin by chance. */
+  double
+  smoothing() const
+  {
+    return smoothing_;
+  }
+
+  /** \throws pcl::BadArgumentException unless it is from 0 to 100 */
+  void setSmoothing(double bins);
+
 private:
   INADParameters parameters_;
   std::vector<Class> classes_;
   double floor_ = 0.0;
+  double smoothing_ = 0.0;
 };
 
 } // namespace pcl

@@ -15,13 +15,17 @@ namespace pcl {
 
 /** \brief Classify points by back-projecting shape histograms.
  *
- * Without a model, or with one of a single class: the likelihood L of that class (an
+ * By default (isAdaptive()): the posteriors of "planar" and "curved", or of the classes
+ * of a model made in DENSITY mode, from evidence averaged over the neighborhood without
+ * crossing edges; radii follow the density.
+ *
+ * In PAPER mode, or with radii: the likelihood L of that class (an
  * ideal plane) is the histogram's value at the point's (mu, sigma) over its largest
  * bin; the classes are {name, "curved" or "other"} with likelihoods L and 1 - L, and a
  * point belongs to the first if L >= threshold. With several classes: the posterior of
  * each; a point belongs to the most probable.
  *
- * Defaults: normals and INAD over 25 mm.
+ * The paper's radii: normals and INAD over 25 mm.
  * \ingroup segmentation
  */
 template <typename PointT, typename PointNT = pcl::Normal>
@@ -40,6 +44,15 @@ protected:
   void toClasses(const std::vector<float>& values, float* likelihoods) const override;
 
   std::size_t classOf(const float* likelihoods) const override;
+
+  const ShapeModel&
+  defaultModel() const override
+  {
+    return ShapeModel::defaultSurfaces();
+  }
+
+  std::vector<float> adaptiveLikelihoods(const detail::AdaptiveInput& input,
+                                         std::vector<float>& spacings) const override;
 };
 
 } // namespace pcl

@@ -15,6 +15,7 @@
 #include <pcl/pcl_base.h>
 #include <pcl/point_types.h>
 #include <pcl/search/search.h>
+#include <pcl/segmentation/adaptive_detection.h>
 
 #include <optional>
 #include <string>
@@ -45,11 +46,12 @@ PCL_SHAPE_EXPORTS std::string problemOfModel(const ShapeModel& model,
  * reported by PCL_ERROR and give empty outputs. \ingroup segmentation
  */
 template <typename PointT, typename PointNT = pcl::Normal>
-class ShapeDetection : public PCLBase<PointT> {
+class ShapeDetection : public PCLBase<PointT>, public AdaptiveRadius {
 public:
   /** \brief PAPER: fixed radii, 10 x 10 bins, one histogram of an ideal plane,
-   * threshold 0.5; it never changes. DEFAULT: the best that this version knows; for now
-   * the same. */
+   * threshold 0.5; it never changes. DEFAULT: the best that this version knows, if
+   * isAdaptive(); with radii, k, an outlier rate, normals or INAD that were set, the
+   * paper's method with these. */
   enum Mode { PAPER, DEFAULT };
 
   using PointCloud = pcl::PointCloud<PointT>;
@@ -109,6 +111,21 @@ public:
   {
     radius_ = radius;
   }
+
+  /** \brief What the radii are measured in. DENSITY is the default where no radius is
+   * given; with FIXED or DEPTH the radii are the paper's unless they are set. */
+  void
+  setRadiusMode(RadiusMode mode)
+  {
+    AdaptiveRadius::setRadiusMode(mode);
+    has_radius_mode_ = true;
+  }
+
+  /** \brief Whether the neighborhoods follow the cloud's density and noise, and
+   * evidence is gathered over them: in DEFAULT mode, where neither radii, k, an outlier
+   * rate, normals nor INAD are set, the radius mode is DENSITY or not set, and the
+   * model, if one is set, was made in DENSITY mode and has several classes. */
+  bool isAdaptive() const;
 
   /** \brief Nearest points instead of the two radii, for normals and INAD alike. */
   void
@@ -186,6 +203,10 @@ public:
    */
   void segment(std::vector<pcl::PointIndices>& classes);
 
+  /** \brief The same from what compute() gave before, without computing it again. */
+  std::vector<pcl::PointIndices>
+  classesOf(const std::vector<std::vector<float>>& likelihoods) const;
+
 protected:
   ShapeDetection(std::string name, const INADParameters& defaults)
   : name_(std::move(name))
@@ -208,12 +229,31 @@ protected:
     return {};
   }
 
+  /** \brief The model that is used if none is set and isAdaptive(). */
+  virtual const ShapeModel& defaultModel() const = 0;
+
+  /** \brief What isAdaptive() says to compute. \param[out] spacings of the points
+   * \return one value for each of getClasses(), for each point of the input */
+  virtual std::vector<float>
+  adaptiveLikelihoods(const detail::AdaptiveInput& input,
+                      std::vector<float>& spacings) const = 0;
+
+  /** \brief Call use(detail::AdaptiveInput) with all points of the search surface. */
+  template <typename Use>
+  void withAdaptiveInput(const Use& use) const;
+
+  /** \brief For each index the point of the search surface that it stands for, -1 if
+   * there is none. */
+  std::vector<std::int32_t> surfacePoints(const std::vector<float>& spacings) const;
+
+  bool initCompute();
+
   std::string name_;
   double threshold_ = 0.5;
   std::optional<ShapeModel> model_;
 
 private:
-  bool initCompute();
+  void computeAdaptive(std::vector<float>& likelihoods) const;
 
   /** \brief What is wrong with the input or the settings; empty if nothing is. */
   std::string findProblem() const;
@@ -235,6 +275,7 @@ private:
   std::optional<int> k_;
   std::optional<double> outlier_rate_;
   bool ignore_model_parameters_ = false;
+  bool has_radius_mode_ = false;
   Mode mode_ = DEFAULT;
   unsigned threads_ = 0;
 };

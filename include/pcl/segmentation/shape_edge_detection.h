@@ -13,13 +13,26 @@
 
 namespace pcl {
 
+/** \brief All that is known about the edges of a cloud. \ingroup segmentation */
+struct Edges {
+  std::vector<float> likelihood; ///< one for each index, NaN unknown
+  std::vector<EdgeType> types;   ///< one for each index
+  std::vector<CreasePoint> creases;
+};
+
 /** \brief Find the edges (creases: lines of high curvature) of an unorganized cloud.
  *
- * A point is an edge point as far as it is not planar at a small radius:
- * P(edge) = 1 - P(plane). The classes are {"edge", "planar"}; a point is an edge if
- * P(plane) < threshold. A model given with setModel() has one class, the plane.
+ * By default (isAdaptive()): points whose INAD speaks for an edge fit two planes to
+ * their neighborhood and vote for where these meet; an edge point is near a place that
+ * enough votes agree on. Radii follow the density and the noise of the cloud. A model
+ * given with setModel() has two classes, the first of which is the edge.
  *
- * Defaults: normals over 15 mm, INAD over 6 mm.
+ * In PAPER mode, or with radii: a point is an edge point as far as it is not planar at
+ * a small radius, P(edge) = 1 - P(plane), and a model has one class, the plane; the
+ * paper's radii are 15 mm for normals and 6 mm for INAD.
+ *
+ * The classes are {"edge", "planar"}; a point is an edge if its second likelihood is
+ * below the threshold.
  * \ingroup segmentation
  */
 template <typename PointT, typename PointNT = pcl::Normal>
@@ -38,12 +51,26 @@ public:
   /** \brief The edge points. */
   void segment(pcl::PointIndices& edges);
 
+  /** \brief Edges, what kind each is, and where creases run, in one go. Open boundaries
+   * are looked for here only. \param[out] edges empty after an error: those of
+   * compute(), and settings with which isAdaptive() is false */
+  void detect(Edges& edges);
+
 protected:
   std::string problemOfClasses(const ShapeModel& model) const override;
 
   void toClasses(const std::vector<float>& values, float* likelihoods) const override;
 
   std::size_t classOf(const float* likelihoods) const override;
+
+  const ShapeModel&
+  defaultModel() const override
+  {
+    return ShapeModel::defaultEdges();
+  }
+
+  std::vector<float> adaptiveLikelihoods(const detail::AdaptiveInput& input,
+                                         std::vector<float>& spacings) const override;
 };
 
 } // namespace pcl

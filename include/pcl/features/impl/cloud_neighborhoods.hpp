@@ -9,12 +9,20 @@
 
 #pragma once
 
+#include <pcl/common/point_tests.h>
+#include <pcl/features/adaptive_radius.h>
 #include <pcl/features/listed_neighborhoods.h>
 #include <pcl/features/neighborhood_sweep.h>
 #include <pcl/point_cloud.h>
 #include <pcl/search/search.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
 #include <string>
+#include <vector>
 
 namespace pcl::detail {
 
@@ -38,6 +46,8 @@ PCL_SHAPE_EXPORTS std::string problemOfNormals(std::size_t normals,
 PCL_SHAPE_EXPORTS std::string problemOfOutlierRate(double rate);
 
 PCL_SHAPE_EXPORTS bool allFinite(const XYZView& points);
+
+PCL_SHAPE_EXPORTS std::size_t countFinite(const XYZView& points);
 
 /** \brief The coordinates of a cloud, in place. */
 template <typename PointT>
@@ -64,7 +74,7 @@ normalsOf(const pcl::PointCloud<PointNT>& cloud)
 /** \brief Neighborhoods of points of one cloud among the points of another, or of the
  * same one: by a search method if there is one, else by the sweep. */
 template <typename PointT>
-class CloudNeighborhoods {
+class CloudNeighborhoods : public NeighborhoodStatistics {
 public:
   using Cloud = pcl::PointCloud<PointT>;
   using CloudConstPtr = typename Cloud::ConstPtr;
@@ -87,38 +97,80 @@ public:
   }
 
   bool
-  computeNormals(
-      double radius, int k, float* normals, float* curvature, std::size_t stride) const
+  computeNormals(const NeighborhoodSize& size,
+                 float* normals,
+                 float* curvature,
+                 std::size_t stride) const override
   {
     if (search_) {
-      return listed(radius, k).computeNormals(normals, curvature, stride);
+      return listed(size).computeNormals(normals, curvature, stride);
     }
-    return swept().computeNormals(sizeOf(radius, k), normals, curvature, stride);
+    return swept().computeNormals(size, normals, curvature, stride);
   }
 
   bool
-  computeINAD(double radius,
-              int k,
+  computeINAD(const NeighborhoodSize& size,
               const XYZView& normals,
               double outlier_rate,
-              float* mu_sigma) const
+              float* mu_sigma) const override
   {
     if (search_) {
-      return listed(radius, k).computeINAD(normals, outlier_rate, mu_sigma);
+      return listed(size).computeINAD(normals, outlier_rate, mu_sigma);
     }
-    return swept().computeINAD(sizeOf(radius, k), normals, outlier_rate, mu_sigma);
+    return swept().computeINAD(size, normals, outlier_rate, mu_sigma);
+  }
+
+  void
+  computeDistanceToNearest(std::size_t k, float* distances) const override
+  {
+    if (!search_) {
+      swept().computeDistanceToNearest(k, distances);
+      return;
+    }
+    giveSurfaceToSearch();
+    pcl::Indices found;
+    std::vector<float> squared;
+    for (std::size_t i = 0; i < indices_.size(); ++i) {
+      const PointT& point = (*input_)[static_cast<std::size_t>(indices_[i])];
+      distances[i] = std::numeric_limits<float>::quiet_NaN();
+      if (pcl::isXYZFinite(point) &&
+          search_->nearestKSearch(point, static_cast<int>(k), found, squared) > 0) {
+        distances[i] = std::sqrt(*std::max_element(squared.begin(), squared.end()));
+      }
+    }
+  }
+
+  std::unique_ptr<NeighborhoodStatistics>
+  among(const pcl::Indices& points) const override
+  {
+    auto some =
+        std::make_unique<CloudNeighborhoods>(input_, surface_, points, threads_);
+    some->setSearch(search_);
+    return some;
+  }
+
+  /** \brief The extent of the neighborhoods in metres.
+   * \param[out] radii where they differ from point to point, what holds them */
+  NeighborhoodSize
+  sizeOf(double radius,
+         int k,
+         AdaptiveRadius::RadiusMode mode,
+         std::vector<float>& radii) const
+  {
+    if (k > 0) {
+      return NeighborhoodSize::ofNearest(static_cast<std::size_t>(k));
+    }
+    if (mode == AdaptiveRadius::FIXED) {
+      return NeighborhoodSize::ofRadius(radius);
+    }
+    radii = adaptiveRadii(
+        mode, radius, *this, xyzOf(*input_), indices_, countFinite(xyzOf(*surface_)));
+    return NeighborhoodSize::ofRadii(radii.data());
   }
 
 private:
   static_assert(sizeof(pcl::index_t) == sizeof(std::int32_t),
                 "PCL with 32-bit indices");
-
-  static NeighborhoodSize
-  sizeOf(double radius, int k)
-  {
-    return k > 0 ? NeighborhoodSize::ofNearest(static_cast<std::size_t>(k))
-                 : NeighborhoodSize::ofRadius(radius);
-  }
 
   template <typename Neighborhoods>
   void
@@ -152,16 +204,18 @@ private:
   }
 
   ListedNeighborhoods
-  listed(double radius, int k) const
+  listed(const NeighborhoodSize& size) const
   {
     giveSurfaceToSearch();
-    const auto find = [this, radius, k](std::size_t position, pcl::Indices& found) {
+    const auto find = [this, size](std::size_t position, pcl::Indices& found) {
       thread_local std::vector<float> squared_distances;
       const pcl::index_t index = indices_[position];
-      if (k > 0) {
+      if (size.k > 0) {
+        const int k = static_cast<int>(size.k);
         search_->nearestKSearch(*input_, index, k, found, squared_distances);
       }
       else {
+        const double radius = size.radii ? size.radii[position] : size.radius;
         search_->radiusSearch(*input_, index, radius, found, squared_distances);
       }
     };
@@ -191,5 +245,19 @@ private:
   unsigned threads_;
   SearchPtr search_;
 };
+
+/** \brief The noise of a cloud, see noiseOf(). */
+template <typename PointT>
+double
+noiseOfCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud, unsigned threads)
+{
+  pcl::Indices all(cloud->size());
+  std::iota(all.begin(), all.end(), 0);
+  const CloudNeighborhoods<PointT> neighborhoods(cloud, cloud, all, threads);
+  const XYZView points = xyzOf(*cloud);
+  const std::vector<float> spacings = adaptiveRadii(
+      AdaptiveRadius::DENSITY, 1.0, neighborhoods, points, all, countFinite(points));
+  return noiseOf(neighborhoods, points, spacings);
+}
 
 } // namespace pcl::detail

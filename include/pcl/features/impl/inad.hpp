@@ -64,11 +64,12 @@ INADEstimation<PointInT, PointNT, PointOutT>::computeFeature(PointCloudOut& outp
       this->input_, this->surface_, *this->indices_, threads_);
   neighborhoods.setSearch(this->tree_);
   const auto computeInto = [&](float* mu_sigma) {
-    return neighborhoods.computeINAD(this->search_radius_,
-                                     this->k_,
-                                     detail::normalsOf(*this->normals_),
-                                     outlier_rate_,
-                                     mu_sigma);
+    std::vector<float> radii;
+    return neighborhoods.computeINAD(
+        neighborhoods.sizeOf(this->search_radius_, this->k_, this->radius_mode_, radii),
+        detail::normalsOf(*this->normals_),
+        outlier_rate_,
+        mu_sigma);
   };
   if constexpr (std::is_same_v<PointOutT, pcl::INAD>) {
     static_assert(sizeof(pcl::INAD) == 2 * sizeof(float), "mu and sigma, nothing else");

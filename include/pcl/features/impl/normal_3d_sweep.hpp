@@ -54,11 +54,12 @@ NormalEstimationSweep<PointInT, PointOutT>::computeFeature(PointCloudOut& output
   detail::CloudNeighborhoods<PointInT> neighborhoods(
       this->input_, this->surface_, *this->indices_, threads_);
   neighborhoods.setSearch(this->tree_);
-  output.is_dense = neighborhoods.computeNormals(this->search_radius_,
-                                                 this->k_,
-                                                 &output[0].normal_x,
-                                                 &output[0].curvature,
-                                                 sizeof(PointOutT) / sizeof(float));
+  std::vector<float> radii;
+  output.is_dense = neighborhoods.computeNormals(
+      neighborhoods.sizeOf(this->search_radius_, this->k_, this->radius_mode_, radii),
+      &output[0].normal_x,
+      &output[0].curvature,
+      sizeof(PointOutT) / sizeof(float));
 
   const Eigen::Vector3f viewpoint =
       use_sensor_origin_

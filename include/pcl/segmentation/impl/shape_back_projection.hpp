@@ -49,12 +49,25 @@ template <typename PointT, typename PointNT>
 std::size_t
 ShapeBackProjection<PointT, PointNT>::classOf(const float* likelihoods) const
 {
-  const std::size_t classes = this->model_ ? this->model_->classes().size() : 1;
+  const std::size_t classes = this->isAdaptive() ? getClasses().size()
+                              : this->model_     ? this->model_->classes().size()
+                                                 : 1;
   if (classes == 1) {
     return likelihoods[0] >= this->threshold_ ? 0 : 1;
   }
   const float* most = std::max_element(likelihoods, likelihoods + classes);
   return static_cast<std::size_t>(most - likelihoods);
+}
+
+template <typename PointT, typename PointNT>
+std::vector<float>
+ShapeBackProjection<PointT, PointNT>::adaptiveLikelihoods(
+    const detail::AdaptiveInput& input, std::vector<float>& spacings) const
+{
+  const detail::AdaptiveEdges edges =
+      detail::findEdges(input, ShapeModel::defaultEdges());
+  spacings = edges.spacings;
+  return detail::classifySurfaces(input, edges, this->getModel());
 }
 
 } // namespace pcl

@@ -16,6 +16,8 @@
 #include <pcl/features/impl/normal_3d_sweep.hpp>
 
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace pcl {
 
@@ -23,14 +25,39 @@ template <typename PointT, typename PointNT>
 ShapeModel
 ShapeDetection<PointT, PointNT>::getModel() const
 {
-  return model_ ? *model_ : ShapeModel::idealPlane(defaults_);
+  if (model_) {
+    return *model_;
+  }
+  return isAdaptive() ? defaultModel() : ShapeModel::idealPlane(defaults_);
+}
+
+template <typename PointT, typename PointNT>
+bool
+ShapeDetection<PointT, PointNT>::isAdaptive() const
+{
+  const bool is_given = inad_ || normals_ || radius_ || normal_radius_ ||
+                        outlier_rate_ || (k_ && *k_ != 0);
+  if (mode_ == PAPER || is_given) {
+    return false;
+  }
+  if (has_radius_mode_ && radius_mode_ != DENSITY) {
+    return false;
+  }
+  return !model_ ||
+         (model_->parameters().radius_mode == DENSITY && model_->classes().size() > 1);
 }
 
 template <typename PointT, typename PointNT>
 INADParameters
 ShapeDetection<PointT, PointNT>::getParameters() const
 {
+  if (isAdaptive()) {
+    return model_ ? model_->parameters() : defaultModel().parameters();
+  }
   INADParameters parameters = model_ ? model_->parameters() : defaults_;
+  if (has_radius_mode_) {
+    parameters.radius_mode = radius_mode_;
+  }
   parameters.outlier_rate = outlier_rate_.value_or(parameters.outlier_rate);
   const bool is_k = k_ && *k_ != 0;
   const bool is_radius = normal_radius_ || radius_;
@@ -106,6 +133,7 @@ ShapeDetection<PointT, PointNT>::estimateNormals(const INADParameters& parameter
 {
   NormalEstimationSweep<PointT, PointNT> estimation(threads_);
   estimation.setInputCloud(surface_ ? surface_ : this->input_);
+  estimation.setRadiusMode(parameters.radius_mode);
   estimation.setSearchMethod(search_);
   estimation.setRadiusSearch(parameters.normal_radius);
   estimation.setKSearch(parameters.k);
@@ -134,7 +162,56 @@ ShapeDetection<PointT, PointNT>::computeINAD(pcl::PointCloud<INAD>& inad) const
   estimation.setRadiusSearch(parameters.radius);
   estimation.setKSearch(parameters.k);
   estimation.setOutlierRate(parameters.outlier_rate);
+  estimation.setRadiusMode(parameters.radius_mode);
   estimation.compute(inad);
+}
+
+template <typename PointT, typename PointNT>
+template <typename Use>
+void
+ShapeDetection<PointT, PointNT>::withAdaptiveInput(const Use& use) const
+{
+  const PointCloudConstPtr surface = surface_ ? surface_ : this->input_;
+  pcl::Indices all(surface->size());
+  std::iota(all.begin(), all.end(), 0);
+  detail::CloudNeighborhoods<PointT> neighborhoods(surface, surface, all, threads_);
+  neighborhoods.setSearch(search_);
+  const XYZView points = detail::xyzOf(*surface);
+  use(detail::AdaptiveInput{
+      neighborhoods, points, detail::countFinite(points), threads_});
+}
+
+template <typename PointT, typename PointNT>
+std::vector<std::int32_t>
+ShapeDetection<PointT, PointNT>::surfacePoints(const std::vector<float>& spacings) const
+{
+  std::vector<std::int32_t> points(this->indices_->begin(), this->indices_->end());
+  if (surface_ && surface_ != this->input_) {
+    const auto nearest = detail::representatives(
+        detail::xyzOf(*this->input_), detail::xyzOf(*surface_), spacings);
+    for (std::int32_t& point : points) {
+      point = nearest[static_cast<std::size_t>(point)];
+    }
+  }
+  return points;
+}
+
+template <typename PointT, typename PointNT>
+void
+ShapeDetection<PointT, PointNT>::computeAdaptive(std::vector<float>& likelihoods) const
+{
+  std::vector<float> of_surface, spacings;
+  withAdaptiveInput([&](const detail::AdaptiveInput& input) {
+    of_surface = adaptiveLikelihoods(input, spacings);
+  });
+  const std::size_t classes = getClasses().size();
+  for (const std::int32_t point : surfacePoints(spacings)) {
+    for (std::size_t c = 0; c < classes; ++c) {
+      likelihoods.push_back(
+          point < 0 ? std::numeric_limits<float>::quiet_NaN()
+                    : of_surface[classes * static_cast<std::size_t>(point) + c]);
+    }
+  }
 }
 
 template <typename PointT, typename PointNT>
@@ -144,6 +221,10 @@ ShapeDetection<PointT, PointNT>::computeLikelihoods(std::vector<float>& likeliho
   likelihoods.clear();
   if (!initCompute()) {
     return false;
+  }
+  if (isAdaptive()) {
+    computeAdaptive(likelihoods);
+    return true;
   }
   pcl::PointCloud<INAD> inad;
   computeINAD(inad);
@@ -201,21 +282,30 @@ template <typename PointT, typename PointNT>
 void
 ShapeDetection<PointT, PointNT>::segment(std::vector<pcl::PointIndices>& classes)
 {
-  classes.clear();
-  std::vector<float> likelihoods;
-  if (!computeLikelihoods(likelihoods)) {
-    return;
-  }
-  classes.resize(getClasses().size());
+  std::vector<std::vector<float>> likelihoods;
+  compute(likelihoods);
+  classes = classesOf(likelihoods);
+}
+
+template <typename PointT, typename PointNT>
+std::vector<pcl::PointIndices>
+ShapeDetection<PointT, PointNT>::classesOf(
+    const std::vector<std::vector<float>>& likelihoods) const
+{
+  std::vector<pcl::PointIndices> classes(likelihoods.size());
   for (auto& points : classes) {
     points.header = this->input_->header;
   }
-  for (std::size_t i = 0; i < this->indices_->size(); ++i) {
-    const float* values = &likelihoods[classes.size() * i];
-    if (!std::isnan(*values)) {
-      classes[classOf(values)].indices.push_back((*this->indices_)[i]);
+  std::vector<float> values(likelihoods.size());
+  for (std::size_t i = 0; !values.empty() && i < likelihoods[0].size(); ++i) {
+    for (std::size_t c = 0; c < values.size(); ++c) {
+      values[c] = likelihoods[c][i];
+    }
+    if (!std::isnan(values[0])) {
+      classes[classOf(values.data())].indices.push_back((*this->indices_)[i]);
     }
   }
+  return classes;
 }
 
 } // namespace pcl

@@ -1,0 +1,80 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include <pcl/features/adaptive_radius.h>
+#include <pcl/features/shape_model.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl {
+
+/** \brief What is at a point. */
+enum class EdgeType : std::uint8_t {
+  None = 0,
+  Crease = 1,      ///< two faces meet
+  Corner = 2,      ///< creases of different directions meet
+  OpenBoundary = 3 ///< the surface ends; no crease, and no edge
+};
+
+/** \brief Creases as points on them. \ingroup segmentation */
+struct CreasePoint {
+  std::array<float, 3> position;  ///< metres
+  std::array<float, 3> direction; ///< of the crease, unit, of either sign
+  float angle = 0.0f;             ///< by which the surface turns, radians, 0 to pi/2
+  float spacing = 0.0f;           ///< the local spacing there, metres
+};
+
+namespace detail {
+
+/** \brief A cloud, and how its neighborhoods are found. */
+struct AdaptiveInput {
+  const NeighborhoodStatistics& neighborhoods; ///< of all points of the cloud
+  XYZView points;
+  std::size_t finite = 0; ///< points
+  unsigned threads = 0;
+};
+
+/** \brief What both detectors need of a cloud: its edges, and what they were found
+ * with. */
+struct AdaptiveEdges {
+  std::vector<float> likelihood; ///< of an edge; NaN unknown
+  std::vector<float> normals;    ///< three each, NaN unknown
+  std::vector<float> spacings;   ///< metres
+  double noise = 0.0;            ///< in spacings
+  std::vector<CreasePoint> creases;
+};
+
+/** \brief Find the creases of a cloud. See doc/method.md for the steps.
+ * \param[in] model two classes, the first of which is the edge */
+PCL_SHAPE_EXPORTS AdaptiveEdges findEdges(const AdaptiveInput& input,
+                                          const ShapeModel& model);
+
+/** \brief What kind of edge each point is. \param[in] threshold as
+ * ShapeDetection::setThreshold() */
+PCL_SHAPE_EXPORTS std::vector<EdgeType>
+edgeTypes(const AdaptiveInput& input, const AdaptiveEdges& edges, double threshold);
+
+/** \brief The posterior of each class at each point, point by point.
+ * \param[in] edges of the same cloud: they are not crossed */
+PCL_SHAPE_EXPORTS std::vector<float> classifySurfaces(const AdaptiveInput& input,
+                                                      const AdaptiveEdges& edges,
+                                                      const ShapeModel& model);
+
+/** \brief For each query the surface point it stands for: the nearest one within its
+ * spacing, or -1. */
+PCL_SHAPE_EXPORTS std::vector<std::int32_t> representatives(
+    const XYZView& queries, const XYZView& surface, const std::vector<float>& spacings);
+
+} // namespace detail
+} // namespace pcl

@@ -1,0 +1,146 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "../kernels/finite.h"
+
+#include <pcl/features/adaptive_radius.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace pcl::detail {
+namespace {
+
+constexpr std::size_t nearest = 13; // the point itself and 12 neighbors
+constexpr double least_ratio = 0.6;
+constexpr double most_ratio = 3.0;
+constexpr float full_depth = 0.8f; // metres
+constexpr double noise_spacings = 1.5;
+constexpr double most_noise = 0.3;
+constexpr std::size_t noise_points = 20000; // the percentile is then known to 1 %
+
+/** The value that a share of the finite ones is below; 0 if there is none. */
+float
+quantile(std::vector<float> values, double share)
+{
+  values.erase(std::remove_if(values.begin(),
+                              values.end(),
+                              [](float v) { return !std::isfinite(v); }),
+               values.end());
+  if (values.empty())
+    return 0.0f;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(
+                                           share * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/** A number that is the same wherever the point stands in the cloud. */
+std::uint32_t
+hashOf(const float* point)
+{
+  std::uint32_t hash = 0x811c9dc5U; // FNV-1a, a word at a time, then mixed
+  for (int i = 0; i < 3; ++i) {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, point + i, sizeof bits);
+    hash = (hash ^ bits) * 0x01000193U;
+    hash ^= hash >> 15;
+  }
+  return hash * 0x85ebca6bU;
+}
+
+/** About as many points as are asked for, chosen by where they are. */
+pcl::Indices
+somePoints(const XYZView& points, std::size_t count)
+{
+  const double share = static_cast<double>(count) / static_cast<double>(points.size);
+  const auto below = static_cast<std::uint64_t>(std::min(1.0, share) * 4294967296.0);
+  pcl::Indices chosen;
+  for (std::size_t i = 0; i < points.size; ++i)
+    if (kernels::isFinite(points[i]) && hashOf(points[i]) < below)
+      chosen.push_back(static_cast<pcl::index_t>(i));
+  return chosen;
+}
+
+std::vector<float>
+depthRadii(double radius, const XYZView& points, const pcl::Indices& indices)
+{
+  std::vector<float> radii;
+  radii.reserve(indices.size());
+  for (const pcl::index_t index : indices) {
+    const float z = points[static_cast<std::size_t>(index)][2];
+    const float factor = std::isfinite(z) ? std::max(1.0f, z / full_depth) : 1.0f;
+    radii.push_back(static_cast<float>(radius) * factor);
+  }
+  return radii;
+}
+
+} // namespace
+
+std::vector<float>
+spacingsOf(std::vector<float> distances)
+{
+  std::vector<float> positive;
+  for (const float d : distances)
+    if (d > 0.0f)
+      positive.push_back(d);
+  const double median = positive.empty() ? 1.0 : quantile(std::move(positive), 0.5);
+  for (float& d : distances) {
+    const double ratio = std::isfinite(d) ? d / median : 1.0;
+    d = static_cast<float>(median *
+                           std::sqrt(std::clamp(ratio, least_ratio, most_ratio)));
+  }
+  return distances;
+}
+
+std::vector<float>
+adaptiveRadii(AdaptiveRadius::RadiusMode mode,
+              double radius,
+              const NeighborhoodStatistics& neighborhoods,
+              const XYZView& points,
+              const pcl::Indices& indices,
+              std::size_t finite)
+{
+  if (mode == AdaptiveRadius::DEPTH)
+    return depthRadii(radius, points, indices);
+  if (mode == AdaptiveRadius::FIXED)
+    return std::vector<float>(indices.size(), static_cast<float>(radius));
+  std::vector<float> radii(indices.size());
+  neighborhoods.computeDistanceToNearest(std::min(nearest, finite), radii.data());
+  radii = spacingsOf(std::move(radii));
+  for (float& r : radii)
+    r *= static_cast<float>(radius);
+  return radii;
+}
+
+double
+noiseOf(const NeighborhoodStatistics& neighborhoods,
+        const XYZView& points,
+        const std::vector<float>& spacings)
+{
+  const pcl::Indices chosen = somePoints(points, noise_points);
+  if (chosen.empty())
+    return 0.0;
+  std::vector<float> radii;
+  radii.reserve(chosen.size());
+  for (const pcl::index_t index : chosen)
+    radii.push_back(static_cast<float>(noise_spacings) *
+                    spacings[static_cast<std::size_t>(index)]);
+  std::vector<float> normals(4 * chosen.size());
+  neighborhoods.among(chosen)->computeNormals(
+      NeighborhoodSize::ofRadii(radii.data()), normals.data(), normals.data() + 3, 4);
+  std::vector<float> variations;
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    variations.push_back(normals[4 * i + 3]);
+  const double variation = quantile(std::move(variations), 0.2);
+  return std::min(most_noise, 1.55 * noise_spacings * std::sqrt(0.5 * variation));
+}
+
+} // namespace pcl::detail

@@ -1,0 +1,37 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "adaptive_inad.h"
+
+namespace pcl::segmentation {
+
+AdaptiveINAD
+adaptiveINAD(const detail::AdaptiveInput& input,
+             const detail::AdaptiveEdges& edges,
+             const INADParameters& parameters)
+{
+  const std::size_t size = input.points.size;
+  const INADParameters p = detail::withNoise(parameters, edges.noise);
+  std::vector<float> radii(size), curvature(3 * size);
+  const auto ofSpacings = [&](double spacings) {
+    for (std::size_t i = 0; i < size; ++i)
+      radii[i] = static_cast<float>(spacings) * edges.spacings[i];
+    return NeighborhoodSize::ofRadii(radii.data());
+  };
+  AdaptiveINAD result{std::vector<float>(3 * size), std::vector<float>(2 * size)};
+  input.neighborhoods.computeNormals(
+      ofSpacings(p.normal_radius), result.normals.data(), curvature.data(), 3);
+  input.neighborhoods.computeINAD(ofSpacings(p.radius),
+                                  {result.normals.data(), 3, size},
+                                  p.outlier_rate,
+                                  result.mu_sigma.data());
+  return result;
+}
+
+} // namespace pcl::segmentation

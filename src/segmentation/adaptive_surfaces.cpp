@@ -1,0 +1,103 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "../features/shape_evidence.h"
+#include "../kernels/finite.h"
+#include "../kernels/parallel.h"
+#include "adaptive_inad.h"
+#include "evidence_averaging.h"
+#include "point_grid.h"
+
+#include <pcl/segmentation/adaptive_detection.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl::detail {
+namespace {
+
+using namespace segmentation;
+using Eigen::Vector3f;
+
+/** The evidence of each class at each point: logarithms of densities, NaN unknown. */
+std::vector<float>
+evidenceOf(const AdaptiveInput& input,
+           const AdaptiveEdges& edges,
+           const ShapeModel& model)
+{
+  const std::vector<float> inad =
+      adaptiveINAD(input, edges, model.parameters()).mu_sigma;
+  const ShapeEvidence densities(model);
+  std::vector<float> evidence(input.points.size * densities.classes());
+  kernels::parallelForRanges(
+      input.points.size, input.threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          densities.logDensities(
+              inad[2 * i], inad[2 * i + 1], &evidence[i * densities.classes()]);
+      });
+  return evidence;
+}
+
+/** Posteriors in the place of evidence, by Bayes' rule. */
+void
+toPosteriors(const ShapeModel& model, std::vector<float>& values)
+{
+  const std::size_t classes = model.classes().size();
+  for (std::size_t i = 0; i < values.size(); i += classes) {
+    float* of_point = &values[i];
+    for (std::size_t c = 0; c < classes; ++c)
+      of_point[c] += static_cast<float>(std::log(model.classes()[c].prior));
+    const float most = *std::max_element(of_point, of_point + classes);
+    float sum = 0.0f;
+    for (std::size_t c = 0; c < classes; ++c)
+      sum += of_point[c] = std::exp(of_point[c] - most);
+    for (std::size_t c = 0; c < classes; ++c)
+      of_point[c] /= sum;
+  }
+}
+
+} // namespace
+
+std::vector<float>
+classifySurfaces(const AdaptiveInput& input,
+                 const AdaptiveEdges& edges,
+                 const ShapeModel& model)
+{
+  std::vector<float> evidence = evidenceOf(input, edges, model);
+  evidence = segmentation::averageEvidence(
+      input, edges, std::move(evidence), model.classes().size());
+  toPosteriors(model, evidence);
+  return evidence;
+}
+
+std::vector<std::int32_t>
+representatives(const XYZView& queries,
+                const XYZView& surface,
+                const std::vector<float>& spacings)
+{
+  const float most = *std::max_element(spacings.begin(), spacings.end());
+  const PointGrid grid(surface, most);
+  std::vector<std::int32_t> result(queries.size, -1);
+  for (std::size_t q = 0; q < queries.size; ++q) {
+    if (!kernels::isFinite(queries[q]))
+      continue;
+    float nearest = std::numeric_limits<float>::infinity();
+    grid.forEachWithin(
+        positionOf(queries, q), most, [&](std::uint32_t i, float squared) {
+          if (squared < nearest && squared <= spacings[i] * spacings[i]) {
+            nearest = squared;
+            result[q] = static_cast<std::int32_t>(i);
+          }
+        });
+  }
+  return result;
+}
+
+} // namespace pcl::detail

@@ -1,0 +1,149 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "crease_fit.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::segmentation {
+namespace {
+
+using Eigen::Matrix3f;
+using Eigen::Vector3f;
+using Vectors = std::vector<Vector3f>;
+
+constexpr int normal_rounds = 3; // they only give the planes a start
+constexpr int plane_rounds = 5;  // few neighborhoods change after that
+constexpr int least_points = 5;
+constexpr float parallel = 0.05f; // sine
+
+struct Plane {
+  Vector3f center = Vector3f::Zero();
+  Vector3f normal = Vector3f::Zero();
+  int points = 0;
+
+  float
+  distance(const Vector3f& point) const
+  {
+    return std::abs(normal.dot(point - center));
+  }
+};
+
+/** The eigenvector of the smallest (0) or largest (2) eigenvalue. */
+Vector3f
+eigenvector(const Matrix3f& matrix, int which)
+{
+  Eigen::SelfAdjointEigenSolver<Matrix3f> solver;
+  solver.computeDirect(matrix);
+  return solver.eigenvectors().col(which);
+}
+
+/** The normal that differs most from a direction. */
+Vector3f
+farthestFrom(const Vector3f& direction, const Vectors& normals)
+{
+  return *std::min_element(
+      normals.begin(), normals.end(), [&](const Vector3f& a, const Vector3f& b) {
+        return std::abs(a.dot(direction)) < std::abs(b.dot(direction));
+      });
+}
+
+/** Which of two groups each normal is in. */
+std::vector<char>
+groupNormals(const Vectors& normals)
+{
+  Matrix3f all = Matrix3f::Zero();
+  for (const Vector3f& n : normals)
+    all += n * n.transpose();
+  Vector3f first = farthestFrom(eigenvector(all, 2), normals);
+  Vector3f second = farthestFrom(first, normals);
+  std::vector<char> group(normals.size());
+  for (int round = 0; round < normal_rounds; ++round) {
+    Matrix3f of_first = Matrix3f::Zero(), of_second = Matrix3f::Zero();
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+      group[i] = std::abs(normals[i].dot(second)) > std::abs(normals[i].dot(first));
+      (group[i] ? of_second : of_first) += normals[i] * normals[i].transpose();
+    }
+    first = eigenvector(of_first, 2);
+    second = eigenvector(of_second, 2);
+  }
+  return group;
+}
+
+Plane
+planeOf(const Vectors& points, const std::vector<char>& group, char which)
+{
+  Plane plane;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (group[i] == which) {
+      plane.center += points[i];
+      ++plane.points;
+    }
+  }
+  if (plane.points < least_points)
+    return plane;
+  plane.center /= static_cast<float>(plane.points);
+  Matrix3f covariance = Matrix3f::Zero();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vector3f d = points[i] - plane.center;
+    if (group[i] == which)
+      covariance += d * d.transpose();
+  }
+  plane.normal = eigenvector(covariance, 0);
+  return plane;
+}
+
+std::optional<CreaseFit>
+intersection(const Plane& a, const Plane& b)
+{
+  CreaseFit crease;
+  crease.direction = a.normal.cross(b.normal);
+  const float sine = crease.direction.norm();
+  if (!(sine > parallel))
+    return std::nullopt;
+  crease.direction /= sine;
+  Matrix3f rows;
+  rows << a.normal.transpose(), b.normal.transpose(), crease.direction.transpose();
+  crease.foot =
+      rows.inverse() * Vector3f(a.normal.dot(a.center), b.normal.dot(b.center), 0.0f);
+  crease.angle = std::asin(std::min(1.0f, sine));
+  return crease;
+}
+
+} // namespace
+
+std::optional<CreaseFit>
+fitCrease(const Vectors& points, const Vectors& normals)
+{
+  if (points.size() < 2 * least_points)
+    return std::nullopt;
+  std::vector<char> group = groupNormals(normals);
+  Plane first, second;
+  for (int round = 0; round < plane_rounds; ++round) {
+    first = planeOf(points, group, 0);
+    second = planeOf(points, group, 1);
+    if (first.points < least_points || second.points < least_points)
+      return std::nullopt;
+    bool changed = false;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const char nearer = second.distance(points[i]) < first.distance(points[i]);
+      changed = changed || nearer != group[i];
+      group[i] = nearer;
+    }
+    if (!changed)
+      break;
+  }
+  return intersection(first, second);
+}
+
+} // namespace pcl::segmentation

@@ -1,0 +1,51 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "point_grid.h"
+
+#include <pcl/segmentation/adaptive_detection.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl::segmentation {
+
+/** What one candidate says: a crease runs there. */
+struct Vote {
+  Eigen::Vector3f foot;
+  Eigen::Vector3f direction;
+  float angle = 0.0f;
+  float evidence = 0.0f;
+  float spacing = 0.0f;
+};
+
+/** A place that votes agree on: their mean, and the sum of their evidence. */
+struct Agreement {
+  CreasePoint point;
+  float evidence = 0.0f;
+};
+
+/** \brief The votes of all points whose evidence speaks for an edge, and near which two
+ * planes meet at an angle.
+ * \param[in] edges with normals, spacings and noise
+ * \param[in] evidence ln(density(edge) / density(rest)) at each point, NaN unknown */
+std::vector<Vote> collectVotes(const detail::AdaptiveInput& input,
+                               const detail::AdaptiveEdges& edges,
+                               const std::vector<float>& evidence,
+                               const PointGrid& grid);
+
+/** \brief What the votes around each vote agree on.
+ * \param[in] spacing the median of the cloud's, metres */
+std::vector<Agreement>
+countVotes(const std::vector<Vote>& votes, float spacing, unsigned threads);
+
+} // namespace pcl::segmentation

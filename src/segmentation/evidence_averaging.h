@@ -1,0 +1,30 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include <pcl/segmentation/adaptive_detection.h>
+
+#include <vector>
+
+namespace pcl::segmentation {
+
+/** \brief Average the evidence of each class over neighborhoods, without crossing
+ * edges.
+ *
+ * A few points stand for all: of the known ones in each cell of space the one nearest
+ * to its middle. The averages of averages there reach further than one neighborhood
+ * would, around corners of the surface but not across its edges. \param[in] evidence
+ * logarithms of densities, point by point; NaN stays NaN */
+std::vector<float> averageEvidence(const detail::AdaptiveInput& input,
+                                   const detail::AdaptiveEdges& edges,
+                                   std::vector<float> evidence,
+                                   std::size_t classes);
+
+} // namespace pcl::segmentation

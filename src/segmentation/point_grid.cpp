@@ -1,0 +1,89 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "point_grid.h"
+
+#include "../kernels/finite.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace pcl::segmentation {
+namespace {
+
+constexpr float most_cells = 1 << 20; // in each direction: a key has 21 bits for it
+
+struct Entry {
+  std::uint64_t key;
+  std::uint32_t index;
+};
+
+} // namespace
+
+PointGrid::PointGrid(const XYZView& points, float cell) : cell_(cell)
+{
+  Eigen::Array3f low = Eigen::Array3f::Constant(std::numeric_limits<float>::infinity());
+  Eigen::Array3f high = -low;
+  for (std::size_t i = 0; i < points.size; ++i) {
+    if (kernels::isFinite(points[i])) {
+      low = low.min(positionOf(points, i).array());
+      high = high.max(positionOf(points, i).array());
+    }
+  }
+  begins_.push_back(0);
+  if (!(low <= high).all()) {
+    return;
+  }
+  origin_ = low;
+  cell_ = std::max(cell_, (high - low).maxCoeff() / most_cells);
+  last_ = ((high - low) / cell_).floor();
+
+  std::vector<Entry> entries;
+  entries.reserve(points.size);
+  for (std::size_t i = 0; i < points.size; ++i) {
+    if (kernels::isFinite(points[i])) {
+      const Eigen::Array3i c = cellOf(positionOf(points, i).array());
+      entries.push_back({keyOf(c.x(), c.y(), c.z()), static_cast<std::uint32_t>(i)});
+    }
+  }
+  std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+    const float* p = points[a.index];
+    const float* q = points[b.index];
+    return std::tie(a.key, p[0], p[1], p[2], a.index) <
+           std::tie(b.key, q[0], q[1], q[2], b.index);
+  });
+  indices_.reserve(entries.size());
+  positions_.reserve(entries.size());
+  for (const Entry& entry : entries) {
+    if (keys_.empty() || keys_.back() != entry.key) {
+      keys_.push_back(entry.key);
+      begins_.push_back(0);
+    }
+    indices_.push_back(entry.index);
+    positions_.push_back(positionOf(points, entry.index));
+    begins_.back() = static_cast<std::uint32_t>(indices_.size());
+  }
+}
+
+Eigen::Array3i
+PointGrid::cellOf(const Eigen::Array3f& position) const
+{
+  const Eigen::Array3f cell = ((position - origin_) / cell_).floor();
+  return cell.max(0.0f).min(last_).cast<int>();
+}
+
+std::size_t
+PointGrid::firstCell(std::uint64_t key) const
+{
+  return static_cast<std::size_t>(std::lower_bound(keys_.begin(), keys_.end(), key) -
+                                  keys_.begin());
+}
+
+} // namespace pcl::segmentation

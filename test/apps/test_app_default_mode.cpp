@@ -1,0 +1,183 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+// The applications without options, and the options that came with that.
+
+#include "app_test.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+#include <common/cloud_file.h>
+#include <common/pcd_reader.h>
+
+using namespace pcl::app;
+using namespace pcl_shape_test;
+using Json = nlohmann::json;
+
+namespace {
+
+class DefaultMode : public AppTest {
+protected:
+  /** \brief A scene of surfaces sampled at random, exact. */
+  std::string
+  sampledScene(const std::string& seed = "5") const
+  {
+    std::string scene = path("scene" + seed + ".pcd");
+    expectSuccess(
+        runApp("pcl_shape_scene",
+               {scene, "-seed", seed, "-objects", "3", "-sampling", "0.003"}));
+    return scene;
+  }
+
+  double
+  f1(const std::string& predicted, const std::string& truth, const std::string& task)
+  {
+    expectSuccess(runApp("pcl_shape_evaluate",
+                         {predicted, truth, "-task", task, "-json", path("score")}));
+    return Json::parse(readFile(path("score")))["classes"][task]["f1"];
+  }
+};
+
+TEST_F(DefaultMode, IsBetterThanThePapersOnExactSurfaces)
+{
+  const std::string scene = sampledScene();
+  expectSuccess(runApp("pcl_shape_edge_detection",
+                       {scene, path("default.pcd"), "-json", path("json")}));
+  expectSuccess(
+      runApp("pcl_shape_edge_detection", {scene, path("paper.pcd"), "-mode", "paper"}));
+  const double by_default = f1(path("default.pcd"), scene, "edge");
+  EXPECT_GE(by_default, 0.75);
+  EXPECT_GE(by_default, 0.15 + f1(path("paper.pcd"), scene, "edge"));
+  EXPECT_EQ(Json::parse(readFile(path("json")))["parameters"]["scale"], "density");
+}
+
+TEST_F(DefaultMode, TypesAreWrittenAndCounted)
+{
+  const std::string scene = sampledScene();
+  expectSuccess(runApp("pcl_shape_edge_detection",
+                       {scene, path("out.pcd"), "-types", "-json", path("json")}));
+  const CloudFile cloud = readCloud(path("out.pcd"));
+  const auto types = labelsOf(cloud, "edge_type");
+  const auto edge = labelsOf(cloud, "edge");
+  const Json counts = Json::parse(readFile(path("json")))["types"];
+  EXPECT_EQ(counts["corner"], std::count(types.begin(), types.end(), 2u));
+  EXPECT_EQ(counts["open_boundary"], std::count(types.begin(), types.end(), 3u));
+  EXPECT_GT(counts["corner"], 0);
+  EXPECT_GT(counts["open_boundary"], 0) << "the table ends";
+  for (std::size_t i = 0; i < types.size(); ++i)
+    ASSERT_EQ(edge[i] == 1, types[i] == 1 || types[i] == 2) << i;
+}
+
+TEST_F(DefaultMode, TypesNeedIt)
+{
+  expectRefused(runApp("pcl_shape_edge_detection",
+                       {sampledScene(), path("out.pcd"), "-types", "-radius", "0.01"}),
+                2,
+                {"-types", "radii", "allowed"});
+}
+
+TEST_F(DefaultMode, ModelsOfSeveralClassesComeFromLabelledClouds)
+{
+  const std::string model = path("m.json");
+  const std::string scene = sampledScene("6");
+  expectSuccess(runApp("pcl_shape_histogram",
+                       {sampledScene("7"),
+                        sampledScene("8"),
+                        model,
+                        "-scale",
+                        "density",
+                        "-normal_radius",
+                        "4",
+                        "-radius",
+                        "5",
+                        "-bins",
+                        "30",
+                        "-smoothing",
+                        "1",
+                        "-floor",
+                        "0.001",
+                        "-field",
+                        "surface",
+                        "-classes",
+                        "planar=1:3,curved=2",
+                        "-json",
+                        path("json")}));
+  EXPECT_EQ(Json::parse(readFile(path("json")))["samples"], 2);
+  const Json written = Json::parse(readFile(model));
+  EXPECT_EQ(written["parameters"]["scale"], "density");
+  EXPECT_EQ(written["classes"][0]["prior"], 3.0);
+  EXPECT_EQ(written["classes"][1]["name"], "curved");
+  expectSuccess(
+      runApp("pcl_shape_back_projection", {scene, path("out.pcd"), "-model", model}));
+  EXPECT_GE(f1(path("out.pcd"), scene, "planar"), 0.95);
+}
+
+TEST_F(DefaultMode, AHistogramIsDrawn)
+{
+  const std::string plane = file("in.pcd", asciiCloud("x y z", "F F F", planeRows(20)));
+  const std::string fold = file("fold.pcd", asciiCloud("x y z", "F F F", foldRows(20)));
+  for (const std::string& cloud : {plane, fold})
+    expectSuccess(
+        runApp("pcl_shape_histogram",
+               {cloud, cloud + ".json", "-radius", "0.02", "-png", cloud + ".png"}));
+  const std::string png = readFile(plane + ".png");
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  EXPECT_EQ(png.substr(12, 4), "IHDR");
+  EXPECT_NE(png, readFile(fold + ".png")) << "other counts, other colours";
+  expectRefused(
+      runApp("pcl_shape_histogram",
+             {plane, path("m.json"), "-radius", "0.02", "-png", path("missing/m.png")}),
+      1,
+      {"missing/m.png"});
+}
+
+TEST_F(DefaultMode, BadClassesAreRefused)
+{
+  const std::string scene = sampledScene();
+  const auto refuse = [&](const Words& options, const Words& words) {
+    Words all{scene, path("m.json"), "-radius", "0.01"};
+    all.insert(all.end(), options.begin(), options.end());
+    expectRefused(runApp("pcl_shape_histogram", all), 2, words);
+  };
+  refuse({"-classes", "a=1"}, {"-classes", "without -field"});
+  for (const char* bad : {"a", "a=x", "=1", "a=1:0", "a=1:", "a=-1", "a=1.5"})
+    refuse({"-field", "surface", "-classes", bad}, {"-classes", bad, "NAME=VALUE"});
+  refuse({"-smoothing", "1"}, {"-smoothing", "-scale density"});
+  refuse({"-radius_noise", "1"}, {"-radius_noise", "-scale density"});
+  refuse({"-scale", "inches"}, {"-scale", "inches", "density"});
+}
+
+TEST_F(DefaultMode, AClassWithoutAPointIsRefused)
+{
+  expectRefused(runApp("pcl_shape_histogram",
+                       {sampledScene(),
+                        path("m.json"),
+                        "-radius",
+                        "0.01",
+                        "-field",
+                        "surface",
+                        "-classes",
+                        "planar=1,none=77"}),
+                1,
+                {"'none'", "77", "'surface'", "allowed"});
+  EXPECT_FALSE(exists(path("m.json")));
+}
+
+TEST_F(DefaultMode, TheScaleOfRadiiDoesNotKnowTheUnit)
+{
+  const std::string plane = file("in.pcd", asciiCloud("x y z", "F F F", planeRows(20)));
+  expectSuccess(runApp("pcl_inad_estimation",
+                       {plane, path("out.pcd"), "-radius", "2", "-scale", "density"}));
+  const auto mu = floatsOf(readCloud(path("out.pcd")), "mu");
+  EXPECT_TRUE(std::all_of(mu.begin(), mu.end(), [](float m) { return m < 1e-3f; }));
+}
+
+} // namespace

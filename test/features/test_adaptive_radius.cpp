@@ -1,0 +1,172 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "support/clouds.h"
+#include "support/errors.h"
+
+#include <pcl/features/inad.h>
+#include <pcl/features/normal_3d_sweep.h>
+#include <pcl/features/shape_model.h>
+#include <pcl/search/kdtree.h>
+#include <pcl/features/impl/cloud_neighborhoods.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace {
+
+using namespace pcl;
+using namespace pcl::test;
+using Cloud = PointCloud<PointXYZ>;
+using Normals = PointCloud<Normal>;
+
+template <typename Mode>
+std::vector<float>
+inadOf(const Cloud::Ptr& cloud,
+       double radius,
+       Mode mode,
+       const search::Search<PointXYZ>::Ptr& search = nullptr)
+{
+  NormalEstimationSweep<PointXYZ, Normal> normal_estimation;
+  normal_estimation.setInputCloud(cloud);
+  normal_estimation.setRadiusSearch(radius);
+  normal_estimation.setRadiusMode(mode);
+  normal_estimation.setSearchMethod(search);
+  const auto normals = make_shared<Normals>();
+  normal_estimation.compute(*normals);
+  INADEstimation<PointXYZ, Normal> estimation;
+  estimation.setInputCloud(cloud);
+  estimation.setInputNormals(normals);
+  estimation.setRadiusSearch(radius);
+  estimation.setRadiusMode(mode);
+  estimation.setSearchMethod(search);
+  PointCloud<INAD> inad;
+  estimation.compute(inad);
+  return valuesOf(inad);
+}
+
+Surface
+noisyFold(double sigma)
+{
+  Random random(41);
+  Surface surface = dihedral(6000, 120, 0.16, random);
+  surface.addNoise(sigma, random);
+  return surface;
+}
+
+Cloud::Ptr
+scaled(const Cloud& cloud, float factor)
+{
+  const auto result = make_shared<Cloud>(cloud);
+  for (PointXYZ& point : *result) {
+    point.getVector3fMap() *= factor;
+  }
+  return result;
+}
+
+TEST(AdaptiveRadius, DepthGrowsTheRadiusBeyond80Centimetres)
+{
+  using Estimation = INADEstimation<PointXYZ, Normal>;
+  const auto cloud = toCloud<PointXYZ>(noisyFold(0.001));
+  for (const float z : {0.5f, 1.6f}) {
+    for (PointXYZ& point : *cloud) {
+      point.z = z; // one depth: one radius
+    }
+    const double radius = 0.01 * std::max(1.0f, z / 0.8f);
+    EXPECT_TRUE(sameBits(inadOf(cloud, radius, Estimation::FIXED),
+                         inadOf(cloud, 0.01, Estimation::DEPTH)));
+  }
+}
+
+TEST(AdaptiveRadius, DensityDoesNotKnowTheUnit)
+{
+  using Estimation = INADEstimation<PointXYZ, Normal>;
+  const auto cloud = toCloud<PointXYZ>(noisyFold(0.001));
+  const auto metres = inadOf(cloud, 3.0, Estimation::DENSITY);
+  // Powers of two are exact in float: not a bit may change.
+  EXPECT_TRUE(sameBits(metres, inadOf(scaled(*cloud, 1024), 3.0, Estimation::DENSITY)));
+  EXPECT_TRUE(
+      sameBits(metres, inadOf(scaled(*cloud, 1 / 128.0f), 3.0, Estimation::DENSITY)));
+  EXPECT_FALSE(sameBits(metres, inadOf(cloud, 3.5, Estimation::DENSITY)));
+}
+
+TEST(AdaptiveRadius, ASearchMethodFindsTheSameNeighbors)
+{
+  using Estimation = INADEstimation<PointXYZ, Normal>;
+  const auto cloud = toCloud<PointXYZ>(noisyFold(0.001));
+  const auto tree = make_shared<search::KdTree<PointXYZ>>();
+  const auto swept = inadOf(cloud, 3.0, Estimation::DENSITY);
+  const auto listed = inadOf(cloud, 3.0, Estimation::DENSITY, tree);
+  std::size_t same = 0;
+  for (std::size_t i = 0; i < swept.size(); ++i) {
+    same += std::abs(swept[i] - listed[i]) <= 1e-5f ? 1 : 0;
+  }
+  EXPECT_GE(static_cast<double>(same), 0.999 * static_cast<double>(swept.size()));
+}
+
+TEST(AdaptiveRadius, TheSpacingIsTheDistanceToThe12thNeighborSoftened)
+{
+  // d12 / median: 1, 0.01 (an outlier), 100 (a hole), unknown.
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const auto spacings = detail::spacingsOf({2.0f, 2.0f, 2.0f, 0.02f, 200.0f, nan});
+  EXPECT_FLOAT_EQ(2.0f, spacings[0]);
+  EXPECT_FLOAT_EQ(2.0f * std::sqrt(0.6f), spacings[3]);
+  EXPECT_FLOAT_EQ(2.0f * std::sqrt(3.0f), spacings[4]);
+  EXPECT_FLOAT_EQ(2.0f, spacings[5]);
+}
+
+TEST(AdaptiveRadius, NoiseIsMeasuredInSpacings)
+{
+  const auto noise = [](double sigma) {
+    return detail::noiseOfCloud<PointXYZ>(toCloud<PointXYZ>(noisyFold(sigma)), 1);
+  };
+  EXPECT_LT(noise(0.0), 1e-4);
+  // 6000 points on 2 x 0.16 x 0.16 m: d is about 2 * 2.9 mm.
+  const double d = 2.0 * std::sqrt(2.0 * 0.16 * 0.16 / 6000.0);
+  EXPECT_NEAR(1.55 * 0.0004 / d, noise(0.0004), 0.3 * 1.55 * 0.0004 / d);
+  EXPECT_NEAR(2.0, noise(0.0008) / noise(0.0004), 0.2);
+  EXPECT_EQ(0.3, noise(0.01));
+}
+
+TEST(DefaultModels, AreThereAndSeparateTheirClasses)
+{
+  const ShapeModel& edges = ShapeModel::defaultEdges();
+  const ShapeModel& surfaces = ShapeModel::defaultSurfaces();
+  ASSERT_EQ(2U, edges.classes().size());
+  EXPECT_EQ("edge", edges.classes()[0].name);
+  EXPECT_EQ("planar", surfaces.classes()[0].name);
+  EXPECT_EQ("curved", surfaces.classes()[1].name);
+  EXPECT_EQ(AdaptiveRadius::DENSITY, edges.parameters().radius_mode);
+  float values[2];
+  edges.evaluate({0.4f, 0.3f}, values);
+  EXPECT_GT(values[0], 0.9f);
+  surfaces.evaluate({0.01f, 0.01f}, values);
+  EXPECT_GT(values[0], 0.9f);
+}
+
+TEST(ModelScale, ParametersAreChecked)
+{
+  INADParameters parameters;
+  parameters.radius_noise = 1.0;
+  expectParts(exceptionOf<BadArgumentException>([&] { ShapeModel model(parameters); }),
+              {"grows by 1", "density mode"});
+  parameters = {0.0, 0.0, 12, 2.0};
+  parameters.radius_mode = AdaptiveRadius::DENSITY;
+  expectParts(exceptionOf<BadArgumentException>([&] { ShapeModel model(parameters); }),
+              {"k 12", "fixed"});
+  ShapeModel model;
+  expectParts(exceptionOf<BadArgumentException>([&] { model.setSmoothing(-1); }),
+              {"smoothing -1", "0 to"});
+  expectParts(model.disagreement(ShapeModel::defaultEdges().parameters()),
+              {"radius mode", "noise"});
+}
+
+} // namespace
