@@ -78,7 +78,7 @@ public:
     const double edge = rowWidth(size, sweep.surface_, sweep.size());
     surface_ = buildRowIndex(
         sweep.surface_, nullptr, sweep.surface_.size, edge, sweep.threads_);
-    if (sweep.own_queries_ || sweep.indices_) {
+    if (sweep.own_queries_ || sweep.has_indices_) {
       own_queries_ = buildRowIndex(
           sweep.queryPoints(), sweep.indices_, sweep.size(), edge, sweep.threads_);
     }
@@ -181,7 +181,7 @@ NeighborhoodSweep::computeINAD(const NeighborhoodSize& neighborhood,
   std::fill_n(mu_sigma, 2 * size(), nan);
   prepared.run<INADResult>(
       [&](SweepBlock& block, const std::uint32_t* order, INADResult* results) {
-        for (std::size_t i = 0; indices_ && block.queries_on_surface && i < block.size;
+        for (std::size_t i = 0; has_indices_ && block.queries_on_surface && i < block.size;
              ++i) {
           const UnitNormal own = unitNormal(normals[surfaceIndex(order[i])]);
           block.qnx[i] = own.x;

@@ -83,8 +83,12 @@ centerProduct(const BlockMoments& m,
     const auto sum_b = static_cast<std::int64_t>(m.values[b][i]);
     const auto high = static_cast<std::int64_t>(m.values[high_xx + product][i]);
     const auto low = static_cast<std::int64_t>(m.values[low_xx + product][i]);
-    const auto about = static_cast<double>(
-        aboutQuery<std::int64_t>(high, low, a0, b0, sum_a, sum_b, n));
+    // Unsigned: of neighborhoods that are too large, whose result is not used, it
+    // wraps.
+    const auto word = [](std::int64_t v) { return static_cast<std::uint64_t>(v); };
+    const auto about = static_cast<
+        double>(static_cast<std::int64_t>(aboutQuery<std::uint64_t>(
+        word(high), word(low), word(a0), word(b0), word(sum_a), word(sum_b), word(n))));
     const double inverse = 1.0 / static_cast<double>(n);
     const auto x = static_cast<double>(sum_a - n * a0);
     const auto y = static_cast<double>(sum_b - n * b0);

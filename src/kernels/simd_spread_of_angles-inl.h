@@ -76,8 +76,11 @@ keptRanges(const BlockSpreads& spreads, double outlier_rate, BlockRanges& ranges
     const auto store = [&](auto values, std::uint32_t* to) {
       hn::StoreU(hn::DemoteTo(ints, values), ints, reinterpret_cast<std::int32_t*>(to));
     };
-    store(first, ranges.least + i);
-    store(hn::Sub(last, first), ranges.width + i);
+    // Nothing is in an empty range: angles are less than the largest number, no_angle
+    // more.
+    const auto is_empty = hn::Lt(last, first);
+    store(hn::IfThenElse(is_empty, most, first), ranges.least + i);
+    store(hn::IfThenZeroElse(is_empty, hn::Sub(last, first)), ranges.width + i);
   }
 }
 

@@ -42,8 +42,10 @@ PointGrid::PointGrid(const XYZView& points, float cell) : cell_(cell)
     return;
   }
   origin_ = low;
-  cell_ = std::max(cell_, (high - low).maxCoeff() / most_cells);
-  last_ = ((high - low) / cell_).floor();
+  // Halves: the difference of two floats may be beyond all floats.
+  const Eigen::Array3f half_extent = 0.5f * high - 0.5f * low;
+  cell_ = std::max(cell_, half_extent.maxCoeff() / (0.5f * most_cells));
+  last_ = (half_extent / (0.5f * cell_)).floor();
 
   std::vector<Entry> entries;
   entries.reserve(points.size);

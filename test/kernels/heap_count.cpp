@@ -56,6 +56,14 @@ operator new(std::size_t size)
   return counted(std::malloc(size > 0 ? size : 1));
 }
 
+// What std::stable_sort asks for.
+void*
+operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+  void* p = std::malloc(size > 0 ? size : 1);
+  return p ? counted(p) : nullptr;
+}
+
 void*
 operator new(std::size_t size, std::align_val_t alignment)
 {

@@ -203,6 +203,14 @@ TEST_P(SweepBadInput, BadNormalsAndOutlierRatesAreRefused)
   }
 }
 
+TEST_P(SweepBadInput, NoIndexIsNoQuery)
+{
+  NeighborhoodSweep sweep(plane_.points());
+  sweep.setQueryIndices(nullptr, 0);
+  EXPECT_EQ(sweep.size(), 0U);
+  EXPECT_TRUE(sweptINAD(sweep, size_, plane_.trueNormals()).empty());
+}
+
 INSTANTIATE_TEST_SUITE_P(Targets,
                          SweepBadInput,
                          testing::ValuesIn(kernelTargets()),

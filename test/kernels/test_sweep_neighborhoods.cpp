@@ -217,6 +217,44 @@ TEST_P(SweepNeighborhoods, CoincidentPointsCount)
   expectEqualToReference(twice, size, found);
 }
 
+TEST_P(SweepNeighborhoods, OutlierRatesThatRejectMost)
+{
+  const NeighborhoodSweep sweep(scene_.points());
+  const XYZView normals = scene_.trueNormals();
+  constexpr double radius = 0.05;
+  for (const double rate : {0.5, 1.0, 3.0}) {
+    const auto inad =
+        sweptINAD(sweep, NeighborhoodSize::ofRadius(radius), normals, rate);
+    Differences angles;
+    for (std::size_t i = 0; i < scene_.size(); ++i) {
+      const Found others =
+          without(neighborsWithin(scene_.points(), scene_.points()[i], radius), i);
+      const auto expected = referenceINAD(normals, vectorAt(normals, i), others, rate);
+      angles.add(expected.mu, inad[2 * i]);
+      angles.add(expected.sigma, inad[2 * i + 1]);
+    }
+    EXPECT_GE(angles.within(2e-6), 0.99) << rate;
+  }
+}
+
+/** \brief Angles of 0 and one unit (2^-23 rad): no whole unit is within a tenth of the
+ * deviation from the mean. Nothing is kept then, and all angles count. */
+TEST_P(SweepNeighborhoods, NoAngleInTheKeptRange)
+{
+  Random random(5);
+  Surface wall = plane(2000, 0.1, random);
+  for (std::size_t i = 0; i < wall.size(); i += 2) {
+    wall.normals[3 * i] = 1.3e-7f;
+  }
+  const NeighborhoodSweep sweep(wall.points());
+  const auto size = NeighborhoodSize::ofRadius(0.02);
+  const auto all = sweptINAD(sweep, size, wall.trueNormals(), 0.0);
+  EXPECT_GT(*std::max_element(all.begin(), all.end()), 1e-8f);
+  for (const double rate : {0.1, 0.3}) {
+    EXPECT_EQ(sweptINAD(sweep, size, wall.trueNormals(), rate), all) << rate;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Targets,
                          SweepNeighborhoods,
                          testing::ValuesIn(kernelTargets()),

@@ -107,6 +107,7 @@ public:
   {
     indices_ = indices;
     indices_size_ = size;
+    has_indices_ = true;
   }
 
   /** \param[in] threads 0 for all cores */
@@ -120,7 +121,8 @@ public:
   std::size_t
   size() const
   {
-    return indices_ ? indices_size_ : (own_queries_ ? queries_.size : surface_.size);
+    return has_indices_ ? indices_size_
+                        : (own_queries_ ? queries_.size : surface_.size);
   }
 
   /** \brief Normals by principal component analysis of the neighbors and the point
@@ -176,12 +178,13 @@ private:
   std::size_t
   surfaceIndex(std::size_t position) const
   {
-    return indices_ ? static_cast<std::size_t>(indices_[position]) : position;
+    return has_indices_ ? static_cast<std::size_t>(indices_[position]) : position;
   }
 
   XYZView surface_;
   XYZView queries_;
   bool own_queries_ = false;
+  bool has_indices_ = false;
   const std::int32_t* indices_ = nullptr;
   std::size_t indices_size_ = 0;
   unsigned threads_ = 0;
