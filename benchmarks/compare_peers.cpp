@@ -28,6 +28,7 @@ struct Arguments {
   std::vector<std::string> tasks{"edges", "surfaces"};
   std::vector<double> edge_radii{0.008, 0.012, 0.015};
   std::vector<double> surface_radii{0.015, 0.025};
+  std::vector<double> voronoi_radii{0.008}; ///< CGAL's is slow
   int jobs = 1;
 };
 
@@ -50,7 +51,8 @@ check(const Arguments& arguments)
   if (arguments.clouds.empty()) {
     throw std::invalid_argument("no clouds: PCD files with truth are needed");
   }
-  for (const auto* radii : {&arguments.edge_radii, &arguments.surface_radii}) {
+  for (const auto* radii :
+       {&arguments.edge_radii, &arguments.surface_radii, &arguments.voronoi_radii}) {
     for (const double radius : *radii) {
       if (!(radius >= 0.001 && radius <= 1.0)) {
         throw std::invalid_argument("radius " + std::to_string(radius) +
@@ -73,6 +75,7 @@ parseArguments(int argc, char** argv, Arguments& a)
       "tasks", po::value(&a.tasks)->multitoken(), "edges, surfaces (both)")(
       "edge_radii", po::value(&a.edge_radii)->multitoken(), "metres, peers' choice")(
       "surface_radii", po::value(&a.surface_radii)->multitoken(), "likewise")(
+      "voronoi_radii", po::value(&a.voronoi_radii)->multitoken(), "CGAL's, likewise")(
       "jobs", po::value(&a.jobs), "clouds at a time, one thread each (1)")("help",
                                                                            "this");
   po::options_description all(options);
@@ -151,6 +154,11 @@ peersOf(Task task, const Arguments& arguments)
                                        ? edgePeers(arguments.edge_radii)
                                        : surfacePeers(arguments.surface_radii);
   peers.insert(peers.end(), others.begin(), others.end());
+#ifdef PCL_SHAPE_HAS_CGAL
+  if (task == Task::edges) {
+    peers.push_back(voronoiPeer(arguments.voronoi_radii));
+  }
+#endif
   return peers;
 }
 

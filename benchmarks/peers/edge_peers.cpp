@@ -78,16 +78,12 @@ edgePeers(const std::vector<double>& radii)
                                       cloud.points, small, large);
                                 }});
   }
-  std::vector<Peer> peers{{"surface variation (Bazazian), its defaults",
-                           {{"10 nearest points", variationOfNearest}},
-                           six_of_256_levels},
-                          surfaceVariation(radii),
-                          normals,
-                          principalCurvature(radii)};
-#ifdef PCL_SHAPE_HAS_CGAL
-  peers.push_back(voronoiPeer(radii));
-#endif
-  return peers;
+  return {{"surface variation (Bazazian), its defaults",
+           {{"10 nearest points", variationOfNearest}},
+           six_of_256_levels},
+          surfaceVariation(radii),
+          normals,
+          principalCurvature(radii)};
 }
 
 } // namespace peers
