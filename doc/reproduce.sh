@@ -32,11 +32,12 @@ done
 # contradictions CLASS: keys with precision, recall and F1 on standard input, as printed
 contradictions() {
   awk -v class="$1" 'NF {
+      split($1, at, "-")
       f1 = 2 * $2 * $3 / ($2 + $3)
       # Precision and recall are rounded: F1 may differ by .01 for that reason alone.
       if (f1 - $4 > 0.0151 || $4 - f1 > 0.0151)
-        printf "- Scene %s bins, %s: precision %s and recall %s give F1 %.2f; %s is printed.\n",
-          $1, class, $2, $3, f1, $4
+        printf "- Scene %s, %s×%s, %s: precision %s and recall %s give F1 %.2f; %s is printed.\n",
+          at[1], at[2], at[2], class, $2, $3, f1, $4
     }'
 }
 
@@ -61,6 +62,6 @@ echo
 awk 'NF { print $1, $2, $3, $4 }' <<<"$paper_surfaces" | contradictions planar
 awk 'NF { print $1, $5, $6, $7 }' <<<"$paper_surfaces" | contradictions curved
 awk 'NF { print $1, $2, $3, $4 }' <<<"$paper_edges" | contradictions edge
-awk 'NF { iou = 1 / (1 / $2 + 1 / $3 - 1); curved = 1 / (1 / $5 + 1 / $6 - 1)
-      printf "- Scene %s bins: the mean IoU that precision and recall give is %.2f; mIoU %s is printed.\n",
-        $1, (iou + curved) / 2, $8 }' <<<"$paper_surfaces"
+awk 'NF { split($1, at, "-"); iou = 1 / (1 / $2 + 1 / $3 - 1); curved = 1 / (1 / $5 + 1 / $6 - 1)
+      printf "- Scene %s, %s×%s: precision and recall give a mean IoU of %.2f; mIoU %s is printed.\n",
+        at[1], at[2], at[2], (iou + curved) / 2, $8 }' <<<"$paper_surfaces"
