@@ -24,7 +24,7 @@ compare() {
 }
 
 if [[ -n $data ]]; then
-  compare real "$data"/osd/learn{4,20,22,27,30,33,44}_gt.pcd -tasks edges -edge_radii .008 .012
+  compare real "$data"/osd/learn{4,20,22,27,30,33,44}_gt.pcd -tasks edges -edge_radii .012 .015
   # Only these have curved points outside creases.
   compare real "$data"/osd/learn{30,33,44}_gt.pcd -tasks surfaces
   # A millimetre between points, no noise: smaller radii are better.

@@ -19,6 +19,17 @@ namespace peers {
 namespace {
 
 Scores
+variationOf(const Cloud::ConstPtr& cloud, double radius)
+{
+  const Normals::ConstPtr normals = normalsOf(cloud, radius);
+  Scores scores;
+  for (const pcl::Normal& normal : *normals) {
+    scores.push_back(normal.curvature);
+  }
+  return scores;
+}
+
+Scores
 curvatureOf(const Cloud::ConstPtr& cloud, double radius)
 {
   pcl::PrincipalCurvaturesEstimation<pcl::PointXYZ, pcl::Normal> estimation;
@@ -66,12 +77,7 @@ surfaceVariation(const std::vector<double>& radii)
   Peer peer{"surface variation (Bazazian), radius", {}, {}};
   for (const double radius : radii) {
     peer.settings.push_back({millimetres(radius), [=](const LabelledCloud& cloud) {
-                               Scores scores;
-                               for (const pcl::Normal& normal :
-                                    *normalsOf(cloud.points, radius)) {
-                                 scores.push_back(normal.curvature);
-                               }
-                               return scores;
+                               return variationOf(cloud.points, radius);
                              }});
   }
   return peer;
