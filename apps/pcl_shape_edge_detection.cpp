@@ -10,8 +10,11 @@
 #include "common/app.h"
 #include "common/detection.h"
 #include "common/filter_app.h"
+#include "common/lines_file.h"
 
 #include <pcl/segmentation/shape_edge_detection.h>
+
+#include <optional>
 
 namespace {
 
@@ -22,16 +25,26 @@ struct Edges {
   std::vector<float> likelihood;
   std::vector<pcl::PointIndices> members; ///< edge, planar
   std::vector<pcl::EdgeType> types;       ///< only if asked for
+  std::vector<pcl::CreaseLine> lines;     ///< only if asked for
 };
 
+/** What is known in the default mode only. */
+bool
+wantsMore(const Arguments& arguments)
+{
+  return arguments.has("types") || arguments.has("lines");
+}
+
 Edges
-detect(Detector& detector, const CloudFile& file, bool with_types)
+detect(Detector& detector, const CloudFile& file, const Arguments& arguments)
 {
   Edges edges;
   std::vector<std::vector<float>> likelihoods;
-  if (with_types) {
+  if (wantsMore(arguments)) {
     pcl::Edges found;
     detector.detect(found);
+    if (arguments.has("lines"))
+      edges.lines = detector.linesOf(found);
     edges.types = std::move(found.types);
     likelihoods = {found.likelihood, found.likelihood};
     for (float& planar : likelihoods[1])
@@ -61,7 +74,8 @@ addTypes(CloudFile& file, const Edges& edges, Report& report)
   setField(file, "edge_type", types);
 }
 
-void
+/** \return the creases, if they were asked for */
+std::vector<pcl::CreaseLine>
 addEdges(CloudFile& file,
          const Arguments& arguments,
          const DetectionSettings& settings,
@@ -69,9 +83,8 @@ addEdges(CloudFile& file,
 {
   Detector detector;
   prepare(detector, file, settings, arguments, report);
-  const bool with_types = arguments.has("types");
-  const Edges edges =
-      report.time("edge_detection", [&] { return detect(detector, file, with_types); });
+  Edges edges =
+      report.time("edge_detection", [&] { return detect(detector, file, arguments); });
 
   std::vector<std::uint32_t> edge(file.size(), 0);
   for (const pcl::index_t index : edges.members.front().indices)
@@ -85,8 +98,9 @@ addEdges(CloudFile& file,
   report.setCount("counts", "unknown", unknown);
   setField(file, "edge_likelihood", edges.likelihood);
   setField(file, "edge", edge);
-  if (with_types)
+  if (arguments.has("types"))
     addTypes(file, edges, report);
+  return std::move(edges.lines);
 }
 
 void
@@ -97,10 +111,36 @@ requireClasses(const DetectionSettings& settings, const Arguments& arguments)
     throw InputError(arguments.text("model") + ": " + std::to_string(classes) +
                      " classes: allowed is one, the plane, or two made with -scale "
                      "density, an edge and the rest");
-  if (arguments.has("types") && !settings.adaptive)
+  if (wantsMore(arguments) && !settings.adaptive)
     throw UsageError(
-        "-types with radii, -k, -outlier_rate, -bins, -use_normals, -scale "
-        "or -mode paper: allowed is the default mode without them");
+        std::string(arguments.has("types") ? "-types" : "-lines") +
+        " with radii, -k, -outlier_rate, -bins, -use_normals, -scale or -mode paper: "
+        "allowed is the default mode without them");
+}
+
+/** The -lines file, which is complete when the cloud is written. */
+std::optional<AtomicFile>
+linesFile(const Arguments& arguments)
+{
+  if (!arguments.has("lines"))
+    return std::nullopt;
+  arguments.exclude("lines", "input_dir");
+  arguments.exclude("lines", "output_dir");
+  std::vector<std::string> others = arguments.operands(2);
+  if (arguments.has("json"))
+    others.push_back(arguments.text("json"));
+  checkOutputPath(arguments, "lines", others);
+  return std::optional<AtomicFile>(std::in_place, arguments.text("lines"));
+}
+
+void
+reportLines(const std::vector<pcl::CreaseLine>& lines, Report& report)
+{
+  double length = 0.0;
+  for (const pcl::CreaseLine& line : lines)
+    length += line.length;
+  report.setCount("lines", "count", lines.size());
+  report.setNumber("lines", "length", length);
 }
 
 int
@@ -109,9 +149,17 @@ run(const Arguments& arguments)
   const DetectionSettings settings =
       detectionSettings(arguments, pcl::INADParameters::edges());
   requireClasses(settings, arguments);
-  return runFilter(arguments, [&](CloudFile& file, Report& report) {
-    addEdges(file, arguments, settings, report);
+  std::optional<AtomicFile> lines_file = linesFile(arguments);
+  const int status = runFilter(arguments, [&](CloudFile& file, Report& report) {
+    const auto lines = addEdges(file, arguments, settings, report);
+    if (lines_file) {
+      reportLines(lines, report);
+      lines_file->write(linesToJson(file.path, lines));
+    }
   });
+  if (lines_file && status == 0)
+    lines_file->commit();
+  return status;
 }
 
 } // namespace
@@ -125,8 +173,9 @@ main(int argc, char** argv)
                            "on creases, lines of high "
                            "curvature,\n0 elsewhere.");
   addDetectionOptions(command_line);
-  command_line.flag("types",
-                    "add edge_type: 1 crease, 2 corner, 3 open boundary, 0 none");
+  command_line
+      .flag("types", "add edge_type: 1 crease, 2 corner, 3 open boundary, 0 none")
+      .option("lines", "F", "write the creases as lines to the JSON file F");
   addFilterOptions(command_line);
   return runApp(command_line, argc, argv, run);
 }

@@ -9,6 +9,6 @@ picture=${3:-$(dirname "${BASH_SOURCE[0]}")/../doc/figures/scene.png}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 "$build"/apps/pcl_shape_scene "$work/scene.pcd" -seed "$seed" -organized
-"$build"/apps/pcl_shape_back_projection "$work/scene.pcd" "$work/surfaces.pcd" -mode paper
-"$build"/apps/pcl_shape_edge_detection "$work/surfaces.pcd" "$work/edges.pcd" -mode paper -normals
+"$build"/apps/pcl_shape_back_projection "$work/scene.pcd" "$work/surfaces.pcd"
+"$build"/apps/pcl_shape_edge_detection "$work/surfaces.pcd" "$work/edges.pcd" -normals
 "$build"/doc/figures/draw_scene "$work/edges.pcd" "$picture"

@@ -215,14 +215,22 @@ printSummary(const std::string& path, const Report& report)
 void
 checkJsonPath(const Arguments& arguments, const std::vector<std::string>& others)
 {
-  if (!arguments.has("json"))
+  checkOutputPath(arguments, "json", others);
+}
+
+void
+checkOutputPath(const Arguments& arguments,
+                const std::string& option,
+                const std::vector<std::string>& others)
+{
+  if (!arguments.has(option))
     return;
-  const std::string path = arguments.text("json");
-  const auto is_json = [json = fs::weakly_canonical(path)](const std::string& other) {
-    return fs::weakly_canonical(other) == json;
+  const std::string path = arguments.text(option);
+  const auto is_same = [file = fs::weakly_canonical(path)](const std::string& other) {
+    return fs::weakly_canonical(other) == file;
   };
-  if (std::any_of(others.begin(), others.end(), is_json))
-    throw UsageError("-json '" + path +
+  if (std::any_of(others.begin(), others.end(), is_same))
+    throw UsageError("-" + option + " '" + path +
                      "' is an input or output file: allowed is another file");
   requireWritable(path);
 }

@@ -54,6 +54,11 @@ void printSummary(const std::string& path, const Report& report);
  * from the given files. */
 void checkJsonPath(const Arguments& arguments, const std::vector<std::string>& others);
 
+/** \brief The same for another option whose value is a file to write. */
+void checkOutputPath(const Arguments& arguments,
+                     const std::string& option,
+                     const std::vector<std::string>& others);
+
 /** \brief Make the output and the -json file appear, once both are written. */
 void commitWithJson(const Arguments& arguments,
                     const std::string& contents,

@@ -7,8 +7,6 @@
  * All rights reserved
  */
 
-#include <pcl/features/inad.h>
-#include <pcl/features/normal_3d_omp.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>
 #include <pcl/segmentation/shape_back_projection.h>
@@ -27,27 +25,13 @@ main(int argc, char** argv)
   }
 
   // [pipeline]
-  pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> normal_estimation;
-  normal_estimation.setInputCloud(cloud);
-  normal_estimation.setRadiusSearch(0.025);
-  const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
-  normal_estimation.compute(*normals);
-
-  pcl::INADEstimation<pcl::PointXYZ, pcl::Normal> inad_estimation;
-  inad_estimation.setInputCloud(cloud);
-  inad_estimation.setInputNormals(normals);
-  inad_estimation.setRadiusSearch(0.025);
-  const auto inad = pcl::make_shared<pcl::PointCloud<pcl::INAD>>();
-  inad_estimation.compute(*inad);
-
   pcl::ShapeBackProjection<pcl::PointXYZ> surfaces;
-  surfaces.setInputCloud(cloud);
-  surfaces.setInputINAD(inad); // or nothing: it is estimated then
+  surfaces.setInputCloud(cloud); // no radius: it follows density and noise
   std::vector<pcl::PointIndices> classes;
   surfaces.segment(classes); // planar, curved
 
   pcl::ShapeEdgeDetection<pcl::PointXYZ> edge_detection;
-  edge_detection.setInputCloud(cloud); // no radius: it follows density and noise
+  edge_detection.setInputCloud(cloud);
   pcl::PointIndices edges;
   edge_detection.segment(edges);
   // [pipeline]

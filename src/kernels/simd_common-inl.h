@@ -95,6 +95,17 @@ toDoubles(const std::uint64_t* values)
                        hn::LoadU(i, reinterpret_cast<const std::int64_t*>(values)));
 }
 
+/** \brief Adds each lane to its total. */
+HWY_INLINE void
+addLanes(hn::VFromD<Words> sums, std::uint64_t* totals)
+{
+  HWY_ALIGN std::uint32_t parts[lanes];
+  hn::Store(sums, Words(), parts);
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    totals[lane] += parts[lane];
+  }
+}
+
 } // namespace pcl::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -29,16 +29,6 @@ constexpr std::uint32_t no_angle = 0x80000000u;
 /** \brief Stands for the squared chord to what is no neighbor. */
 constexpr float no_chord = -1.0f;
 
-HWY_INLINE void
-addCounts(hn::VFromD<Words> counts, std::uint64_t* totals)
-{
-  HWY_ALIGN std::uint32_t parts[lanes];
-  hn::Store(counts, Words(), parts);
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
-    totals[lane] += parts[lane];
-  }
-}
-
 /** \brief Squared chords of as many queries as there are lanes to some candidates. */
 template <bool with_ties, bool is_smooth>
 HWY_INLINE void
@@ -150,7 +140,7 @@ collectAngles(const SweepBlock& block,
   }
   counts = hn::Add(counts,
                    hn::Set(Words(), static_cast<std::uint32_t>(candidates.sure_size)));
-  addCounts(counts, sums.count + first);
+  addLanes(counts, sums.count + first);
   adder.addSums(sums.sum + first);
   adder.addSquares(sums.squares + first);
 }
@@ -180,7 +170,7 @@ sumKept(const std::uint32_t* HWY_RESTRICT angles,
     }
     adder.widen();
   }
-  addCounts(counts, sums.count + first);
+  addLanes(counts, sums.count + first);
   adder.addSums(sums.sum + first);
   adder.addSquares(sums.squares + first);
 }

@@ -137,16 +137,6 @@ stageMoments(const Quantizer& quantizer, const Points& points, float* slot)
   storeProduct(z, z, at(low_zz), at(high_zz));
 }
 
-HWY_INLINE void
-addLanes(hn::VFromD<Words> sums, std::uint64_t* totals)
-{
-  HWY_ALIGN std::uint32_t parts[lanes];
-  hn::Store(sums, Words(), parts);
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
-    totals[lane] += parts[lane];
-  }
-}
-
 } // namespace pcl::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -26,6 +26,7 @@ constexpr int normal_rounds = 3; // they only give the planes a start
 constexpr int plane_rounds = 5;  // few neighborhoods change after that
 constexpr int least_points = 5;
 constexpr float parallel = 0.05f; // sine
+constexpr float half_turn = 3.14159265f;
 
 struct Plane {
   Vector3f center = Vector3f::Zero();
@@ -117,6 +118,10 @@ intersection(const Plane& a, const Plane& b)
   crease.foot =
       rows.inverse() * Vector3f(a.normal.dot(a.center), b.normal.dot(b.center), 0.0f);
   crease.angle = std::asin(std::min(1.0f, sine));
+  const Vector3f to_a = a.center - crease.foot, to_b = b.center - crease.foot;
+  const Vector3f& along = crease.direction;
+  const float same_side = to_a.dot(to_b) - to_a.dot(along) * to_b.dot(along);
+  crease.turn = same_side > 0.0f ? half_turn - crease.angle : crease.angle;
   return crease;
 }
 

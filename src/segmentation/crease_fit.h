@@ -21,6 +21,7 @@ struct CreaseFit {
   Eigen::Vector3f foot;      ///< the point of the line that is nearest to the origin
   Eigen::Vector3f direction; ///< of the line, unit
   float angle = 0.0f;        ///< between the planes' normals, 0 to pi/2
+  float turn = 0.0f;         ///< by which the surface turns at the line, 0 to pi
 };
 
 /** \brief Fit two planes to points by turns: each point to the nearer plane, each plane

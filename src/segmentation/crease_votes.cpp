@@ -112,7 +112,7 @@ collectVotes(const AdaptiveInput& input,
           if (crease && crease->angle >= least_angle && crease->foot.norm() <= reach)
             votes[v] = {center + spacing * crease->foot,
                         crease->direction,
-                        crease->angle,
+                        crease->turn,
                         std::min(most_evidence, evidence[i]),
                         spacing};
         }

@@ -7,16 +7,11 @@
  * All rights reserved
  */
 
-#include "scene/scene.h"
-#include "scene/surface_samples.h"
-#include "support/clouds.h"
+#include "detection_scenes.h"
 #include "support/errors.h"
 
-#include <pcl/features/inad.h>
-#include <pcl/features/normal_3d_sweep.h>
 #include <pcl/search/kdtree.h>
 #include <pcl/segmentation/shape_back_projection.h>
-#include <pcl/segmentation/shape_edge_detection.h>
 
 #include <gtest/gtest.h>
 
@@ -28,73 +23,6 @@ namespace {
 
 using namespace pcl;
 using namespace pcl::test;
-using Cloud = PointCloud<PointXYZ>;
-using Labels = std::vector<std::uint32_t>;
-using Likelihoods = std::vector<std::vector<float>>;
-
-Cloud::Ptr
-cloudOf(const scene::Scene& scene)
-{
-  const auto cloud = make_shared<Cloud>(scene.width, scene.height);
-  for (std::size_t i = 0; i < cloud->size(); ++i) {
-    (*cloud)[i].getVector3fMap() = Eigen::Map<const Eigen::Vector3f>(&scene.xyz[3 * i]);
-  }
-  cloud->is_dense = false;
-  return cloud;
-}
-
-scene::Scene
-cameraScene(std::uint64_t seed, scene::Noise noise = scene::Noise::Kinect)
-{
-  scene::SceneOptions options;
-  options.seed = seed;
-  options.noise = noise;
-  return scene::generateScene(options);
-}
-
-scene::Scene
-sampledScene(std::uint64_t seed)
-{
-  scene::SampleOptions options;
-  options.seed = seed;
-  options.objects = 2;
-  return scene::sampleScene(options);
-}
-
-template <typename Detection>
-Likelihoods
-likelihoodsOf(Detection& detection, const Cloud::Ptr& cloud)
-{
-  detection.setInputCloud(cloud);
-  Likelihoods likelihoods;
-  detection.compute(likelihoods);
-  return likelihoods;
-}
-
-std::vector<float>
-edgesOf(const Cloud::Ptr& cloud, unsigned threads = 0)
-{
-  ShapeEdgeDetection<PointXYZ> detection;
-  detection.setNumberOfThreads(threads);
-  return likelihoodsOf(detection, cloud).at(0);
-}
-
-/** \brief F1 of one label against those of `others`; unknown counts as negative. */
-double
-f1(const std::vector<float>& likelihood,
-   const Labels& truth,
-   std::uint32_t label,
-   std::uint32_t others)
-{
-  double hits = 0, misses = 0, false_alarms = 0;
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    const bool is_found = likelihood[i] > 0.5f;
-    hits += truth[i] == label && is_found ? 1 : 0;
-    misses += truth[i] == label && !is_found ? 1 : 0;
-    false_alarms += truth[i] == others && is_found ? 1 : 0;
-  }
-  return 2 * hits / (2 * hits + misses + false_alarms);
-}
 
 TEST(AdaptiveDetection, EdgesOfADepthCamera)
 {
@@ -197,160 +125,46 @@ TEST(AdaptiveDetection, GivenRadiiMakeItThePapersMethod)
   EXPECT_FALSE(paper.isAdaptive());
 }
 
-/** \brief A random point on a cube's surface, of side 1. */
-SurfacePoint
-onCube(Random& random)
+TEST(AdaptiveDetection, SurfacesMayHaveAnEdgeModelOfTheirOwn)
 {
-  const std::size_t axis = random.index(3);
-  Eigen::Vector3d p(random.uniform(), random.uniform(), random.uniform());
-  Eigen::Vector3d n = Eigen::Vector3d::Zero();
-  const double side = random.uniform() < 0.5 ? 0.0 : 1.0;
-  p[static_cast<Eigen::Index>(axis)] = side;
-  n[static_cast<Eigen::Index>(axis)] = 2.0 * side - 1.0;
-  return {p, n};
+  const auto cloud = cloudOf(sampledScene(26));
+  ShapeBackProjection<PointXYZ> usual, same, other;
+  const Likelihoods expected = likelihoodsOf(usual, cloud);
+  same.setEdgeModel(ShapeModel::defaultEdges());
+  EXPECT_TRUE(sameBits(expected.at(0), likelihoodsOf(same, cloud).at(0)));
+  // With the classes exchanged, faces are the edges.
+  const ShapeModel& edges = ShapeModel::defaultEdges();
+  ShapeModel exchanged(edges.parameters());
+  exchanged.setSmoothing(edges.smoothing());
+  exchanged.setFloor(edges.floor());
+  exchanged.add("edge", edges.classes()[1].histogram);
+  exchanged.add("rest", edges.classes()[0].histogram);
+  other.setEdgeModel(exchanged);
+  EXPECT_FALSE(sameBits(expected[0], likelihoodsOf(other, cloud).at(0)));
 }
 
-TEST(EdgeTypes, CornersAreWhereCreasesMeet)
+TEST(AdaptiveDetection, BadEdgeModelsAreRefused)
 {
-  Random random(81);
-  const Surface cube = sampled(30000, random, onCube);
-  ShapeEdgeDetection<PointXYZ> detection;
-  detection.setInputCloud(toCloud<PointXYZ>(cube));
-  Edges edges;
-  detection.detect(edges);
-  ASSERT_EQ(cube.size(), edges.types.size());
-  ASSERT_GT(edges.creases.size(), 100U);
-  std::size_t corners = 0, far_corners = 0, boundary = 0;
-  for (std::size_t i = 0; i < cube.size(); ++i) {
-    const Eigen::Array3d p = cube.position(i).array();
-    const double to_corner = (p - p.round()).matrix().norm();
-    corners += edges.types[i] == EdgeType::Corner ? 1 : 0;
-    far_corners += edges.types[i] == EdgeType::Corner && to_corner > 0.1 ? 1 : 0;
-    boundary += edges.types[i] == EdgeType::OpenBoundary ? 1 : 0;
-  }
-  EXPECT_GT(corners, 8U * 5U);
-  EXPECT_LT(far_corners, corners / 10);
-  EXPECT_LT(boundary, cube.size() / 100);
-  std::size_t right_angles = 0;
-  for (const CreasePoint& crease : edges.creases) {
-    right_angles += std::abs(crease.angle - pi / 2) < 0.1 ? 1 : 0;
-  }
-  EXPECT_GT(static_cast<double>(right_angles),
-            0.9 * static_cast<double>(edges.creases.size()));
-}
-
-TEST(EdgeTypes, TheRimOfASheetIsAnOpenBoundary)
-{
-  Random random(82);
-  const Surface sheet = plane(10000, 1.0, random);
-  ShapeEdgeDetection<PointXYZ> detection;
-  detection.setInputCloud(toCloud<PointXYZ>(sheet));
-  Edges edges;
-  detection.detect(edges);
-  std::size_t rim = 0, on_rim = 0, inside = 0, on_inside = 0;
-  for (std::size_t i = 0; i < sheet.size(); ++i) {
-    const Eigen::Vector3d p = sheet.position(i);
-    const double to_rim =
-        std::min(std::min(p.x(), 1.0 - p.x()), std::min(p.y(), 1.0 - p.y()));
-    ASSERT_NE(EdgeType::Crease, edges.types[i]);
-    const bool is_boundary = edges.types[i] == EdgeType::OpenBoundary;
-    rim += to_rim < 0.002 ? 1 : 0; // a tenth of the spacing
-    on_rim += to_rim < 0.002 && is_boundary ? 1 : 0;
-    inside += to_rim > 0.03 ? 1 : 0;
-    on_inside += to_rim > 0.03 && is_boundary ? 1 : 0;
-  }
-  EXPECT_GT(static_cast<double>(on_rim), 0.95 * static_cast<double>(rim));
-  EXPECT_LT(static_cast<double>(on_inside), 0.01 * static_cast<double>(inside));
-}
-
-TEST(EdgeTypes, NeedTheDefaultMode)
-{
-  ShapeEdgeDetection<PointXYZ> detection;
-  detection.setInputCloud(toCloud<PointXYZ>(grid(10, 0.004)));
-  detection.setRadius(0.01);
-  Edges edges;
-  expectParts(errorsOf([&] { detection.detect(edges); }),
-              {"detect", "DEFAULT", "radii"});
-  EXPECT_TRUE(edges.types.empty());
-}
-
-Surface
-torus(std::size_t count, Random& random)
-{
-  constexpr double large = 0.05, small = 0.02;
-  return sampled(count, random, [](Random& r) {
-    for (;;) {
-      const double u = r.uniform(0, 2 * pi), v = r.uniform(0, 2 * pi);
-      const double radius = large + small * std::cos(v);
-      if (r.uniform(0, large + small) > radius) {
-        continue; // as much of each piece as it is large
-      }
-      const Eigen::Vector3d n(
-          std::cos(u) * std::cos(v), std::sin(u) * std::cos(v), std::sin(v));
-      const Eigen::Vector3d p(
-          radius * std::cos(u), radius * std::sin(u), small * std::sin(v));
-      return SurfacePoint{p, n};
-    }
-  });
-}
-
-/** \brief A histogram of a whole surface, as pcl_shape_histogram makes it. */
-ShapeHistogram
-histogramOf(const Surface& surface, const INADParameters& parameters)
-{
-  const auto cloud = toCloud<PointXYZ>(surface);
-  NormalEstimationSweep<PointXYZ, Normal> normal_estimation;
-  normal_estimation.setInputCloud(cloud);
-  normal_estimation.setRadiusMode(parameters.radius_mode);
-  normal_estimation.setRadiusSearch(parameters.normal_radius);
-  const auto normals = make_shared<PointCloud<Normal>>();
-  normal_estimation.compute(*normals);
-  INADEstimation<PointXYZ, Normal> estimation;
-  estimation.setInputCloud(cloud);
-  estimation.setInputNormals(normals);
-  estimation.setRadiusMode(parameters.radius_mode);
-  estimation.setRadiusSearch(parameters.radius);
-  PointCloud<INAD> inad;
-  estimation.compute(inad);
-  ShapeHistogram histogram(40, 40, pi / 3, pi / 6);
-  histogram.add(inad);
-  return histogram;
-}
-
-TEST(AdaptiveDetection, AnySurfaceCanBeASample)
-{
-  Random random(83);
-  INADParameters parameters;
-  parameters.normal_radius = 2.0;
-  parameters.radius = 3.0;
-  parameters.radius_mode = AdaptiveRadius::DENSITY;
-  ShapeModel model(parameters);
-  model.setSmoothing(1.0);
-  model.setFloor(3e-4);
-  constexpr double density = 250000; // per square metre
-  const auto points = [](double area) {
-    return static_cast<std::size_t>(density * area);
+  const auto cloud = cloudOf(sampledScene(26));
+  const auto refuse = [&](const ShapeModel& model,
+                          ShapeBackProjection<PointXYZ>::Mode mode,
+                          const std::vector<std::string>& parts) {
+    ShapeBackProjection<PointXYZ> projection;
+    projection.setMode(mode);
+    projection.setEdgeModel(model);
+    Likelihoods found;
+    expectParts(errorsOf([&] { found = likelihoodsOf(projection, cloud); }), parts);
+    EXPECT_TRUE(found.empty());
   };
-  model.add("torus", histogramOf(torus(points(0.0395), random), parameters));
-  ShapeHistogram others = histogramOf(plane(points(0.04), 0.2, random), parameters);
-  others.merge(histogramOf(sphere(points(0.0804), 0.08, random), parameters));
-  model.add("other", others);
-
-  Surface scene = torus(points(0.0395), random);
-  const std::size_t torus_points = scene.size();
-  Surface ball = sphere(points(0.0804), 0.08, random);
-  ball.move(Eigen::Isometry3d(Eigen::Translation3d(0.4, 0, 0)));
-  scene.append(ball);
-  Surface sheet = plane(points(0.04), 0.2, random);
-  sheet.move(Eigen::Isometry3d(Eigen::Translation3d(-0.5, 0, 0)));
-  scene.append(sheet);
-
-  ShapeBackProjection<PointXYZ> projection;
-  projection.setModel(model);
-  const auto likelihoods = likelihoodsOf(projection, toCloud<PointXYZ>(scene));
-  Labels truth(scene.size(), 0);
-  std::fill_n(truth.begin(), torus_points, 1U);
-  EXPECT_GE(f1(likelihoods.at(0), truth, 1, 0), 0.95);
+  using Projection = ShapeBackProjection<PointXYZ>;
+  refuse(ShapeModel::idealPlane(INADParameters::edges()),
+         Projection::DEFAULT,
+         {"edge model", "1 classes", "two"});
+  refuse(ShapeModel::defaultEdges(), Projection::PAPER, {"edge model", "DEFAULT"});
+  ShapeModel metres{INADParameters::edges()};
+  metres.add("edge", ShapeModel::defaultEdges().classes()[0].histogram);
+  metres.add("rest", ShapeModel::defaultEdges().classes()[1].histogram);
+  refuse(metres, Projection::DEFAULT, {"edge model", "DENSITY"});
 }
 
 } // namespace

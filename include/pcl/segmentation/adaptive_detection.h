@@ -27,13 +27,30 @@ enum class EdgeType : std::uint8_t {
   OpenBoundary = 3 ///< the surface ends; no crease, and no edge
 };
 
-/** \brief Creases as points on them. \ingroup segmentation */
+/** \brief A point of a crease. \ingroup segmentation */
 struct CreasePoint {
   std::array<float, 3> position;  ///< metres
   std::array<float, 3> direction; ///< of the crease, unit, of either sign
-  float angle = 0.0f;             ///< by which the surface turns, radians, 0 to pi/2
+  float angle = 0.0f;             ///< by which the surface turns, radians, 0 to pi
   float spacing = 0.0f;           ///< the local spacing there, metres
 };
+
+/** \brief A crease from one end to the other. \ingroup segmentation */
+struct CreaseLine {
+  std::vector<std::array<float, 3>> points; ///< metres, at least two, in order
+  float length = 0.0f;                      ///< of the line through the points, metres
+  float angle = 0.0f;   ///< by which the surface turns, radians, 0 to pi: the median
+  float spacing = 0.0f; ///< of the points of the cloud there, metres: the median
+  bool closed = false;  ///< the last point is the first
+};
+
+/** \brief Join crease points to lines, the longest first. Lines shorter than five
+ * spacings are left out. See doc/method.md for the steps.
+ *
+ * The order of the points does not matter.
+ * \throws std::invalid_argument that names the point, the value and what is allowed */
+PCL_SHAPE_EXPORTS std::vector<CreaseLine>
+creaseLines(const std::vector<CreasePoint>& creases);
 
 namespace detail {
 

@@ -40,7 +40,18 @@ public:
 
   std::vector<std::string> getClasses() const override;
 
+  /** \brief The model of edges that evidence does not cross, instead of
+   * ShapeModel::defaultEdges(): two classes made in DENSITY mode, an edge and the rest.
+   * Without isAdaptive() no edges are looked for, and it is an error. */
+  void
+  setEdgeModel(const ShapeModel& model)
+  {
+    edge_model_ = model;
+  }
+
 protected:
+  std::string problemOfClasses(const ShapeModel& model) const override;
+
   void toClasses(const std::vector<float>& values, float* likelihoods) const override;
 
   std::size_t classOf(const float* likelihoods) const override;
@@ -53,6 +64,9 @@ protected:
 
   std::vector<float> adaptiveLikelihoods(const detail::AdaptiveInput& input,
                                          std::vector<float>& spacings) const override;
+
+private:
+  std::optional<ShapeModel> edge_model_;
 };
 
 } // namespace pcl

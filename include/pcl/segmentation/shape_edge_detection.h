@@ -56,6 +56,10 @@ public:
    * compute(), and settings with which isAdaptive() is false */
   void detect(Edges& edges);
 
+  /** \brief Where creases run, as lines, the longest first: creaseLines() of what
+   * detect() gave. \return none after an error, a crease point that is not finite */
+  std::vector<CreaseLine> linesOf(const Edges& edges) const;
+
 protected:
   std::string problemOfClasses(const ShapeModel& model) const override;
 

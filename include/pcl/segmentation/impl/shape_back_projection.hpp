@@ -35,6 +35,27 @@ ShapeBackProjection<PointT, PointNT>::getClasses() const
 }
 
 template <typename PointT, typename PointNT>
+std::string
+ShapeBackProjection<PointT, PointNT>::problemOfClasses(const ShapeModel&) const
+{
+  if (!edge_model_) {
+    return {};
+  }
+  if (!this->isAdaptive()) {
+    return "an edge model is set: it is allowed in DEFAULT mode without radii, k, "
+           "outlier rate, normals or INAD of your own";
+  }
+  const std::size_t classes = edge_model_->classes().size();
+  if (classes != 2) {
+    return "the edge model has " + std::to_string(classes) +
+           " classes: edges are found with two, an edge and the rest";
+  }
+  return edge_model_->parameters().radius_mode == AdaptiveRadius::DENSITY
+             ? std::string()
+             : "the edge model was not made in DENSITY mode: one that was is allowed";
+}
+
+template <typename PointT, typename PointNT>
 void
 ShapeBackProjection<PointT, PointNT>::toClasses(const std::vector<float>& values,
                                                 float* likelihoods) const
@@ -65,7 +86,7 @@ ShapeBackProjection<PointT, PointNT>::adaptiveLikelihoods(
     const detail::AdaptiveInput& input, std::vector<float>& spacings) const
 {
   const detail::AdaptiveEdges edges =
-      detail::findEdges(input, ShapeModel::defaultEdges());
+      detail::findEdges(input, edge_model_.value_or(ShapeModel::defaultEdges()));
   spacings = edges.spacings;
   return detail::classifySurfaces(input, edges, this->getModel());
 }

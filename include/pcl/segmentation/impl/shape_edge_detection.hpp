@@ -12,6 +12,8 @@
 #include <pcl/segmentation/shape_edge_detection.h>
 #include <pcl/segmentation/impl/shape_detection.hpp>
 
+#include <stdexcept>
+
 namespace pcl {
 
 template <typename PointT, typename PointNT>
@@ -105,6 +107,19 @@ ShapeEdgeDetection<PointT, PointNT>::detect(Edges& edges)
     edges.types.push_back(point < 0 ? EdgeType::None : types[i]);
   }
   edges.creases = std::move(found.creases);
+}
+
+template <typename PointT, typename PointNT>
+std::vector<CreaseLine>
+ShapeEdgeDetection<PointT, PointNT>::linesOf(const Edges& edges) const
+{
+  try {
+    return creaseLines(edges.creases);
+  }
+  catch (const std::invalid_argument& error) {
+    PCL_ERROR("[pcl::%s::linesOf] %s.\n", this->name_.c_str(), error.what());
+    return {};
+  }
 }
 
 } // namespace pcl

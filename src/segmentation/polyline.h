@@ -1,0 +1,29 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl::segmentation {
+
+/** \brief The points of a line without those that are nearer than a tolerance to the
+ * line through the others (Douglas and Peucker, "Algorithms for the reduction of the
+ * number of points required to represent a digitized line", 1973). Both ends stay. */
+std::vector<Eigen::Vector3f> simplified(const std::vector<Eigen::Vector3f>& line,
+                                        float tolerance);
+
+float lengthOf(const std::vector<Eigen::Vector3f>& line);
+
+/** \brief The middle one of some values, at least one. */
+float median(std::vector<float> values);
+
+} // namespace pcl::segmentation
