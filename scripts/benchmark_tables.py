@@ -1,4 +1,5 @@
 """The tables of doc/performance.md from the results of scripts/benchmark.sh."""
+import re
 import textwrap
 
 INSTRUCTIONS = {"avx3": "AVX-512", "avx2": "AVX2", "sse4": "SSE4", "neon": "NEON",
@@ -34,6 +35,16 @@ def wrapped(text):
 def table(head, rows):
     lines = ["| " + " | ".join(str(cell) for cell in line) + " |" for line in [head, *rows]]
     return "\n".join([lines[0], "|---" * len(head) + "|", *lines[1:]])
+
+
+def rewrite(path, tables):
+    """Replace what is between the marks of the tables that a page has and that are given."""
+    def replace(match):
+        return f"{match[1]}\n{tables[match[2]]}\n{match[3]}" if match[2] in tables else match[0]
+
+    text = path.read_text(encoding="utf-8")
+    marks = r"(<!-- begin (\w+) -->)\n.*?(<!-- end \2 -->)"
+    path.write_text(re.sub(marks, replace, text, flags=re.DOTALL), encoding="utf-8")
 
 
 def settings(result):

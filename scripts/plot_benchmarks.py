@@ -7,7 +7,6 @@ stands between <!-- begin NAME --> and <!-- end NAME -->. Needs Debian's python3
 """
 import json
 import pathlib
-import re
 import sys
 
 import matplotlib
@@ -15,7 +14,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-from benchmark_tables import INSTRUCTIONS, Results, all_tables
+from benchmark_tables import INSTRUCTIONS, Results, all_tables, rewrite
 
 PCL, UNSORTED, OWN, PAPER = "#9467bd", "#1f77b4", "#d62728", "#7f7f7f"
 
@@ -97,16 +96,6 @@ def structures(results):
     axes.set_xlabel(f"search and INAD over {1e3 * result['radius']:.0f} mm (µs/query), "
                     f"{cloud}, threads: {result['threads']}")
     return drawing
-
-
-def rewrite(path, tables):
-    """Replace what is between the marks of the tables that a page has."""
-    def replace(match):
-        return f"{match[1]}\n{tables[match[2]]}\n{match[3]}"
-
-    text = path.read_text(encoding="utf-8")
-    marks = r"(<!-- begin (\w+) -->)\n.*?(<!-- end \2 -->)"
-    path.write_text(re.sub(marks, replace, text, flags=re.DOTALL), encoding="utf-8")
 
 
 def main():

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <chrono>
+#include <ctime>
 #include <vector>
 
 /** \brief How long a call takes, by the clock on the wall. */
@@ -22,6 +23,22 @@ millisecondsOf(const Run& run)
   const std::chrono::duration<double, std::milli> elapsed =
       std::chrono::steady_clock::now() - start;
   return elapsed.count();
+}
+
+/** \brief How long the processor works for a call, in this thread only. */
+template <typename Run>
+double
+processorMillisecondsOf(const Run& run)
+{
+  const auto now = [] {
+    std::timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) +
+           1e-6 * static_cast<double>(time.tv_nsec);
+  };
+  const double start = now();
+  run();
+  return now() - start;
 }
 
 /** \brief The value that this share of the values does not exceed; 0 of none. */

@@ -1,0 +1,89 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "local_features.h"
+
+#include <pcl/common/io.h>
+#include <pcl/features/don.h>
+#include <pcl/features/normal_3d_omp.h>
+#include <pcl/search/kdtree.h>
+
+#include <algorithm>
+
+namespace peers {
+namespace {
+
+/** The program of Bazazian et al. as it is: surface variation of the 10 nearest points,
+ * from its least (0) to its largest (1) value. */
+Scores
+variationOfNearest(const LabelledCloud& cloud)
+{
+  constexpr int k = 10;
+  pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation(1);
+  estimation.setInputCloud(cloud.points);
+  estimation.setSearchMethod(
+      pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>(false));
+  estimation.setKSearch(k);
+  Normals normals;
+  estimation.compute(normals);
+  const auto [least, most] = std::minmax_element(
+      normals.begin(), normals.end(), [](const pcl::Normal& a, const pcl::Normal& b) {
+        return a.curvature < b.curvature;
+      });
+  Scores scores;
+  for (const pcl::Normal& normal : normals) {
+    scores.push_back((normal.curvature - least->curvature) /
+                     (most->curvature - least->curvature));
+  }
+  return scores;
+}
+
+Scores
+differenceOfNormals(const Cloud::ConstPtr& cloud, double small, double large)
+{
+  pcl::DifferenceOfNormalsEstimation<pcl::PointXYZ, pcl::Normal, pcl::PointNormal>
+      estimation;
+  estimation.setInputCloud(cloud);
+  estimation.setNormalScaleSmall(normalsOf(cloud, small));
+  estimation.setNormalScaleLarge(normalsOf(cloud, large));
+  pcl::PointCloud<pcl::PointNormal> differences;
+  pcl::copyPointCloud(*cloud, differences); // as PCL's tutorial does
+  estimation.initCompute();
+  estimation.computeFeature(differences);
+  Scores scores;
+  for (const pcl::PointNormal& difference : differences) {
+    scores.push_back(difference.curvature); // its length
+  }
+  return scores;
+}
+
+} // namespace
+
+std::vector<Peer>
+edgePeers(const std::vector<double>& radii)
+{
+  constexpr float six_of_256_levels = 6.0f / 256.0f;
+  Peer normals{"pcl::DifferenceOfNormalsEstimation", {}, {}};
+  for (const double large : radii) {
+    const double small = large / 3.0;
+    normals.settings.push_back({millimetres(small) + " and " + millimetres(large),
+                                [=](const LabelledCloud& cloud) {
+                                  return differenceOfNormals(
+                                      cloud.points, small, large);
+                                }});
+  }
+  return {{"surface variation (Bazazian), its defaults",
+           {{"10 nearest points", variationOfNearest}},
+           six_of_256_levels},
+          surfaceVariation(radii),
+          normals,
+          principalCurvature(radii)};
+}
+
+} // namespace peers

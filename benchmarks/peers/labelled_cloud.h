@@ -1,0 +1,52 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "../common/clouds.h"
+#include "common/cloud_file.h"
+#include "common/evaluation.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace peers {
+
+/** \brief The points of a cloud that a task evaluates, strict convention. */
+struct Truth {
+  struct Point {
+    std::uint32_t label;
+    std::size_t index; ///< in the cloud
+  };
+  std::vector<Point> points;
+  std::vector<pcl::app::ClassScore> classes; ///< the one looked for first
+
+  /** \brief Whether there are points of the class that is looked for. */
+  bool hasAny() const;
+};
+
+struct LabelledCloud {
+  std::string name;
+  Cloud::Ptr points;
+  Truth edges;    ///< empty unless asked for
+  Truth surfaces; ///< likewise
+};
+
+enum class Task { edges, surfaces };
+
+/** \brief Read a cloud with truth. \throws pcl::app::InputError if it has none for
+ * these tasks, or points that are not finite */
+LabelledCloud readLabelledCloud(const std::string& path,
+                                const std::vector<Task>& tasks);
+
+/** \brief The connected parts of the truth's curved points, of 100 points or more. */
+std::size_t countCurvedParts(const LabelledCloud& cloud);
+
+} // namespace peers

@@ -1,0 +1,99 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "local_features.h"
+
+#include <pcl/features/normal_3d_omp.h>
+#include <pcl/features/principal_curvatures.h>
+#include <pcl/search/kdtree.h>
+
+#include <cmath>
+
+namespace peers {
+namespace {
+
+Scores
+variationOf(const Cloud::ConstPtr& cloud, double radius)
+{
+  const Normals::ConstPtr normals = normalsOf(cloud, radius);
+  Scores scores;
+  for (const pcl::Normal& normal : *normals) {
+    scores.push_back(normal.curvature);
+  }
+  return scores;
+}
+
+Scores
+curvatureOf(const Cloud::ConstPtr& cloud, double radius)
+{
+  pcl::PrincipalCurvaturesEstimation<pcl::PointXYZ, pcl::Normal> estimation;
+  estimation.setInputCloud(cloud);
+  estimation.setInputNormals(normalsOf(cloud, radius));
+  estimation.setSearchMethod(
+      pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>(false));
+  estimation.setRadiusSearch(radius);
+  pcl::PointCloud<pcl::PrincipalCurvatures> curvatures;
+  estimation.compute(curvatures);
+  Scores scores;
+  for (const pcl::PrincipalCurvatures& at : curvatures) {
+    scores.push_back(at.pc1);
+  }
+  return scores;
+}
+
+} // namespace
+
+std::string
+millimetres(double radius)
+{
+  const double tenths = std::round(1e4 * radius);
+  const std::string text = std::to_string(static_cast<int>(tenths / 10.0));
+  const int rest = static_cast<int>(tenths) % 10;
+  return text + (rest != 0 ? "." + std::to_string(rest) : "") + " mm";
+}
+
+Normals::Ptr
+normalsOf(const Cloud::ConstPtr& cloud, double radius)
+{
+  pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation(1);
+  estimation.setInputCloud(cloud);
+  estimation.setSearchMethod(
+      pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>(false));
+  estimation.setRadiusSearch(radius);
+  const auto normals = pcl::make_shared<Normals>();
+  estimation.compute(*normals);
+  return normals;
+}
+
+Peer
+surfaceVariation(const std::vector<double>& radii)
+{
+  Peer peer{"surface variation (Bazazian), radius", {}, {}};
+  for (const double radius : radii) {
+    peer.settings.push_back({millimetres(radius), [=](const LabelledCloud& cloud) {
+                               return variationOf(cloud.points, radius);
+                             }});
+  }
+  return peer;
+}
+
+Peer
+principalCurvature(const std::vector<double>& radii)
+{
+  Peer peer{"pcl::PrincipalCurvaturesEstimation", {}, {}};
+  for (const double radius : radii) {
+    peer.settings.push_back({"normals and curvature " + millimetres(radius),
+                             [=](const LabelledCloud& cloud) {
+                               return curvatureOf(cloud.points, radius);
+                             }});
+  }
+  return peer;
+}
+
+} // namespace peers

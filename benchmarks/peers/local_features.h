@@ -1,0 +1,31 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "peer.h"
+
+namespace peers {
+
+using Normals = pcl::PointCloud<pcl::Normal>;
+
+/** \brief "12 mm" */
+std::string millimetres(double radius);
+
+/** \brief PCL's normals over a radius, on one thread, with the faster, unsorted search.
+ */
+Normals::Ptr normalsOf(const Cloud::ConstPtr& cloud, double radius);
+
+/** \brief Surface variation: the smallest eigenvalue over the sum of all. */
+Peer surfaceVariation(const std::vector<double>& radii);
+
+/** \brief The larger of pcl::PrincipalCurvaturesEstimation. */
+Peer principalCurvature(const std::vector<double>& radii);
+
+} // namespace peers

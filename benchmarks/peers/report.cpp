@@ -1,0 +1,96 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "report.h"
+
+#include <cmath>
+#include <map>
+
+namespace peers {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/** Precision, recall and so on of every class, whose names come before; where the truth
+ * has none of the class looked for, only what does not need it. */
+Json
+numbersOf(const Trial& trial, float threshold)
+{
+  const pcl::app::Evaluation evaluation = evaluate(trial, threshold);
+  const std::string& looked_for = trial.truth->classes.front().name;
+  Json numbers{{"seconds", trial.seconds}};
+  for (const pcl::app::ClassScore& of : evaluation.classes) {
+    if (of.name == looked_for && !trial.truth->hasAny()) {
+      continue;
+    }
+    const std::map<std::string, double> values{{"f1", of.score.f1()},
+                                               {"precision", of.score.precision()},
+                                               {"recall", of.score.recall()},
+                                               {"iou", of.score.iou()}};
+    for (const auto& [name, value] : values) {
+      numbers[of.name + "_" + name] = std::isnan(value) ? 0.0 : value;
+    }
+  }
+  if (evaluation.classes.size() > 1 && trial.truth->hasAny()) {
+    numbers["mean_iou"] = evaluation.mean_iou;
+  }
+  numbers["accuracy"] = evaluation.accuracy;
+  return numbers;
+}
+
+Json
+meansOf(const Json& clouds)
+{
+  std::map<std::string, std::pair<double, double>> sums;
+  for (const Json& cloud : clouds) {
+    for (const auto& [name, value] : cloud.items()) {
+      if (value.is_number()) {
+        sums[name].first += value.get<double>();
+        sums[name].second += 1.0;
+      }
+    }
+  }
+  Json means;
+  for (const auto& [name, sum] : sums) {
+    means[name] = sum.first / sum.second;
+  }
+  return means;
+}
+
+} // namespace
+
+Json
+describe(const std::vector<LabelledCloud>& clouds)
+{
+  Json described;
+  for (const LabelledCloud& cloud : clouds) {
+    described["clouds"].push_back(
+        {{"name", cloud.name}, {"points", cloud.points->size()}});
+  }
+  return described;
+}
+
+Json
+toJson(const Result& result)
+{
+  Json clouds = Json::array();
+  for (const Trial& trial : result.trials) {
+    Json numbers = numbersOf(trial, result.threshold);
+    numbers["cloud"] = trial.cloud->name;
+    clouds.push_back(numbers);
+  }
+  return {{"peer", result.peer},
+          {"setting", result.setting},
+          {"threshold", result.threshold},
+          {"tuned", result.is_tuned},
+          {"mean", meansOf(clouds)},
+          {"clouds", clouds}};
+}
+
+} // namespace peers

@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+"""Rewrite the tables of doc/evaluation.md that compare with peers.
+
+Usage: scripts/peer_tables.py RESULTS [ROOT]
+RESULTS is what scripts/compare_peers.sh kept: a line of JSON for each run. ROOT is the repository
+by default. A table stands between <!-- begin NAME --> and <!-- end NAME -->.
+"""
+import json
+import pathlib
+import sys
+
+from benchmark_tables import rewrite, table
+
+GROUPS = {"real": "given real scenes", "exact": "clouds with exact creases",
+          "generated": "generated scenes"}
+CLEAR = 0.0005  # a difference that the tables show
+
+
+def share(value):
+    return "–" if value is None else f"{value:.3f}".removeprefix("0")
+
+
+def shares(mean, *names):
+    return [share(mean.get(name)) for name in names]
+
+
+def described(row):
+    """The setting, and the threshold if it was chosen."""
+    return row["setting"] + (f"; from {row['threshold']:.2g}" if row["tuned"] else "")
+
+
+def edges(rows):
+    head = ["edges", "setting", "F1", "P", "R", "IoU", "accuracy", "time (s)"]
+    return table(head, [
+        [row["peer"], described(row),
+         *shares(row["mean"], "edge_f1", "edge_precision", "edge_recall", "edge_iou", "accuracy"),
+         f"{row['mean']['seconds']:.2f}"] for row in rows])
+
+
+def surfaces(rows):
+    head = ["curved or planar", "setting", "curved F1", "P", "R", "planar F1", "P", "R",
+            "class-mean IoU", "accuracy", "time (s)"]
+    return table(head, [
+        [row["peer"], described(row),
+         *shares(row["mean"], "curved_f1", "curved_precision", "curved_recall", "planar_f1",
+                 "planar_precision", "planar_recall", "mean_iou", "accuracy"),
+         f"{row['mean']['seconds']:.2f}"] for row in rows])
+
+
+def better(rows, key):
+    """(cloud, peer, the peer's value, ours) wherever a peer is clearly better."""
+    own = {cloud["cloud"]: cloud.get(key) for cloud in rows[0]["clouds"]}
+    return [(cloud["cloud"], row["peer"], cloud[key], own[cloud["cloud"]])
+            for row in rows[1:] for cloud in row["clouds"]
+            if key in cloud and cloud[key] > own[cloud["cloud"]] + CLEAR]
+
+
+def faster(rows):
+    own = rows[0]["mean"]["seconds"]
+    return [f"{row['peer']} ({row['mean']['seconds']:.2f} s against {own:.2f})"
+            for row in rows[1:] if row["mean"]["seconds"] < own]
+
+
+KEYS = {"edges": {"edge_f1": "edge F1", "edge_precision": "edge precision",
+                  "edge_recall": "edge recall"},
+        "surfaces": {"curved_f1": "curved F1", "planar_f1": "planar F1"}}
+
+
+def losses_of_key(rows, key, name):
+    """Cloud by cloud the peer that is best there; precision and recall only as a mean."""
+    if not key.endswith("_f1"):
+        own = rows[0]["mean"][key]
+        found = [f"{row['peer']} {share(row['mean'][key])}" for row in rows[1:]
+                 if row["mean"][key] > own + CLEAR]
+        return [f"mean {name} {share(own)}: {'; '.join(found)}"] if found else []
+    best = {}
+    for loss in better(rows, key):
+        best[loss[0]] = max(best.get(loss[0], loss), loss, key=lambda one: one[2])
+    return [f"{name} of {cloud}: {peer} {share(value)}, ours {share(own)}"
+            for cloud, peer, value, own in best.values()]
+
+
+def losses(runs):
+    lines = []
+    for (group, task), rows in runs.items():
+        found = [line for key, name in KEYS[task].items()
+                 for line in losses_of_key(rows, key, name)]
+        quick = faster(rows)
+        if quick:
+            found.append("less time: " + ", ".join(quick))
+        title = f"- **{GROUPS[group]}, {task}.** "
+        lines.append(title + (". ".join(one[0].upper() + one[1:] for one in found) + "."
+                              if found else "Nowhere in this table."))
+    return "\n".join(lines)
+
+
+def read(path):
+    """{(group, task): rows}"""
+    runs = {}
+    for line in path.read_text(encoding="utf-8").splitlines():
+        run = json.loads(line)
+        for task in KEYS:
+            if task in run["result"]:
+                runs[run["group"], task] = run["result"][task]
+    return runs
+
+
+def main():
+    if len(sys.argv) not in (2, 3):
+        sys.exit("usage: scripts/peer_tables.py RESULTS [ROOT]")
+    root = pathlib.Path(sys.argv[2]) if len(sys.argv) == 3 else \
+        pathlib.Path(__file__).resolve().parent.parent
+    runs = read(pathlib.Path(sys.argv[1]))
+    tables = {f"peers_{group}_{task}": (edges if task == "edges" else surfaces)(rows)
+              for (group, task), rows in runs.items()}
+    if any(group == "real" for group, _ in runs):
+        tables["peers_losses"] = losses(runs)
+    rewrite(root / "doc/evaluation.md", tables)
+
+
+if __name__ == "__main__":
+    main()
