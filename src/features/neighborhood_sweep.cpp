@@ -181,7 +181,8 @@ NeighborhoodSweep::computeINAD(const NeighborhoodSize& neighborhood,
   std::fill_n(mu_sigma, 2 * size(), nan);
   prepared.run<INADResult>(
       [&](SweepBlock& block, const std::uint32_t* order, INADResult* results) {
-        for (std::size_t i = 0; has_indices_ && block.queries_on_surface && i < block.size;
+        for (std::size_t i = 0;
+             has_indices_ && block.queries_on_surface && i < block.size;
              ++i) {
           const UnitNormal own = unitNormal(normals[surfaceIndex(order[i])]);
           block.qnx[i] = own.x;
