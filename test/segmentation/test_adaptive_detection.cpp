@@ -125,6 +125,56 @@ TEST(AdaptiveDetection, GivenRadiiMakeItThePapersMethod)
   EXPECT_FALSE(paper.isAdaptive());
 }
 
+TEST(AdaptiveDetection, SurfacesInOneGoAreThoseOfBothDetectors)
+{
+  const auto cloud = cloudOf(cameraScene(20));
+  const auto some = make_shared<Indices>();
+  for (index_t i = 0; i < static_cast<index_t>(cloud->size()); i += 7)
+    some->push_back(i);
+  ShapeBackProjection<PointXYZ> detection;
+  detection.setIndices(some);
+  const Likelihoods expected = likelihoodsOf(detection, cloud);
+  Surfaces surfaces;
+  detection.classify(surfaces);
+  const std::vector<float> edges = edgesOf(cloud);
+  ASSERT_EQ(surfaces.likelihoods.size(), 2u);
+  ASSERT_EQ(surfaces.normals.size(), some->size());
+  ASSERT_EQ(surfaces.spacings.size(), some->size());
+  ASSERT_EQ(surfaces.edge_likelihood.size(), some->size());
+  std::size_t known = 0;
+  for (std::size_t i = 0; i < some->size(); ++i) {
+    const auto at = static_cast<std::size_t>((*some)[i]);
+    const bool is_known = !std::isnan(expected[0][i]);
+    EXPECT_EQ(std::isnan(surfaces.likelihoods[0][i]), !is_known);
+    EXPECT_EQ(std::isnan(surfaces.edge_likelihood[i]), std::isnan(edges[at]));
+    if (!is_known)
+      continue;
+    ++known;
+    EXPECT_EQ(surfaces.likelihoods[0][i], expected[0][i]);
+    EXPECT_EQ(surfaces.likelihoods[1][i], expected[1][i]);
+    EXPECT_EQ(surfaces.edge_likelihood[i], edges[at]);
+    EXPECT_NEAR(surfaces.normals[i].getNormalVector3fMap().norm(), 1.0f, 1e-5f);
+    EXPECT_LT(
+        surfaces.normals[i].getNormalVector3fMap().dot((*cloud)[at].getVector3fMap()),
+        0.0f);
+    EXPECT_GT(surfaces.spacings[i], 0.0f);
+  }
+  EXPECT_GT(known, some->size() / 2);
+}
+
+TEST(AdaptiveDetection, SurfacesInOneGoNeedTheDefaultMode)
+{
+  ShapeBackProjection<PointXYZ> detection;
+  detection.setInputCloud(cloudOf(sampledScene(3)));
+  detection.setRadius(0.02);
+  Surfaces surfaces;
+  surfaces.noise = 1.0;
+  detection.classify(surfaces);
+  EXPECT_TRUE(surfaces.likelihoods.empty());
+  EXPECT_TRUE(surfaces.normals.empty());
+  EXPECT_EQ(surfaces.noise, 0.0);
+}
+
 TEST(AdaptiveDetection, SurfacesMayHaveAnEdgeModelOfTheirOwn)
 {
   const auto cloud = cloudOf(sampledScene(26));

@@ -13,6 +13,16 @@
 
 namespace pcl {
 
+/** \brief All that is known about the surfaces of a cloud, one entry for each index.
+ * \ingroup segmentation */
+struct Surfaces {
+  std::vector<std::vector<float>> likelihoods; ///< of every class; NaN unknown
+  std::vector<float> edge_likelihood;          ///< NaN unknown
+  pcl::PointCloud<pcl::Normal> normals;        ///< towards the origin; NaN unknown
+  std::vector<float> spacings;                 ///< of the points there, metres
+  double noise = 0.0;                          ///< of the cloud, in spacings
+};
+
 /** \brief Classify points by back-projecting shape histograms.
  *
  * By default (isAdaptive()): the posteriors of "planar" and "curved", or of the classes
@@ -48,6 +58,12 @@ public:
   {
     edge_model_ = model;
   }
+
+  /** \brief The likelihoods of every class, in the order of getClasses(), with the
+   * edges, normals and spacings that they were found with, in one go.
+   * \param[out] surfaces empty after an error: those of compute(), and settings with
+   * which isAdaptive() is false */
+  void classify(Surfaces& surfaces);
 
 protected:
   std::string problemOfClasses(const ShapeModel& model) const override;

@@ -13,6 +13,7 @@
 #include <pcl/segmentation/impl/shape_detection.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace pcl {
 
@@ -89,6 +90,46 @@ ShapeBackProjection<PointT, PointNT>::adaptiveLikelihoods(
       detail::findEdges(input, edge_model_.value_or(ShapeModel::defaultEdges()));
   spacings = edges.spacings;
   return detail::classifySurfaces(input, edges, this->getModel());
+}
+
+template <typename PointT, typename PointNT>
+void
+ShapeBackProjection<PointT, PointNT>::classify(Surfaces& surfaces)
+{
+  surfaces = Surfaces();
+  if (!this->initCompute()) {
+    return;
+  }
+  if (!this->isAdaptive()) {
+    PCL_ERROR(
+        "[pcl::%s::classify] edges are known in DEFAULT mode only, without radii, k, "
+        "outlier rate, normals or INAD of your own.\n",
+        this->name_.c_str());
+    return;
+  }
+  detail::AdaptiveEdges edges;
+  std::vector<float> posteriors;
+  this->withAdaptiveInput([&](const detail::AdaptiveInput& input) {
+    edges = detail::findEdges(input, edge_model_.value_or(ShapeModel::defaultEdges()));
+    posteriors = detail::classifySurfaces(input, edges, this->getModel());
+  });
+  const std::size_t classes = getClasses().size();
+  constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+  surfaces.likelihoods.resize(classes);
+  surfaces.noise = edges.noise;
+  surfaces.normals.header = this->input_->header;
+  for (const std::int32_t point : this->surfacePoints(edges.spacings)) {
+    const bool known = point >= 0;
+    const auto i = static_cast<std::size_t>(known ? point : 0);
+    for (std::size_t c = 0; c < classes; ++c) {
+      surfaces.likelihoods[c].push_back(known ? posteriors[classes * i + c] : unknown);
+    }
+    surfaces.edge_likelihood.push_back(known ? edges.likelihood[i] : unknown);
+    surfaces.spacings.push_back(known ? edges.spacings[i] : unknown);
+    const float* n = &edges.normals[3 * i];
+    surfaces.normals.push_back(known ? pcl::Normal(n[0], n[1], n[2])
+                                     : pcl::Normal(unknown, unknown, unknown));
+  }
 }
 
 } // namespace pcl
