@@ -30,6 +30,8 @@ constexpr std::uint64_t most_objects = 30;
 constexpr std::uint64_t least_pixels = 16;
 constexpr std::uint64_t most_pixels = 4096;
 constexpr double most_noise = 0.1;
+constexpr NumberRange turn_range{
+    -180.0, 180.0, false, "a number of degrees from -180 to 180"};
 constexpr NumberRange spacing_range{
     0.0005, 0.02, false, "a number of metres from 0.0005 to 0.02"};
 
@@ -66,6 +68,7 @@ sceneOptions(const Arguments& arguments)
   options.objects = small("objects", 0, most_objects).value_or(options.objects);
   options.width = small("width", least_pixels, most_pixels).value_or(options.width);
   options.height = small("height", least_pixels, most_pixels).value_or(options.height);
+  options.turn = arguments.number("turn", turn_range).value_or(options.turn);
   setNoise(arguments, options);
   return options;
 }
@@ -74,7 +77,7 @@ sceneOptions(const Arguments& arguments)
 Scene
 sampledScene(const Arguments& arguments, const SceneOptions& options)
 {
-  for (const char* camera : {"width", "height", "organized"})
+  for (const char* camera : {"width", "height", "organized", "turn"})
     arguments.exclude("sampling", camera);
   pcl::scene::SampleOptions samples;
   samples.seed = options.seed;
@@ -173,6 +176,7 @@ reportSensor(const Arguments& arguments, const SceneOptions& options, Report& re
   else {
     report.setCount("parameters", "width", options.width);
     report.setCount("parameters", "height", options.height);
+    report.setNumber("parameters", "turn", options.turn);
   }
   const char* usual = arguments.has("sampling") ? "none" : "kinect";
   report.setText("parameters", "noise", arguments.text("noise", usual));
@@ -219,6 +223,9 @@ main(int argc, char** argv)
       .option("objects", "N", "on the table, 0 to 30 (8)")
       .option("width", "W", "pixels, 16 to 4096 (640)")
       .option("height", "H", "pixels, 16 to 4096 (480)")
+      .option("turn",
+              "A",
+              "another view: from A degrees further right around the objects (0)")
       .option(
           "noise", "X", "kinect (default), none, or the sigma of white noise, metres")
       .option("sampling",

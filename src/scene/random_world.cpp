@@ -32,6 +32,27 @@ randomCamera(const SceneOptions& options, Random& random)
   return camera;
 }
 
+/** The middle of where objects may be. */
+Vec3
+middleOf(const Ground& ground)
+{
+  return {0.0, 0.5 * (ground.near + ground.far), 0.0};
+}
+
+/** Walk around a vertical line, looking at the same things. */
+void
+turnAround(const Vec3& middle, double degrees, Camera& camera)
+{
+  const UnitVector turn = fromTurns(degrees / 360.0);
+  const auto turned = [&](const Vec3& v) {
+    return Vec3{
+        turn.cosine * v.x - turn.sine * v.y, turn.sine * v.x + turn.cosine * v.y, v.z};
+  };
+  camera.pose.origin = middle + turned(camera.pose.origin - middle);
+  for (Vec3& axis : camera.pose.axes)
+    axis = turned(axis);
+}
+
 Table
 randomTable(Random& random)
 {
@@ -56,6 +77,8 @@ randomWorld(const SceneOptions& options)
   result.world.camera = randomCamera(options, random);
   result.world.table = randomTable(random);
   result.bodies = randomLayout(Ground{}, options.objects, random);
+  if (options.turn != 0.0)
+    turnAround(middleOf(Ground{}), options.turn, result.world.camera);
   for (const auto& body : result.bodies)
     result.world.solids.push_back(body.solid);
   return result;

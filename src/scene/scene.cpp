@@ -22,6 +22,7 @@ namespace pcl::scene {
 namespace {
 
 constexpr std::uint64_t noise_stream = 2;
+constexpr std::uint64_t noise_stream_of_turned = 4; // 3 is that of surface samples
 
 template <class Value>
 void
@@ -43,6 +44,7 @@ validate(const SceneOptions& options)
   requireRange("width", options.width, 16U, 4096U, " pixels");
   requireRange("height", options.height, 16U, 4096U, " pixels");
   requireRange("white_sigma", options.white_sigma, 0.0, 0.1, " m");
+  requireRange("turn", options.turn, -180.0, 180.0, " degrees");
 }
 
 std::array<double, 3>
@@ -158,7 +160,8 @@ generateScene(const SceneOptions& options)
   validate(options);
   const RandomWorld random_world = randomWorld(options);
   const World& world = random_world.world;
-  Random noise(options.seed, noise_stream);
+  Random noise(options.seed,
+               options.turn == 0.0 ? noise_stream : noise_stream_of_turned);
 
   View view = look(world);
   std::vector<double> depth = exactDepth(view);
@@ -174,6 +177,9 @@ generateScene(const SceneOptions& options)
 
   Scene scene = emptyScene(options);
   scene.objects = describe(random_world.bodies, world.camera);
+  scene.camera_origin = toArray(world.camera.pose.origin);
+  for (std::size_t i = 0; i < 3; ++i)
+    scene.camera_axes[i] = toArray(world.camera.pose.axes[i]);
   storeGeometry(world.camera, view, depth, scene);
   const double band = silhouette_band * options.width / 640.0;
   label(world,

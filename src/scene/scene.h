@@ -51,6 +51,8 @@ struct SceneOptions {
   unsigned height = 480; /**< pixels, 16 to 4096 */
   Noise noise = Noise::Kinect;
   double white_sigma = 0.0; /**< metres along the ray, 0 to 0.1; for Noise::White */
+  double turn = 0.0; /**< degrees by which the camera walked around the objects, to its
+                        right, -180 to 180: another view of the same scene */
 };
 
 /** \brief An object as it was placed. */
@@ -92,6 +94,10 @@ struct Scene {
   std::vector<float>
       crease_mm; /**< from the exact point to the nearest crease, capped */
   std::vector<SceneObject> objects;
+  /** The camera in a frame that is the same for every view of a scene: z up, the table
+   * at z = 0, metres. Rows: the camera's axes x, y, z. */
+  std::array<std::array<double, 3>, 3> camera_axes{};
+  std::array<double, 3> camera_origin{};
 };
 
 /** \brief Generate a random table scene and look at it with a virtual depth camera.

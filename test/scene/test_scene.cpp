@@ -68,6 +68,17 @@ contains(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
+/** A position in the camera's frame, in that of all views. */
+std::array<double, 3>
+toScene(const Scene& scene, const std::array<double, 3>& p)
+{
+  std::array<double, 3> result = scene.camera_origin;
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      result[axis] += scene.camera_axes[row][axis] * p[row];
+  return result;
+}
+
 } // namespace
 
 TEST(Scene, SameSeedSameScene)
@@ -185,6 +196,34 @@ TEST(Scene, AsManyObjectsAsAskedFor)
   }
 }
 
+TEST(Scene, AnotherViewShowsTheSameObjects)
+{
+  const Scene front = generateScene(small(5, Noise::None));
+  SceneOptions options = small(5, Noise::None);
+  options.turn = 30.0;
+  const Scene right = generateScene(options);
+  EXPECT_NE(front.instance, right.instance);
+  ASSERT_EQ(front.objects.size(), right.objects.size());
+  for (std::size_t i = 0; i < front.objects.size(); ++i) {
+    const auto a = toScene(front, front.objects[i].origin);
+    const auto b = toScene(right, right.objects[i].origin);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      EXPECT_NEAR(a[axis], b[axis], 1e-12);
+  }
+  const double dx = right.camera_origin[0] - front.camera_origin[0];
+  EXPECT_NEAR(dx, 0.67 * std::sin(30.0 * std::acos(-1.0) / 180.0), 1e-12);
+  EXPECT_EQ(right.camera_origin[2], front.camera_origin[2]);
+  std::size_t on_table = 0;
+  for (std::size_t i = 0; i < right.surface.size(); ++i) {
+    const float* p = &right.xyz[3 * i];
+    if (right.instance[i] != 0 || !std::isfinite(p[2]))
+      continue;
+    ++on_table;
+    EXPECT_NEAR(toScene(right, {p[0], p[1], p[2]})[2], 0.0, 1e-6);
+  }
+  EXPECT_GT(on_table, 1000u);
+}
+
 TEST(Scene, RefusesBadOptions)
 {
   SceneOptions options;
@@ -196,6 +235,9 @@ TEST(Scene, RefusesBadOptions)
   options = {};
   options.height = 5000;
   EXPECT_EQ(refusal(options), "height is 5000, allowed is 16 to 4096 pixels");
+  options = {};
+  options.turn = 180.5;
+  EXPECT_EQ(refusal(options), "turn is 180.5, allowed is -180 to 180 degrees");
   options = {};
   options.noise = Noise::White;
   for (const double sigma : {-0.001, 0.2, std::nan(""), HUGE_VAL}) {

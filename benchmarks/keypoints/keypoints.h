@@ -1,0 +1,32 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <cstddef>
+#include <functional>
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using KeypointsOf = std::function<Cloud::Ptr(const Cloud::ConstPtr&)>;
+
+/** \brief The median distance of a point to the nearest other one, metres. */
+float spacingOf(const Cloud& cloud);
+
+/** \brief Points of creases, four spacings apart. */
+Cloud::Ptr creaseKeypoints(const Cloud::ConstPtr& cloud, unsigned threads);
+
+/** \brief About this many points at equal distances. */
+Cloud::Ptr uniformKeypoints(const Cloud::ConstPtr& cloud, std::size_t count);
+
+/** \brief Intrinsic Shape Signatures (Zhong 2009), with the radii of PCL's
+ * documentation: 6 spacings, and 4 for the suppression of others. */
+Cloud::Ptr issKeypoints(const Cloud::ConstPtr& cloud, float spacing, unsigned threads);
