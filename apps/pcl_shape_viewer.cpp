@@ -212,8 +212,8 @@ main(int argc, char** argv)
           "size", "WxH", "of all views together, pixels (640x480 each, 960x720 one)")
       .option("camera",
               "X,...",
-              "x,y,z of its place, of the focus and of up, metres, and the angle of "
-              "view,\n                      degrees (the cloud's viewpoint)")
+              "x,y,z of position, focus and up, and degrees of view (the cloud's "
+              "viewpoint)")
       .option("point_size", "N", "pixels, 1 to 50 (by the distance between points)")
       .flag("keys", "begin with the list of keys on the screen");
   addCommonOptions(command_line);
