@@ -9,6 +9,7 @@
 
 #include "common/app.h"
 #include "common/atomic_file.h"
+#include "common/errors.h"
 #include "common/evaluation_tasks.h"
 #include "common/filter_app.h"
 #include "common/outcomes.h"
@@ -106,17 +107,14 @@ checkOut(const Arguments& arguments, const std::string& task)
 }
 
 /** The predicted cloud with the field outcome, complete in its temporary file. */
-std::optional<AtomicFile>
+void
 writeOutcomes(const Arguments& arguments,
               CloudFile predicted,
-              const TaskPoints& selected)
+              const TaskPoints& selected,
+              AtomicFile& file)
 {
-  if (!arguments.has("out"))
-    return std::nullopt;
-  std::optional<AtomicFile> file(std::in_place, arguments.text("out"));
   setField(predicted, "outcome", outcomesOf(selected, predicted.size()));
-  file->write(encodeCloud(predicted, outputFormat(arguments)));
-  return file;
+  file.write(encodeCloud(predicted, outputFormat(arguments)));
 }
 
 int
@@ -144,7 +142,10 @@ run(const Arguments& arguments)
                    convention == "paper" ? Convention::paper : Convention::strict,
                    predicted,
                    truth);
-  std::optional<AtomicFile> outcomes = writeOutcomes(arguments, predicted, selected);
+  std::optional<AtomicFile> outcomes;
+  if (arguments.has("out"))
+    writeOutcomes(
+        arguments, predicted, selected, outcomes.emplace(arguments.text("out")));
   report.setCount("", "points", truth.size());
   report.setCount("", "evaluated_points", selected.points.size());
   report.setCount("", "unknown_points", selected.unknown);

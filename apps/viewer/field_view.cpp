@@ -118,7 +118,8 @@ shade(const CloudFile& cloud, FieldView& view)
         std::isfinite(cosine) ? least + (1.0f - least) * std::min(1.0f, cosine) : 0.7f;
     for (std::uint8_t* const channel :
          {&view.colors[i].r, &view.colors[i].g, &view.colors[i].b})
-      *channel = static_cast<std::uint8_t>(std::lround(light * float{*channel}));
+      *channel =
+          static_cast<std::uint8_t>(std::lround(light * static_cast<float>(*channel)));
   }
 }
 

@@ -38,7 +38,7 @@ JsonValue::fail(const std::string& allowed) const
 {
   using Handler = nlohmann::json::error_handler_t;
   throw InputError(path_ + ": '" + place_ + "' is " +
-                   quoted(value_.dump(-1, ' ', true, Handler::replace)) +
+                   app::quoted(value_.dump(-1, ' ', true, Handler::replace)) +
                    ": allowed is " + allowed);
 }
 

@@ -83,7 +83,7 @@ tubeOf(const Line& line, const Color& color)
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
-  cells->InsertNextCell(static_cast<vtkIdType>(line.points.size()));
+  cells->InsertNextCell(static_cast<int>(line.points.size()));
   for (const Vector& point : line.points)
     cells->InsertCellPoint(points->InsertNextPoint(point.data()));
   vtkNew<vtkPolyData> polyline;

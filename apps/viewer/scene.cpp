@@ -45,10 +45,10 @@ toVector(const Eigen::Vector3f& vector)
 int
 columnsOf(std::size_t views)
 {
-  constexpr std::size_t most_in_one_row = 3;
-  return static_cast<int>(views <= most_in_one_row
-                              ? views
-                              : std::ceil(std::sqrt(static_cast<double>(views))));
+  constexpr int most_in_one_row = 3;
+  const auto count = static_cast<int>(views);
+  return count <= most_in_one_row ? count
+                                  : static_cast<int>(std::ceil(std::sqrt(count)));
 }
 
 std::vector<InstanceBox>

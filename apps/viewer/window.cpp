@@ -146,8 +146,8 @@ cameraOf(Visualizer& visualizer)
   std::vector<pcl::visualization::Camera> cameras;
   visualizer.getCameras(cameras);
   const pcl::visualization::Camera& camera = cameras.front();
-  const auto vector = [](const double* v) {
-    return Eigen::Vector3d(v[0], v[1], v[2]).cast<float>();
+  const auto vector = [](const double* v) -> Eigen::Vector3f {
+    return Eigen::Map<const Eigen::Vector3d>(v).cast<float>();
   };
   return {vector(camera.pos),
           vector(camera.focal),
