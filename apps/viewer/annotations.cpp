@@ -10,6 +10,7 @@
 #include "annotations.h"
 
 #include <algorithm>
+#include <vtkCellData.h>
 #include <vtkLegendBoxActor.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
@@ -17,11 +18,15 @@
 #include <vtkPolyData.h>
 #include <vtkScalarBarActor.h>
 #include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <vtkProperty2D.h>
 
 namespace pcl::app {
 namespace {
 
 constexpr int font_size = 15; // pixels
+constexpr double background_opacity = 0.75;
 constexpr double channel = 1.0 / 255.0;
 
 void
@@ -69,6 +74,9 @@ addScaleBar(const FieldView& view, int width, int height, vtkRenderer& renderer)
     bar->DrawNanAnnotationOn();
     bar->SetNanAnnotation("unknown");
   }
+  bar->DrawBackgroundOn();
+  bar->GetBackgroundProperty()->SetColor(1.0, 1.0, 1.0);
+  bar->GetBackgroundProperty()->SetOpacity(background_opacity);
   makePlain(*bar->GetTitleTextProperty());
   makePlain(*bar->GetLabelTextProperty());
   makePlain(*bar->GetAnnotationTextProperty());
@@ -100,21 +108,33 @@ mostImportant(const std::vector<LegendEntry>& legend)
   return shown;
 }
 
+/** A square with a color of its own: that of a legend's entry is its text's. */
+vtkSmartPointer<vtkPolyData>
+swatchOf(const Color& color)
+{
+  vtkNew<vtkPlaneSource> square;
+  square->Update();
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  const std::uint8_t channels[3] = {color.r, color.g, color.b};
+  colors->InsertNextTypedTuple(channels);
+  vtkSmartPointer<vtkPolyData> swatch = square->GetOutput();
+  swatch->GetCellData()->SetScalars(colors);
+  return swatch;
+}
+
 void
 addLegend(const FieldView& view, int width, int height, vtkRenderer& renderer)
 {
   const std::vector<LegendEntry> entries = mostImportant(view.legend);
-  vtkNew<vtkPlaneSource> swatch;
-  swatch->Update();
   vtkNew<vtkLegendBoxActor> legend;
   legend->SetNumberOfEntries(static_cast<int>(entries.size()));
   std::size_t longest = 0;
   for (std::size_t e = 0; e < entries.size(); ++e) {
-    double color[3] = {entries[e].color.r * channel,
-                       entries[e].color.g * channel,
-                       entries[e].color.b * channel};
+    double black[3] = {0.0, 0.0, 0.0};
     const auto place = static_cast<int>(e);
-    legend->SetEntry(place, swatch->GetOutput(), entries[e].name.c_str(), color);
+    const auto swatch = swatchOf(entries[e].color);
+    legend->SetEntry(place, swatch, entries[e].name.c_str(), black);
     longest = std::max(longest, entries[e].name.size());
   }
   makePlain(*legend->GetEntryTextProperty());
@@ -122,7 +142,7 @@ addLegend(const FieldView& view, int width, int height, vtkRenderer& renderer)
   legend->UseBackgroundOn();
   double white[3] = {1.0, 1.0, 1.0};
   legend->SetBackgroundColor(white);
-  legend->SetBackgroundOpacity(0.75);
+  legend->SetBackgroundOpacity(background_opacity);
   const double line = 1.5 * font_size;
   const double share_wide = std::min(
       0.6, (3.0 * line + 0.6 * font_size * static_cast<double>(longest)) / width);
@@ -152,6 +172,8 @@ addAnnotations(const FieldView& view, int width, int height, vtkRenderer& render
 {
   const auto title = makeText(view.title, 0.015, 0.985, font_size + 3);
   title->GetTextProperty()->SetVerticalJustificationToTop();
+  title->GetTextProperty()->SetBackgroundColor(1.0, 1.0, 1.0);
+  title->GetTextProperty()->SetBackgroundOpacity(background_opacity);
   renderer.AddActor2D(title);
   if (view.range)
     addScaleBar(view, width, height, renderer);

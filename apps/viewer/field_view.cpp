@@ -106,20 +106,19 @@ defaultField(const CloudFile& cloud)
 void
 shade(const CloudFile& cloud, FieldView& view)
 {
-  constexpr float least = 0.35f; // of the light
+  constexpr float least = 0.3f, unknown_light = 0.6f;
   const auto normals = normalsOf(cloud);
-  const auto points = pointsOf(cloud);
-  const Eigen::Vector3f eye = points->sensor_origin_.head<3>();
+  const Eigen::Vector3f light = pointsOf(cloud)->sensor_orientation_ *
+                                Eigen::Vector3f(-0.3f, -0.46f, -0.84f); // unit
   for (std::size_t i = 0; i < view.colors.size(); ++i) {
-    const Eigen::Vector3f ray = eye - (*points)[i].getVector3fMap();
-    const float cosine =
-        std::abs(ray.dot((*normals)[i].getNormalVector3fMap())) / ray.norm();
-    const float light =
-        std::isfinite(cosine) ? least + (1.0f - least) * std::min(1.0f, cosine) : 0.7f;
+    const float cosine = std::abs(light.dot((*normals)[i].getNormalVector3fMap()));
+    const float brightness = std::isfinite(cosine)
+                                 ? least + (1.0f - least) * std::min(1.0f, cosine)
+                                 : unknown_light;
     for (std::uint8_t* const channel :
          {&view.colors[i].r, &view.colors[i].g, &view.colors[i].b})
-      *channel =
-          static_cast<std::uint8_t>(std::lround(light * static_cast<float>(*channel)));
+      *channel = static_cast<std::uint8_t>(
+          std::lround(brightness * static_cast<float>(*channel)));
   }
 }
 

@@ -52,7 +52,8 @@ FieldView viewOf(const CloudFile& cloud,
 /** \brief The field that says most about the cloud. */
 std::string defaultField(const CloudFile& cloud);
 
-/** \brief Make the colors darker where the surface turns away from the viewpoint.
+/** \brief Make the colors darker where the surface turns away from a light above the
+ * left shoulder of who looks from the viewpoint.
  * \throws InputError if the cloud has no normals */
 void shade(const CloudFile& cloud, FieldView& view);
 

@@ -12,6 +12,7 @@
 #include <pcl/common/point_tests.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
 #include <vtkCellArray.h>
@@ -91,7 +92,7 @@ tubeOf(const Line& line, const Color& color)
   polyline->SetLines(cells);
   vtkNew<vtkTubeFilter> tube;
   tube->SetInputData(polyline);
-  tube->SetRadius(line.spacing);
+  tube->SetRadius(1.5 * line.spacing); // partly below the points
   tube->SetNumberOfSides(10);
   tube->CappingOn();
   return actorOf(tube->GetOutputPort(), color);
@@ -184,10 +185,13 @@ normalsOf(const pcl::PointCloud<pcl::PointXYZ>& points,
           const pcl::PointCloud<pcl::Normal>& normals,
           float length)
 {
-  constexpr std::size_t most = 2000;
-  const std::size_t step = std::max<std::size_t>(1, points.size() / most);
+  constexpr std::size_t most = 1200;
+  constexpr double golden_ratio = 0.6180339887498949; // no two points in a row
+  const std::size_t count = std::min(points.size(), most);
   Arrows arrows;
-  for (std::size_t i = 0; i < points.size(); i += step) {
+  for (std::size_t a = 0; a < count; ++a) {
+    const double share = std::fmod(golden_ratio * static_cast<double>(a), 1.0);
+    const auto i = static_cast<std::size_t>(share * static_cast<double>(points.size()));
     const Eigen::Vector3f normal = normals[i].getNormalVector3fMap();
     if (pcl::isXYZFinite(points[i]) && normal.allFinite())
       arrows.add({points[i].x, points[i].y, points[i].z},

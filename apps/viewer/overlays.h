@@ -29,7 +29,7 @@ Props instancesOf(const std::vector<InstanceBox>& instances);
  * red. */
 Props graspsOf(const Grasps& grasps);
 
-/** \brief Arrows at some two thousand of the points.
+/** \brief Arrows at some thousand of the points.
  * \param[in] length metres */
 Props normalsOf(const pcl::PointCloud<pcl::PointXYZ>& points,
                 const pcl::PointCloud<pcl::Normal>& normals,

@@ -107,6 +107,7 @@ fill(Visualizer& visualizer, const Scene& scene)
 {
   const std::vector<int> viewports = makeViewports(visualizer, scene.views.size());
   visualizer.setBackgroundColor(1.0, 1.0, 1.0);
+  visualizer.setShowFPS(false);
   const Props overlays = overlaysOf(scene);
   const int columns = columnsOf(scene.views.size());
   const int rows = (static_cast<int>(scene.views.size()) + columns - 1) / columns;

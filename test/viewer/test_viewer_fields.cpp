@@ -110,6 +110,16 @@ TEST_F(ViewerFields, PointsWithoutCoordinatesAreLeftOut)
   EXPECT_EQ(view, (Json{{"planar", 2}, {"curved", 1}}));
 }
 
+TEST_F(ViewerFields, ShadeIsDarkWhereTheSurfaceTurnsAway)
+{
+  const std::string cloud = square("surface normal_x normal_y normal_z",
+                                   "U F F F",
+                                   {"1 -0.3 -0.46 -0.84", "1 0.94 0 -0.3357"});
+  const Picture picture = pictureOf({cloud, "-shade"});
+  EXPECT_GT(picture.share(blue, left), 0.9);
+  EXPECT_GT(picture.share({21, 36, 61}, right), 0.9) << "0.3 of blue";
+}
+
 TEST_F(ViewerFields, TheCameraIsTheOneGiven)
 {
   const std::string cloud = square("surface", "U", {"1", "2"});
