@@ -55,7 +55,7 @@ randomWorld(const SceneOptions& options)
   RandomWorld result;
   result.world.camera = randomCamera(options, random);
   result.world.table = randomTable(random);
-  result.bodies = randomLayout(Ground{}, options.objects, random);
+  result.bodies = randomLayout(Ground{}, options.objects, options.shapes, random);
   for (const auto& body : result.bodies)
     result.world.solids.push_back(body.solid);
   return result;
