@@ -41,6 +41,7 @@ toJson(const SuctionGrasp& grasp)
           {"obstacle_distance", grasp.obstacle_distance},
           {"margin", grasp.margin},
           {"sag", grasp.sag},
+          {"sag_allowed", grasp.sag_allowed},
           {"residual", grasp.residual},
           {"residual_allowed", grasp.residual_allowed},
           {"convergence",

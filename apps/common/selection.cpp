@@ -13,6 +13,8 @@
 
 #include <pcl/common/point_tests.h>
 
+#include <array>
+#include <optional>
 #include <sstream>
 
 namespace pcl::app {

@@ -13,7 +13,7 @@
 #include "cloud_file.h"
 #include "command_line.h"
 
-#include <pcl/types.h>
+#include <pcl/pcl_base.h>
 
 namespace pcl::app {
 

@@ -29,21 +29,25 @@ randomHeading(Random& random)
   return {heading.cosine, heading.sine};
 }
 
-/** The larger object: mostly boxes and cylinders, which others can stand on. */
+/** Mostly boxes and cylinders, which others can stand on; half of the boxes flat. */
 Body
 randomTarget(Random& random)
 {
-  constexpr Shape kinds[] = {Shape::Box,
-                             Shape::Box,
-                             Shape::Box,
-                             Shape::Cylinder,
-                             Shape::Cylinder,
-                             Shape::Sphere};
-  const Shape kind = kinds[random.below(6)];
-  return randomBody(kind, random.uniform(0.9, 1.3), randomHeading(random), random);
+  constexpr Shape kinds[] = {
+      Shape::Box, Shape::Box, Shape::Cylinder, Shape::Cylinder, Shape::Sphere};
+  const unsigned kind = random.below(7);
+  const double scale = random.uniform(0.9, 1.3);
+  Body body =
+      randomBody(kinds[kind < 5 ? kind : 0], scale, randomHeading(random), random);
+  if (kind == 0 || kind > 4) {
+    const double height = random.uniform(0.02, 0.05);
+    body.solid.size[2] = body.high = body.widest_high = height;
+    body.solid.pose.origin.z = 0.5 * height;
+  }
+  return body;
 }
 
-/** A small box or upright cylinder anywhere on the top, its middle not beyond it. */
+/** A smaller box or upright cylinder around the middle of the top. */
 std::optional<Body>
 randomRider(const Body& carrier, Random& random)
 {
@@ -51,13 +55,13 @@ randomRider(const Body& carrier, Random& random)
     return std::nullopt;
   const Shape kind = random.chance(0.5) ? Shape::Box : Shape::Cylinder;
   const Body rider =
-      randomBody(kind, random.uniform(0.3, 0.6), randomHeading(random), random);
+      randomBody(kind, random.uniform(0.45, 0.75), randomHeading(random), random);
   const bool is_round = carrier.solid.shape == Shape::Cylinder;
-  const double length = is_round ? 1.4 * carrier.solid.size[0] : carrier.solid.size[0];
+  const double length = is_round ? 2.0 * carrier.solid.size[0] : carrier.solid.size[0];
   const double width = is_round ? length : carrier.solid.size[1];
   const auto& axes = carrier.solid.pose.axes;
-  const Vec3 offset = axes[0] * (0.4 * length * random.uniform(-1.0, 1.0)) +
-                      axes[1] * (0.4 * width * random.uniform(-1.0, 1.0));
+  const Vec3 offset = axes[0] * (0.2 * length * random.uniform(-1.0, 1.0)) +
+                      axes[1] * (0.2 * width * random.uniform(-1.0, 1.0));
   return moved(
       rider, {carrier.centre.x + offset.x, carrier.centre.y + offset.y, carrier.high});
 }
@@ -67,12 +71,12 @@ Body
 randomOccluder(const Body& target, Random& random)
 {
   const Shape kind = random.chance(0.5) ? Shape::Box : Shape::Cylinder;
-  Body body = randomBody(kind, random.uniform(0.4, 0.8), randomHeading(random), random);
-  const double sideways = random.uniform(-0.06, 0.06);
+  Body body = randomBody(kind, random.uniform(0.5, 0.9), randomHeading(random), random);
+  const double sideways = random.uniform(-0.04, 0.04);
   body = moved(body, {target.centre.x + sideways, target.centre.y, 0.0});
   const Point2 to_camera{0.0, -1.0};
   const double by = slideToContact(body.footprint, to_camera, target.footprint) +
-                    random.uniform(0.005, 0.05);
+                    random.uniform(0.005, 0.03);
   return moved(body, {by * to_camera.x, by * to_camera.y, 0.0});
 }
 

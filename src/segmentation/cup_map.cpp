@@ -21,7 +21,7 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 
 // doc/method.md has the reason of each number.
-constexpr float half_width = 3.0f;     // of the image, in radii, beside the margin
+constexpr float half_width = 3.0f;     // of the image, in radii, beside margin and hole
 constexpr float most_clearance = 2.0f; // in radii
 constexpr float free_way = 2.0f;       // before the surface, in radii
 constexpr float cells_per_spacing = 2.0f;
@@ -43,7 +43,7 @@ CupMap::CupMap(const TargetSurface& surface, const SurfaceFit& fit, float radius
 , cell_(std::max(fit.spacing / cells_per_spacing, radius / most_cells))
 , hole_(std::max(fit.spacing, least_hole * cell_))
 , band_(toleranceOf(surface.noise(), fit.spacing, radius).band)
-, half_(static_cast<int>(std::ceil((half_width * radius + margin_) / cell_)))
+, half_(static_cast<int>(std::ceil((half_width * radius + margin_ + hole_) / cell_)))
 , side_(2 * half_ + 1)
 {
   const auto cells = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
@@ -71,7 +71,7 @@ void
 CupMap::mark(const TargetSurface& surface, const SurfaceFit& fit)
 {
   const float width = (static_cast<float>(half_) + 0.5f) * cell_;
-  const float reach = std::sqrt(2.0f) * width + free_way * radius_;
+  const float reach = std::hypot(width, free_way * radius_);
   std::size_t cell = 0;
   const auto above = [&](const Vector3f& local) {
     return local.z() - fit.height(local.x(), local.y());
@@ -115,7 +115,7 @@ CupMap::measure()
   border_ = distancesTo(is_hole, side_);
   edge_ = distancesTo(is_edge_, side_);
   obstacle_ = distancesTo(is_obstacle_, side_);
-  const float most = most_clearance * radius_;
+  const float most = most_clearance * radius_ + margin_;
   for (float& distance : border_)
     distance = std::clamp(distance * cell_ - hole_, 0.0f, most);
   for (auto* distances : {&edge_, &obstacle_})

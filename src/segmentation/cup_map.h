@@ -13,7 +13,8 @@
 
 namespace pcl::segmentation {
 
-/** \brief Distances to what a cup must not touch, metres, at most two cup radii. */
+/** \brief Distances to what a cup must not touch, metres, at most two cup radii
+ * and the margin. */
 struct Clearance {
   float border = 0.0f, edge = 0.0f, obstacle = 0.0f;
 

@@ -123,6 +123,7 @@ CupPlacement::judged(const SurfaceFit& fit, const CupMap& map) const
   grasp.edge_distance = clearance.edge;
   grasp.obstacle_distance = clearance.obstacle;
   grasp.sag = fit.sag(radius_);
+  grasp.sag_allowed = most_sag_ + target_.noise() * fit.spacing;
   grasp.residual = std::sqrt(fit.variance);
   grasp.residual_allowed = toleranceOf(target_.noise(), fit.spacing, radius_).residual;
   grasp.likelihood = likelihoodUnder(fit);
@@ -143,7 +144,7 @@ CupPlacement::findProblems(SuctionGrasp& grasp) const
   note(grasp.border_distance < beside, SealProblem::Border);
   note(grasp.edge_distance < radius_, SealProblem::Edge);
   note(grasp.obstacle_distance < beside, SealProblem::Obstacle);
-  note(grasp.sag > most_sag_, SealProblem::Bent);
+  note(grasp.sag > grasp.sag_allowed, SealProblem::Bent);
   note(grasp.residual > grasp.residual_allowed, SealProblem::Rough);
 }
 

@@ -121,7 +121,7 @@ findGrasps(const GraspTarget& target,
            unsigned threads)
 {
   const auto radius = static_cast<float>(cup.radius);
-  const TargetSurface of(target, surroundings * radius);
+  const TargetSurface of(target, surroundings * radius, radius);
   std::vector<SuctionGrasp> grasps;
   for (const GraspSurface& surface : surfaces) {
     const auto found =

@@ -87,12 +87,12 @@ viewOf(const std::vector<Vector3f>& points)
 
 } // namespace
 
-TargetSurface::TargetSurface(const detail::GraspTarget& target, float reach)
+TargetSurface::TargetSurface(const detail::GraspTarget& target, float reach, float cell)
 : points_(knownPoints(target))
 , others_(pointsAround(target, points_, reach))
 , noise_(static_cast<float>(target.noise))
-, grid_(viewOf(points_), reach)
-, others_grid_(viewOf(others_), reach)
+, grid_(viewOf(points_), cell)
+, others_grid_(viewOf(others_), cell)
 {}
 
 } // namespace pcl::segmentation

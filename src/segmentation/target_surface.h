@@ -31,9 +31,9 @@ public:
     std::uint32_t source; ///< its entry in the target
   };
 
-  /** \param[in] reach about the radius of the queries, and how far from the target its
-   * surroundings matter */
-  TargetSurface(const detail::GraspTarget& target, float reach);
+  /** \param[in] reach how far from the target its surroundings matter
+   * \param[in] cell about the radius of the queries */
+  TargetSurface(const detail::GraspTarget& target, float reach, float cell);
 
   const std::vector<Point>&
   points() const

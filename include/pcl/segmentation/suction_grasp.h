@@ -44,13 +44,15 @@ struct SuctionGrasp {
   float score = 0.0f;                ///< 0 to 1; above 0.5 if and only if it seals
   std::vector<SealProblem> problems; ///< none if it seals
 
-  std::uint32_t surface = 0;      ///< the class looked for: 1 planar, 2 curved
-  float likelihood = 0.0f;        ///< of this class, mean under the cup
-  float covered = 0.0f;           ///< share of the area under the cup, with its margin
-  float border_distance = 0.0f;   ///< to where the surface ends; at most 2 cup radii
+  std::uint32_t surface = 0; ///< the class looked for: 1 planar, 2 curved
+  float likelihood = 0.0f;   ///< of this class, mean under the cup
+  float covered = 0.0f;      ///< share of the area under the cup, with its margin
+  float border_distance =
+      0.0f; ///< to where the surface ends; at most 2 cup radii + margin
   float edge_distance = 0.0f;     ///< to the nearest edge point, likewise
   float obstacle_distance = 0.0f; ///< across the approach, likewise
   float sag = 0.0f;               ///< by which the lip has to bend
+  float sag_allowed = 0.0f;       ///< the cup's compliance, and what noise may add
   float residual = 0.0f;          ///< r.m.s. distance of the points from the surface
   float residual_allowed = 0.0f;
   float margin = 0.0f; ///< beside the cup that must be free as well
