@@ -11,6 +11,7 @@
 #include "common/atomic_file.h"
 #include "common/errors.h"
 #include "common/filter_app.h"
+#include "common/lidar_scene.h"
 #include "common/pcd_writer.h"
 
 #include <algorithm>
@@ -212,8 +213,27 @@ reportSensor(const Arguments& arguments, const SceneOptions& options, Report& re
 }
 
 int
+runLidar(const Arguments& arguments)
+{
+  const std::string path = arguments.operands(1).front();
+  const PCDFormat format = outputFormat(arguments);
+  arguments.threads();
+  checkJsonPath(arguments, {path});
+  AtomicFile output(path);
+  Report report;
+  report.setText("", "output", path);
+  const CloudFile cloud = lidarCloud(arguments, report);
+  report.time("write", [&] { output.write(encodeCloud(cloud, format)); });
+  commitWithJson(arguments, toJson(arguments.app(), report), output);
+  printSummary(path, report);
+  return 0;
+}
+
+int
 run(const Arguments& arguments)
 {
+  if (isLidar(arguments))
+    return runLidar(arguments);
   const std::string path = arguments.operands(1).front();
   const SceneOptions options = sceneOptions(arguments);
   const PCDFormat format = outputFormat(arguments);
@@ -266,6 +286,7 @@ main(int argc, char** argv)
       .flag("organized", "keep the image's layout, with NaN where there is no depth")
       .flag("normals", "write the exact normals too")
       .flag("faces", "write face too: which face of its object a point is on");
+  addLidarOptions(command_line);
   addFormatOption(command_line);
   addCommonOptions(command_line);
   return runApp(command_line, argc, argv, run);
