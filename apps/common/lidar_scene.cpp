@@ -102,8 +102,15 @@ isLidar(const Arguments& arguments)
                        "' without a laser: allowed is -sensor lidar with it");
     return false;
   }
-  for (const char* camera :
-       {"objects", "width", "height", "organized", "sampling", "label", "shapes"})
+  for (const char* camera : {"objects",
+                             "width",
+                             "height",
+                             "organized",
+                             "sampling",
+                             "label",
+                             "shapes",
+                             "turn",
+                             "faces"})
     if (arguments.has(camera))
       throw UsageError(std::string("-") + camera +
                        " with -sensor 'lidar': allowed is it with -sensor camera");
