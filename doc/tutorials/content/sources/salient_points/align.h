@@ -40,7 +40,7 @@ describe(const View& view, float spacing)
   const auto thinned = pcl::make_shared<Cloud>();
   pcl::VoxelGrid<pcl::PointXYZ> grid;
   grid.setInputCloud(view.cloud);
-  grid.setLeafSize(3.0f * spacing, 3.0f * spacing, 3.0f * spacing);
+  grid.setLeafSize(4.0f * spacing, 4.0f * spacing, 4.0f * spacing);
   grid.filter(*thinned);
 
   const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
