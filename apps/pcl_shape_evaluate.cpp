@@ -9,13 +9,17 @@
 
 #include "common/app.h"
 #include "common/atomic_file.h"
+#include "common/errors.h"
 #include "common/evaluation_tasks.h"
 #include "common/filter_app.h"
+#include "common/outcomes.h"
 #include "common/pcd_reader.h"
+#include "common/pcd_writer.h"
 #include "common/report.h"
 
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 namespace {
 
@@ -92,14 +96,37 @@ evaluateInstancePoints(const TaskPoints& selected, Report& report)
   report.setNumber("", "mean_matched_iou", evaluation.mean_matched_iou);
 }
 
+/** -out is for tasks of one class against the rest. */
+void
+checkOut(const Arguments& arguments, const std::string& task)
+{
+  if (arguments.has("out") && (task == "instance" || task == "label"))
+    throw UsageError("-out with -task '" + task +
+                     "': allowed is -task edge, planar, curved or ground");
+  checkOutputPath(arguments, "out", arguments.operands(2));
+}
+
+/** The predicted cloud with the field outcome, complete in its temporary file. */
+void
+writeOutcomes(const Arguments& arguments,
+              CloudFile predicted,
+              const TaskPoints& selected,
+              AtomicFile& file)
+{
+  setField(predicted, "outcome", outcomesOf(selected, predicted.size()));
+  file.write(encodeCloud(predicted, outputFormat(arguments)));
+}
+
 int
 run(const Arguments& arguments)
 {
   const auto& operands = arguments.operands(2);
   const std::string task = arguments.choice("task", taskNames());
+  checkOut(arguments, task);
   const std::string convention = arguments.choice("convention", {"strict", "paper"});
   arguments.threads();
-  checkJsonPath(arguments, operands);
+  checkJsonPath(arguments, {operands[0], operands[1], arguments.text("out")});
+  outputFormat(arguments);
 
   Report report;
   report.setText("", "predicted", operands[0]);
@@ -115,6 +142,10 @@ run(const Arguments& arguments)
                    convention == "paper" ? Convention::paper : Convention::strict,
                    predicted,
                    truth);
+  std::optional<AtomicFile> outcomes;
+  if (arguments.has("out"))
+    writeOutcomes(
+        arguments, predicted, selected, outcomes.emplace(arguments.text("out")));
   report.setCount("", "points", truth.size());
   report.setCount("", "evaluated_points", selected.points.size());
   report.setCount("", "unknown_points", selected.unknown);
@@ -126,6 +157,8 @@ run(const Arguments& arguments)
   else
     evaluateClasses(selected, report);
   writeJson(arguments, toJson(arguments.app(), report));
+  if (outcomes)
+    outcomes->commit();
   return 0;
 }
 
@@ -146,7 +179,13 @@ main(int argc, char** argv)
               "C",
               "strict (default): creases' surroundings left out; paper: creases are "
               "curved, "
-              "and edges");
+              "and edges")
+      .option(
+          "out",
+          "F",
+          "write the predicted cloud with the field outcome: 2 hit, 3 miss, 4 false "
+          "alarm");
+  addFormatOption(command_line);
   addCommonOptions(command_line);
   return runApp(command_line, argc, argv, run);
 }

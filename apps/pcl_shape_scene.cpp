@@ -11,11 +11,13 @@
 #include "common/atomic_file.h"
 #include "common/errors.h"
 #include "common/filter_app.h"
+#include "common/lidar_scene.h"
 #include "common/pcd_writer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include <scene/scene.h>
 #include <scene/surface_samples.h>
@@ -54,6 +56,29 @@ setNoise(const Arguments& arguments, SceneOptions& options)
   }
 }
 
+std::vector<pcl::scene::Shape>
+shapesOf(const Arguments& arguments)
+{
+  using pcl::scene::Shape;
+  std::vector<Shape> shapes;
+  std::istringstream names(arguments.text("shapes"));
+  for (std::string name; std::getline(names, name, ',');) {
+    const auto all = {
+        Shape::Box, Shape::Cylinder, Shape::Sphere, Shape::Bowl, Shape::Cone};
+    const auto* const found = std::find_if(all.begin(), all.end(), [&](Shape shape) {
+      return name == pcl::scene::name(shape);
+    });
+    if (found == all.end())
+      throw UsageError("-shapes '" + arguments.text("shapes") +
+                       "': allowed are box, cylinder, sphere, bowl and cone, with "
+                       "commas between them");
+    shapes.push_back(*found);
+  }
+  if (arguments.has("shapes") && shapes.empty())
+    throw UsageError("-shapes '': allowed are box, cylinder, sphere, bowl and cone");
+  return shapes;
+}
+
 SceneOptions
 sceneOptions(const Arguments& arguments)
 {
@@ -66,6 +91,7 @@ sceneOptions(const Arguments& arguments)
                  : std::nullopt;
   };
   options.objects = small("objects", 0, most_objects).value_or(options.objects);
+  options.shapes = shapesOf(arguments);
   options.width = small("width", least_pixels, most_pixels).value_or(options.width);
   options.height = small("height", least_pixels, most_pixels).value_or(options.height);
   options.turn = arguments.number("turn", turn_range).value_or(options.turn);
@@ -82,6 +108,7 @@ sampledScene(const Arguments& arguments, const SceneOptions& options)
   pcl::scene::SampleOptions samples;
   samples.seed = options.seed;
   samples.objects = options.objects;
+  samples.shapes = options.shapes;
   samples.spacing = *arguments.number("sampling", spacing_range);
   if (arguments.has("noise") && options.noise == pcl::scene::Noise::Kinect)
     throw UsageError("-noise 'kinect' with -sampling: allowed is none, or a number of "
@@ -123,8 +150,9 @@ gather(const std::vector<T>& image,
 }
 
 CloudFile
-toCloud(const Scene& scene, bool organized, bool with_normals)
+toCloud(const Scene& scene, const Arguments& arguments)
 {
+  const bool organized = arguments.has("organized");
   const std::vector<std::size_t> pixels = pixelsOf(scene, organized);
   CloudFile cloud;
   cloud.path = "the generated scene";
@@ -134,13 +162,15 @@ toCloud(const Scene& scene, bool organized, bool with_normals)
   const char* const names[] = {"x", "y", "z", "normal_x", "normal_y", "normal_z"};
   for (std::size_t c = 0; c < 3; ++c)
     setField(cloud, names[c], gather(scene.xyz, pixels, 3, c));
-  if (with_normals)
+  if (arguments.has("normals"))
     for (std::size_t c = 0; c < 3; ++c)
       setField(cloud, names[3 + c], gather(scene.normals, pixels, 3, c));
   setField(cloud, "surface", gather(scene.surface, pixels));
   setField(cloud, "edge", gather(scene.edge, pixels));
   setField(cloud, "instance", gather(scene.instance, pixels));
   setField(cloud, "crease_mm", gather(scene.crease_mm, pixels));
+  if (arguments.has("faces"))
+    setField(cloud, "face", gather(scene.face, pixels));
   return cloud;
 }
 
@@ -183,8 +213,27 @@ reportSensor(const Arguments& arguments, const SceneOptions& options, Report& re
 }
 
 int
+runLidar(const Arguments& arguments)
+{
+  const std::string path = arguments.operands(1).front();
+  const PCDFormat format = outputFormat(arguments);
+  arguments.threads();
+  checkJsonPath(arguments, {path});
+  AtomicFile output(path);
+  Report report;
+  report.setText("", "output", path);
+  const CloudFile cloud = lidarCloud(arguments, report);
+  report.time("write", [&] { output.write(encodeCloud(cloud, format)); });
+  commitWithJson(arguments, toJson(arguments.app(), report), output);
+  printSummary(path, report);
+  return 0;
+}
+
+int
 run(const Arguments& arguments)
 {
+  if (isLidar(arguments))
+    return runLidar(arguments);
   const std::string path = arguments.operands(1).front();
   const SceneOptions options = sceneOptions(arguments);
   const PCDFormat format = outputFormat(arguments);
@@ -196,12 +245,12 @@ run(const Arguments& arguments)
   report.setText("", "output", path);
   const Scene scene =
       report.time("generate", [&] { return makeScene(arguments, options); });
-  const CloudFile cloud =
-      toCloud(scene, arguments.has("organized"), arguments.has("normals"));
+  const CloudFile cloud = toCloud(scene, arguments);
   reportScene(scene, cloud, report);
   report.time("write", [&] { output.write(encodeCloud(cloud, format)); });
   report.setCount("parameters", "seed", options.seed);
   report.setCount("parameters", "objects", options.objects);
+  report.setText("parameters", "shapes", arguments.text("shapes", "all"));
   reportSensor(arguments, options, report);
   report.setFlag("parameters", "organized", arguments.has("organized"));
   commitWithJson(arguments, toJson(arguments.app(), report), output);
@@ -221,6 +270,9 @@ main(int argc, char** argv)
                            "instance\nand crease_mm.");
   command_line.option("seed", "N", "another seed, another scene (1)")
       .option("objects", "N", "on the table, 0 to 30 (8)")
+      .option("shapes",
+              "S,S",
+              "of the objects, in turn: box, cylinder, sphere, bowl, cone (all)")
       .option("width", "W", "pixels, 16 to 4096 (640)")
       .option("height", "H", "pixels, 16 to 4096 (480)")
       .option("turn",
@@ -232,7 +284,9 @@ main(int argc, char** argv)
               "S",
               "no camera: points at random on all surfaces, S metres apart")
       .flag("organized", "keep the image's layout, with NaN where there is no depth")
-      .flag("normals", "write the exact normals too");
+      .flag("normals", "write the exact normals too")
+      .flag("faces", "write face too: which face of its object a point is on");
+  addLidarOptions(command_line);
   addFormatOption(command_line);
   addCommonOptions(command_line);
   return runApp(command_line, argc, argv, run);

@@ -1,6 +1,7 @@
 # PCL 1.13's PCLConfig does not find OpenMP; 1.14 and later do.
 find_package(OpenMP REQUIRED COMPONENTS CXX)
-find_package(PCL 1.13 REQUIRED COMPONENTS common kdtree search features filters segmentation io keypoints registration)
+find_package(PCL 1.13 REQUIRED COMPONENTS
+  common kdtree search features sample_consensus filters segmentation io keypoints registration)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(Boost REQUIRED)
 

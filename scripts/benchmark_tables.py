@@ -101,7 +101,7 @@ def cost(results):
 
 
 STAGES = {"start": "process start (with `--version`)", "read": "reading", "normals": "normals",
-          "inad": "INAD", "edge_detection": "likelihood and edges", "write": "encoding and writing",
+          "inad": "INAD", "edge_detection": "edge detection", "write": "encoding and writing",
           "other": "converting, appending fields, JSON, exit", "wall": "**all**"}
 
 
@@ -109,7 +109,7 @@ def process(results):
     cloud, result = results.one("process")
     wall = result["ms"]["wall"]
     rows = [[text, number(result["ms"][stage]), f"{100 * result['ms'][stage] / wall:.0f} %"]
-            for stage, text in STAGES.items()]
+            for stage, text in STAGES.items() if stage in result["ms"]]
     return (f"{cloud}, threads: {result['threads']}:\n\n" +
             table(["stage", "ms", "share"], rows) +
             f"\n\nShare that is neither reading, writing nor process start: "

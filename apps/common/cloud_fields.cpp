@@ -128,15 +128,25 @@ floatsOf(const CloudFile& cloud, const std::string& field)
   return values;
 }
 
+std::vector<double>
+numbersOf(const CloudFile& cloud, const std::string& field)
+{
+  const pcl::PCLPointField& source = singleField(cloud, field);
+  std::vector<double> values(cloud.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] =
+        valueOf(source.datatype,
+                cloud.blob.data.data() + i * cloud.blob.point_step + source.offset);
+  return values;
+}
+
 std::vector<std::uint32_t>
 labelsOf(const CloudFile& cloud, const std::string& field)
 {
-  const pcl::PCLPointField& source = singleField(cloud, field);
-  std::vector<std::uint32_t> labels(cloud.size());
+  const std::vector<double> values = numbersOf(cloud, field);
+  std::vector<std::uint32_t> labels(values.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    const double value =
-        valueOf(source.datatype,
-                cloud.blob.data.data() + i * cloud.blob.point_step + source.offset);
+    const double value = values[i];
     if (!(value >= 0.0 && value <= std::numeric_limits<std::uint32_t>::max()) ||
         value != std::floor(value))
       throw InputError(cloud.path + ": field '" + field + "' of point " +

@@ -53,7 +53,11 @@ pcl::PointCloud<pcl::Normal>::Ptr normalsOf(const CloudFile& cloud);
 /** \brief The values of a single-valued float32 field. \throws InputError without it */
 std::vector<float> floatsOf(const CloudFile& cloud, const std::string& field);
 
-/** \brief The values of a single-valued field of any type.
+/** \brief The values of a single-valued field of any type. \throws InputError without
+ * it */
+std::vector<double> numbersOf(const CloudFile& cloud, const std::string& field);
+
+/** \brief The same as labels.
  * \throws InputError without it, or if a value is not a whole number from 0 to 2^32 - 1
  */
 std::vector<std::uint32_t> labelsOf(const CloudFile& cloud, const std::string& field);

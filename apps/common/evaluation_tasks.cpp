@@ -194,6 +194,7 @@ selectPoints(const std::string& task_name,
     if (!label || !pcl::isXYZFinite((*coordinates)[i]))
       continue;
     selected.points.push_back({*label, unknown[i] ? unknown_label : predictions[i]});
+    selected.indices.push_back(i);
     selected.unknown += unknown[i];
   }
   if (selected.points.empty())

@@ -24,8 +24,9 @@ enum class Convention { strict, paper };
 /** \brief The points that a task evaluates. */
 struct TaskPoints {
   std::vector<LabelPair> points;
-  std::vector<ClassScore> classes; ///< the task's own first; none for instances
-  std::uint64_t unknown = 0;       ///< of the points, predictions without a class
+  std::vector<std::size_t> indices; ///< of these points in the cloud
+  std::vector<ClassScore> classes;  ///< the task's own first; none for instances
+  std::uint64_t unknown = 0;        ///< of the points, predictions without a class
 };
 
 /** \brief The tasks' names. */

@@ -44,13 +44,26 @@ objectOf(Json& json, const std::string& section)
   return *object;
 }
 
+Json
+toJson(const Report::Json& value)
+{
+  return Json::parse(value.text);
+}
+
+template <typename Value>
+Json
+toJson(const Value& value)
+{
+  return value;
+}
+
 void
 add(Json& json, const Report& report)
 {
   for (const Report::Section& section : report.sections()) {
     Json& target = objectOf(json, section.name);
     for (const auto& [name, value] : section.entries)
-      std::visit([&, key = name](const auto& v) { target[key] = v; }, value);
+      std::visit([&, key = name](const auto& v) { target[key] = toJson(v); }, value);
   }
 }
 
@@ -93,6 +106,14 @@ void
 Report::setFlag(const std::string& section, const std::string& name, bool value)
 {
   set(section, name, value);
+}
+
+void
+Report::setJson(const std::string& section,
+                const std::string& name,
+                const std::string& text)
+{
+  set(section, name, Json{text});
 }
 
 double

@@ -21,7 +21,12 @@ namespace pcl::app {
 /** \brief What an app says about one file, for people and for machines. */
 class Report {
 public:
-  using Value = std::variant<bool, std::uint64_t, double, std::string>;
+  /** \brief A value that is JSON already, such as a list of objects. */
+  struct Json {
+    std::string text;
+  };
+
+  using Value = std::variant<bool, std::uint64_t, double, std::string, Json>;
   using Entries = std::vector<std::pair<std::string, Value>>;
 
   struct Section {
@@ -39,6 +44,10 @@ public:
   setCount(const std::string& section, const std::string& name, std::uint64_t value);
 
   void setFlag(const std::string& section, const std::string& name, bool value);
+
+  /** \param[in] text valid JSON */
+  void
+  setJson(const std::string& section, const std::string& name, const std::string& text);
 
   /** \brief Run a stage and note its duration under "times_ms". */
   template <typename Stage>

@@ -117,6 +117,7 @@ label(const World& world,
     const double distance = creases.distance(sight.point, crease_cap);
     scene.crease_mm[i] = static_cast<float>(1000.0 * distance);
     scene.instance[i] = static_cast<std::uint32_t>(sight.object);
+    scene.face[i] = static_cast<std::uint32_t>(sight.face);
     if (distance < crease_band) {
       scene.surface[i] = SurfaceCrease;
       scene.edge[i] = distance < edge_band ? EdgeCrease : EdgeVoid;

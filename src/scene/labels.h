@@ -26,7 +26,8 @@ std::vector<char> silhouettes(const World& world, const View& view);
 std::vector<char>
 dilated(const std::vector<char>& marks, unsigned width, unsigned height, double radius);
 
-/** \brief Fills surface, edge, instance and crease_mm of a scene from what is seen.
+/** \brief Fills surface, edge, instance, face and crease_mm of a scene from what is
+ * seen.
  *
  * \param[in] beside_gap marks pixels that are void because a silhouette or missing
  * depth is near, unless a crease is near as well */

@@ -83,17 +83,64 @@ Layout::add(Shape shape)
         stack ? onTop(shape) : (in_contact ? inContact(shape) : alone(shape));
     if (!body || !fits(*body))
       continue;
-    for (const std::size_t other : body->touches)
-      bodies_[other].touches.push_back(bodies_.size());
-    bodies_.push_back(std::move(*body));
+    insert(std::move(*body));
     return true;
   }
   return false;
 }
 
-std::vector<Body>
-randomLayout(const Ground& ground, unsigned count, Random& random)
+bool
+Layout::addWherePossible(Shape shape)
 {
+  constexpr int attempts = 200;
+  const bool in_contact = !bodies_.empty() && random_.chance(0.5);
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    Candidate body =
+        in_contact && attempt < attempts / 2 ? inContact(shape) : alone(shape);
+    if (!body || !fits(*body))
+      continue;
+    insert(std::move(*body));
+    return true;
+  }
+  return false;
+}
+
+void
+Layout::insert(Body body)
+{
+  for (const std::size_t other : body.touches)
+    bodies_[other].touches.push_back(bodies_.size());
+  bodies_.push_back(std::move(body));
+}
+
+namespace {
+
+std::vector<Body>
+layoutOfKinds(const Ground& ground,
+              unsigned count,
+              const std::vector<Shape>& kinds,
+              Random& random)
+{
+  for (double scale = 1.0;; scale *= 0.95) {
+    Layout layout(ground, scale, random);
+    unsigned added = 0;
+    while (added < count && layout.addWherePossible(kinds[added % kinds.size()]))
+      ++added;
+    if (added == count)
+      return layout.bodies();
+  }
+}
+
+} // namespace
+
+std::vector<Body>
+randomLayout(const Ground& ground,
+             unsigned count,
+             const std::vector<Shape>& only,
+             Random& random)
+{
+  if (!only.empty())
+    return layoutOfKinds(ground, count, only, random);
   constexpr std::array<Shape, 8> kinds{Shape::Box,
                                        Shape::Box,
                                        Shape::Cylinder,

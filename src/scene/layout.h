@@ -29,9 +29,13 @@ class Layout {
 public:
   Layout(const Ground& ground, double scale, Random& random);
 
-  /** \brief Put an object of this kind somewhere.
+  /** \brief Put an object of this kind somewhere, against others if too few touch.
    * \return false if no room was found */
   bool add(Shape shape);
+
+  /** \brief The same where not every kind can touch another: every other object is put
+   * against others if that is possible. */
+  bool addWherePossible(Shape shape);
 
   const std::vector<Body>&
   bodies() const
@@ -61,6 +65,8 @@ private:
 
   bool fits(const Body& body) const;
 
+  void insert(Body body);
+
   std::size_t randomIndex();
 
   Point2 randomHeading();
@@ -71,9 +77,13 @@ private:
   std::vector<Body> bodies_;
 };
 
-/** \brief Put `count` objects on the ground, of all kinds in turn, so that at least 30
- * % of them touch another one (if there are two or more). Where the ground is too small
- * for them they become smaller. */
-std::vector<Body> randomLayout(const Ground& ground, unsigned count, Random& random);
+/** \brief Put `count` objects on the ground. Where it is too small for them they become
+ * smaller.
+ * \param[in] kinds in turn; none: all, so that at least 30 % of the objects touch
+ * another one (if there are two or more) */
+std::vector<Body> randomLayout(const Ground& ground,
+                               unsigned count,
+                               const std::vector<Shape>& kinds,
+                               Random& random);
 
 } // namespace pcl::scene

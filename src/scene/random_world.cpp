@@ -76,7 +76,7 @@ randomWorld(const SceneOptions& options)
   RandomWorld result;
   result.world.camera = randomCamera(options, random);
   result.world.table = randomTable(random);
-  result.bodies = randomLayout(Ground{}, options.objects, random);
+  result.bodies = randomLayout(Ground{}, options.objects, options.shapes, random);
   if (options.turn != 0.0)
     turnAround(middleOf(Ground{}), options.turn, result.world.camera);
   for (const auto& body : result.bodies)

@@ -86,6 +86,7 @@ emptyScene(const SceneOptions& options)
   scene.surface.assign(pixels, SurfaceVoid);
   scene.edge.assign(pixels, EdgeVoid);
   scene.instance.assign(pixels, 0);
+  scene.face.assign(pixels, 0);
   scene.crease_mm.assign(pixels, nan);
   return scene;
 }

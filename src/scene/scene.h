@@ -46,9 +46,10 @@ const char* name(Shape shape);
 /** \brief What to generate. */
 struct SceneOptions {
   std::uint64_t seed = 1;
-  unsigned objects = 8;  /**< 0 to 30; many make each other smaller */
-  unsigned width = 640;  /**< pixels, 16 to 4096 */
-  unsigned height = 480; /**< pixels, 16 to 4096 */
+  unsigned objects = 8;      /**< 0 to 30; many make each other smaller */
+  std::vector<Shape> shapes; /**< of the objects, in turn; none: all */
+  unsigned width = 640;      /**< pixels, 16 to 4096 */
+  unsigned height = 480;     /**< pixels, 16 to 4096 */
   Noise noise = Noise::Kinect;
   double white_sigma = 0.0; /**< metres along the ray, 0 to 0.1; for Noise::White */
   double turn = 0.0; /**< degrees by which the camera walked around the objects, to its
@@ -91,6 +92,7 @@ struct Scene {
   std::vector<std::uint32_t> surface;
   std::vector<std::uint32_t> edge;
   std::vector<std::uint32_t> instance; /**< 0 on the table, 1 and up on objects */
+  std::vector<std::uint32_t> face;     /**< its number, 0 and up, on the object */
   std::vector<float>
       crease_mm; /**< from the exact point to the nearest crease, capped */
   std::vector<SceneObject> objects;

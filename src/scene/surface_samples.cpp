@@ -174,6 +174,7 @@ private:
     for (const double value : {sight.normal.x, sight.normal.y, sight.normal.z})
       scene_.normals.push_back(static_cast<float>(value));
     scene_.instance.push_back(static_cast<std::uint32_t>(sight.object));
+    scene_.face.push_back(static_cast<std::uint32_t>(sight.face));
     scene_.crease_mm.push_back(static_cast<float>(1000.0 * distance));
     scene_.edge.push_back(distance < edge_spacings * options_.spacing ? EdgeCrease
                           : is_thin                                   ? EdgeVoid
@@ -203,6 +204,7 @@ sampleScene(const SampleOptions& options)
   SceneOptions scene;
   scene.seed = options.seed;
   scene.objects = options.objects;
+  scene.shapes = options.shapes;
   const World world = cropped(randomWorld(scene).world);
   return Sampler(world, options).run();
 }

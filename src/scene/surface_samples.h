@@ -16,7 +16,8 @@ namespace pcl::scene {
 /** \brief What to sample. */
 struct SampleOptions {
   std::uint64_t seed = 1;
-  unsigned objects = 4; /**< 0 to 30 */
+  unsigned objects = 4;      /**< 0 to 30 */
+  std::vector<Shape> shapes; /**< of the objects, in turn; none: all */
   double spacing =
       0.002;          /**< metres, 1 / sqrt(points per square metre), 0.0005 to 0.02 */
   double sigma = 0.0; /**< metres of white noise in each coordinate, 0 to 0.1 */

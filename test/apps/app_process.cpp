@@ -59,9 +59,8 @@ private:
 };
 
 pid_t
-spawn(const std::string& app, const Words& arguments, int out, int err)
+spawn(const std::string& path, const Words& arguments, int out, int err)
 {
-  const std::string path = std::string(PCL_SHAPE_APP_DIRECTORY) + '/' + app;
   std::vector<std::string> words{path};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -85,17 +84,29 @@ spawn(const std::string& app, const Words& arguments, int out, int err)
 } // namespace
 
 Outcome
-runApp(const std::string& app, const Words& arguments)
+runProgram(const std::string& path, const Words& arguments)
 {
   const Capture out;
   const Capture err;
-  const pid_t process = spawn(app, arguments, out.descriptor(), err.descriptor());
+  const pid_t process = spawn(path, arguments, out.descriptor(), err.descriptor());
   int status = 0;
   if (waitpid(process, &status, 0) != process)
-    throw std::runtime_error(app + ": cannot be waited for");
+    throw std::runtime_error(path + ": cannot be waited for");
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
           out.contents(),
           err.contents()};
+}
+
+std::string
+pathOf(const std::string& app)
+{
+  return std::string(PCL_SHAPE_APP_DIRECTORY) + '/' + app;
+}
+
+Outcome
+runApp(const std::string& app, const Words& arguments)
+{
+  return runProgram(pathOf(app), arguments);
 }
 
 } // namespace pcl_shape_test

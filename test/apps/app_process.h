@@ -27,4 +27,10 @@ using Words = std::vector<std::string>;
  * start */
 Outcome runApp(const std::string& app, const Words& arguments);
 
+/** \brief Where one of the apps is. */
+std::string pathOf(const std::string& app);
+
+/** \brief Run any program. */
+Outcome runProgram(const std::string& path, const Words& arguments);
+
 } // namespace pcl_shape_test

@@ -18,7 +18,8 @@ const Words apps{"pcl_shape_scene",
                  "pcl_shape_histogram",
                  "pcl_shape_back_projection",
                  "pcl_shape_edge_detection",
-                 "pcl_shape_evaluate"};
+                 "pcl_shape_evaluate",
+                 "pcl_shape_viewer"};
 
 TEST(CommandLine, HelpGoesToStandardOutput)
 {

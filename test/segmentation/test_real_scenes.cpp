@@ -7,8 +7,11 @@
  * All rights reserved
  */
 
+#include "instance_scenes.h"
+
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>
+#include <pcl/segmentation/extract_clusters.h>
 #include <pcl/segmentation/shape_back_projection.h>
 #include <pcl/segmentation/shape_edge_detection.h>
 
@@ -120,6 +123,32 @@ protected:
   PointCloud<LabelledPoint> truth_;
   Cloud::Ptr cloud_;
 };
+
+TEST_F(RealScenes, CylindersOfLearn33)
+{
+  load("learn33");
+  const auto curved = make_shared<Indices>();
+  std::vector<bool> evaluated;
+  for (std::size_t i = 0; i < truth_.size(); ++i) {
+    const std::uint32_t surface = truth_[i].surface;
+    evaluated.push_back(surface == 1 || surface == 2);
+    if (surface == 2) {
+      curved->push_back(static_cast<index_t>(i));
+    }
+  }
+  EuclideanClusterExtraction<PointXYZ> clustering;
+  clustering.setInputCloud(cloud_);
+  clustering.setIndices(curved);
+  clustering.setClusterTolerance(0.010);
+  clustering.setMinClusterSize(100);
+  std::vector<PointIndices> parts;
+  clustering.extract(parts);
+  const test::Labels truth = test::labelsOf(parts, truth_.size());
+  const test::Found found =
+      test::compare(truth, test::instancesOf(cloud_, "curved"), evaluated);
+  EXPECT_GE(found.point_f1, 0.85);
+  RecordProperty("point_f1", std::to_string(found.point_f1));
+}
 
 TEST_F(RealScenes, SurfacesOfLearn4) { expectSurfaces("learn4", 0.60); }
 

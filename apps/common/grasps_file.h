@@ -1,0 +1,26 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "report.h"
+
+#include <pcl/segmentation/suction_grasp.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl::app {
+
+/** \brief The contents of the -json file of pcl_shape_grasp, see doc/files.md. */
+std::string graspsToJson(const std::string& app,
+                         const Report& report,
+                         const std::vector<SuctionGrasp>& grasps);
+
+} // namespace pcl::app

@@ -1,0 +1,39 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "arguments.h"
+#include "cloud_file.h"
+#include "command_line.h"
+
+#include <pcl/pcl_base.h>
+
+namespace pcl::app {
+
+/** \brief -field, -value and -box, which select some points of a cloud. */
+void addSelectionOptions(CommandLine& command_line);
+
+/** \brief Throws a UsageError for what is wrong with these options. */
+void checkSelection(const Arguments& arguments);
+
+/** \brief The finite points that are selected: all of them without these options.
+ * \throws InputError if there is none, or the field is missing or bad */
+pcl::IndicesPtr selectedPoints(const CloudFile& file,
+                               const pcl::PointCloud<pcl::PointXYZ>& points,
+                               const Arguments& arguments);
+
+/** \brief The numbers of an option, e.g. "0,1.5,2"; as many as asked for.
+ * \throws UsageError if they are not */
+std::vector<double> numbersOf(const Arguments& arguments,
+                              const std::string& option,
+                              std::size_t count,
+                              const std::string& allowed);
+
+} // namespace pcl::app

@@ -1,0 +1,151 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "common/app.h"
+#include "common/atomic_file.h"
+#include "common/errors.h"
+#include "common/filter_app.h"
+#include "common/grasps_file.h"
+#include "common/pcd_reader.h"
+#include "common/selection.h"
+
+#include <pcl/segmentation/suction_grasp_estimation.h>
+
+#include <cstdio>
+#include <optional>
+
+namespace {
+
+using namespace pcl::app;
+using Estimation = pcl::SuctionGraspEstimation<pcl::PointXYZ>;
+using Grasps = std::vector<pcl::SuctionGrasp>;
+
+constexpr std::uint64_t default_grasps = 10;
+constexpr std::uint64_t most_grasps = 1000000;
+const char* const three_numbers = "three numbers of metres, X,Y,Z";
+
+Estimation
+makeEstimation(const Arguments& arguments, Report& report)
+{
+  Estimation estimation;
+  const std::string surface = arguments.choice("surface", {"any", "planar", "curved"});
+  estimation.setSurface(surface == "planar"   ? Estimation::PLANAR
+                        : surface == "curved" ? Estimation::CURVED
+                                              : Estimation::ANY);
+  estimation.setCupRadius(arguments.number("cup_radius", positive_length)
+                              .value_or(estimation.getCupRadius()));
+  estimation.setCompliance(
+      arguments.number("compliance", probability).value_or(estimation.getCompliance()));
+  estimation.setMaximumGrasps(
+      arguments.integer("max_grasps", 1, most_grasps).value_or(default_grasps));
+  estimation.setNumberOfThreads(arguments.threads());
+  report.setText("parameters", "surface", surface);
+  report.setNumber("parameters", "cup_radius", estimation.getCupRadius());
+  report.setNumber("parameters", "compliance", estimation.getCompliance());
+  report.setCount("parameters", "threads", arguments.threads());
+  return estimation;
+}
+
+void
+setViewPoint(Estimation& estimation, const CloudFile& file, const Arguments& arguments)
+{
+  if (!arguments.has("viewpoint")) {
+    estimation.setViewPoint(file.viewpoint[0], file.viewpoint[1], file.viewpoint[2]);
+    return;
+  }
+  const auto numbers = numbersOf(arguments, "viewpoint", 3, three_numbers);
+  estimation.setViewPoint(static_cast<float>(numbers[0]),
+                          static_cast<float>(numbers[1]),
+                          static_cast<float>(numbers[2]));
+}
+
+/** \return nothing if the reason was given on standard error */
+std::optional<Grasps>
+findGrasps(Estimation& estimation, const CloudFile& file, const Arguments& arguments)
+{
+  const auto points = pointsOf(file);
+  estimation.setInputCloud(points);
+  estimation.setIndices(selectedPoints(file, *points, arguments));
+  setViewPoint(estimation, file, arguments);
+  Grasps grasps;
+  return estimation.compute(grasps) ? std::optional<Grasps>(grasps) : std::nullopt;
+}
+
+void
+print(const Grasps& grasps)
+{
+  for (const pcl::SuctionGrasp& grasp : grasps) {
+    const auto &p = grasp.position, &a = grasp.approach;
+    std::printf("score %.3f at %.4f %.4f %.4f, approach %.3f %.3f %.3f: ",
+                static_cast<double>(grasp.score),
+                static_cast<double>(p.x()),
+                static_cast<double>(p.y()),
+                static_cast<double>(p.z()),
+                static_cast<double>(a.x()),
+                static_cast<double>(a.y()),
+                static_cast<double>(a.z()));
+    std::printf(grasp.seals() ? "seals" : "leaks:");
+    for (const pcl::SealProblem problem : grasp.problems)
+      std::printf(" %s", pcl::nameOf(problem));
+    std::printf("\n");
+  }
+}
+
+int
+run(const Arguments& arguments)
+{
+  const std::string path = arguments.operands(1).front();
+  Report report;
+  report.setText("", "input", path);
+  Estimation estimation = makeEstimation(arguments, report);
+  checkSelection(arguments);
+  if (arguments.has("viewpoint"))
+    numbersOf(arguments, "viewpoint", 3, three_numbers);
+  checkJsonPath(arguments, {path});
+
+  const CloudFile file = report.time("read", [&] { return readCloud(path); });
+  reportPoints(*pointsOf(file), report);
+  const std::optional<Grasps> found =
+      report.time("grasps", [&] { return findGrasps(estimation, file, arguments); });
+  if (!found)
+    return 1;
+  const Grasps& grasps = *found;
+  std::uint64_t sealing = 0;
+  for (const pcl::SuctionGrasp& grasp : grasps)
+    sealing += grasp.seals() ? 1 : 0;
+  report.setCount("counts", "target_points", estimation.getIndices()->size());
+  report.setCount("counts", "grasps", grasps.size());
+  report.setCount("counts", "sealing", sealing);
+  writeJson(arguments, graspsToJson(arguments.app(), report, grasps));
+  printSummary(path, report);
+  print(grasps);
+  return 0;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  CommandLine command_line(
+      "pcl_shape_grasp",
+      "in.pcd",
+      "Find places for a suction cup on an object, the best first.\nThe object is the "
+      "whole cloud, or the points that -field and -value or -box select; the others "
+      "are in the way.");
+  command_line.option("surface", "S", "to look for: any (default), planar, curved")
+      .option("cup_radius", "R", "of the cup's lip, metres (0.01)")
+      .option("compliance", "C", "by how many radii the lip may bend, 0 to 1 (0.2)")
+      .option("max_grasps", "N", "at most (10)")
+      .option(
+          "viewpoint", "X,Y,Z", "from where the cloud was seen, instead of the file's");
+  addSelectionOptions(command_line);
+  addCommonOptions(command_line);
+  return runApp(command_line, argc, argv, run);
+}

@@ -1,0 +1,127 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "common/app.h"
+#include "common/errors.h"
+#include "common/filter_app.h"
+
+#include <pcl/segmentation/shape_ground_segmentation.h>
+
+#include <sstream>
+
+namespace {
+
+using namespace pcl::app;
+using Segmentation = pcl::ShapeGroundSegmentation<pcl::PointXYZ>;
+
+constexpr NumberRange slope_range{
+    0.0, 89.0, true, "an angle above 0, up to 89 degrees"};
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
+Eigen::Vector3f
+upOf(const Arguments& arguments)
+{
+  const std::string text = arguments.text("up", "0,0,1");
+  std::istringstream parts(text);
+  std::string part;
+  std::vector<float> values;
+  while (std::getline(parts, part, ',')) {
+    const auto value = parseNumber(part);
+    values.push_back(value ? static_cast<float>(*value) : 0.0f);
+    if (!value)
+      values.clear(), values.resize(4);
+  }
+  const Eigen::Vector3f up = values.size() == 3
+                                 ? Eigen::Vector3f(values[0], values[1], values[2])
+                                 : Eigen::Vector3f::Zero();
+  if (text.back() == ',' || !(up.squaredNorm() > 0.0f) || !up.allFinite())
+    throw UsageError("-up '" + text +
+                     "': allowed is a direction x,y,z, three numbers that are not all "
+                     "0, such as 0,0,1");
+  return up;
+}
+
+Segmentation
+segmentation(const Arguments& arguments)
+{
+  Segmentation ground;
+  const pcl::GroundParameters defaults;
+  ground.setUp(upOf(arguments));
+  if (const auto slope = arguments.number("max_slope", slope_range))
+    ground.setMaxSlope(static_cast<float>(*slope * degree));
+  ground.setMaxStep(static_cast<float>(
+      arguments.number("max_step", positive_length).value_or(defaults.max_step)));
+  ground.setNumberOfThreads(arguments.threads());
+  return ground;
+}
+
+void
+addGround(CloudFile& file,
+          const Arguments& arguments,
+          Segmentation& segmentation,
+          float threshold,
+          Report& report)
+{
+  const auto points = pointsOf(file);
+  const auto& at = file.viewpoint;
+  points->sensor_origin_ = Eigen::Vector4f(at[0], at[1], at[2], 0.0f);
+  reportPoints(*points, report);
+  segmentation.setInputCloud(points);
+  std::vector<float> likelihood;
+  report.time("ground", [&] { segmentation.compute(likelihood); });
+  if (likelihood.size() != file.size())
+    throw InputError(file.path + ": refused for the reason given above");
+  std::vector<std::uint32_t> ground(file.size(), 0);
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < ground.size(); ++i)
+    count += ground[i] = likelihood[i] >= threshold;
+  if (count == 0)
+    logLine(arguments.app() + ": " + file.path +
+            ": warning: no ground was found; is -up " + arguments.text("up", "0,0,1") +
+            " right?");
+  const pcl::GroundParameters& used = segmentation.getParameters();
+  report.setText("parameters", "up", arguments.text("up", "0,0,1"));
+  report.setNumber("parameters", "max_slope_degrees", used.max_slope / degree);
+  report.setNumber("parameters", "max_step", used.max_step);
+  report.setNumber("parameters", "threshold", threshold);
+  report.setCount("parameters", "threads", arguments.threads());
+  report.setCount("counts", "ground", count);
+  setField(file, "ground_likelihood", likelihood);
+  setField(file, "ground", ground);
+}
+
+int
+run(const Arguments& arguments)
+{
+  Segmentation ground = segmentation(arguments);
+  const auto threshold =
+      static_cast<float>(arguments.number("threshold", probability).value_or(0.5));
+  return runFilter(arguments, [&](CloudFile& file, Report& report) {
+    addGround(file, arguments, ground, threshold, report);
+  });
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  CommandLine command_line(
+      "pcl_shape_ground",
+      "in.pcd out.pcd",
+      "Add the fields ground_likelihood (NaN unknown) and ground: "
+      "1 on road, pavement and the\nlike in a vehicle's laser scan, "
+      "0 elsewhere. The scanner is at the VIEWPOINT.");
+  command_line.option("up", "X,Y,Z", "a direction, roughly up (0,0,1)")
+      .option("max_slope", "A", "of the ground towards up, degrees (20)")
+      .option("max_step", "S", "that ground continues over, metres: a kerb (0.2)")
+      .option("threshold", "L", "the likelihood from which a point is ground (0.5)");
+  addFilterOptions(command_line);
+  return runApp(command_line, argc, argv, run);
+}

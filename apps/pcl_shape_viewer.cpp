@@ -1,0 +1,221 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "common/app.h"
+#include "common/atomic_file.h"
+#include "common/errors.h"
+#include "common/filter_app.h"
+#include "common/pcd_reader.h"
+#include "viewer/label_names.h"
+#include "viewer/window.h"
+
+#include <iostream>
+#include <sstream>
+
+namespace {
+
+using namespace pcl::app;
+
+struct Size {
+  int width;
+  int height;
+};
+
+std::vector<std::string>
+splitNames(const Arguments& arguments, const std::string& option)
+{
+  std::vector<std::string> names;
+  std::istringstream words(arguments.text(option));
+  for (std::string word; std::getline(words, word, ',');)
+    if (!word.empty())
+      names.push_back(word);
+  constexpr std::size_t most = 16;
+  if (arguments.has(option) && (names.empty() || names.size() > most))
+    throw UsageError("-" + option + " '" + arguments.text(option) +
+                     "': allowed are 1 to 16 names of fields, as surface,edge");
+  return names;
+}
+
+Size
+sizeOf(const Arguments& arguments, std::size_t views)
+{
+  constexpr int view_width = 640, view_height = 480;
+  const int columns = columnsOf(views);
+  const int rows = (static_cast<int>(views) + columns - 1) / columns;
+  if (!arguments.has("size"))
+    return views == 1 ? Size{960, 720} : Size{columns * view_width, rows * view_height};
+  const std::string text = arguments.text("size");
+  const std::size_t cross = text.find('x');
+  constexpr double least = 64, most = 16384;
+  const auto width = parseNumber(text.substr(0, cross));
+  const auto height =
+      parseNumber(cross == std::string::npos ? "" : text.substr(cross + 1));
+  for (const auto& side : {width, height})
+    if (!side || *side < least || *side > most || *side != static_cast<int>(*side))
+      throw UsageError("-size '" + text +
+                       "': allowed is WIDTHxHEIGHT, each from 64 to 16384 pixels");
+  return {static_cast<int>(*width), static_cast<int>(*height)};
+}
+
+/** What is drawn over the cloud. */
+void
+readOverlays(const Arguments& arguments, const CloudFile& cloud, Scene& scene)
+{
+  if (arguments.has("lines"))
+    scene.lines = readLines(arguments.text("lines"));
+  if (arguments.has("instances"))
+    scene.instances = boxesOf(readInstances(arguments.text("instances")), cloud);
+  if (arguments.has("grasps"))
+    scene.grasps = readGrasps(arguments.text("grasps"));
+  if (arguments.has("normals"))
+    scene.normals = normalsOf(cloud);
+}
+
+void
+makeViews(const Arguments& arguments, const CloudFile& cloud, Scene& scene)
+{
+  const bool draws_more = arguments.has("lines") || arguments.has("grasps");
+  const std::vector<std::string> fields =
+      arguments.has("field")
+          ? splitNames(arguments, "field")
+          : std::vector<std::string>{draws_more ? "plain" : defaultField(cloud)};
+  const auto names = parseLabelNames(arguments.text("names"));
+  for (const std::string& field : fields) {
+    scene.views.push_back(viewOf(cloud, field, names));
+    if (arguments.has("shade"))
+      shade(cloud, scene.views.back());
+  }
+}
+
+Scene
+sceneOf(const Arguments& arguments, const CloudFile& cloud)
+{
+  Scene scene;
+  scene.title = "pcl_shape_viewer: " + cloud.path;
+  scene.points = pointsOf(cloud);
+  scene.keys = arguments.has("keys");
+  makeViews(arguments, cloud, scene);
+  readOverlays(arguments, cloud, scene);
+
+  const Size size = sizeOf(arguments, scene.views.size());
+  scene.width = size.width;
+  scene.height = size.height;
+  const int columns = columnsOf(scene.views.size());
+  const int rows = (static_cast<int>(scene.views.size()) + columns - 1) / columns;
+  const float aspect =
+      static_cast<float>(size.width * rows) / static_cast<float>(size.height * columns);
+  scene.camera = arguments.has("camera") ? parseCamera(arguments.text("camera"))
+                                         : defaultCamera(*scene.points, aspect);
+  const auto point_size = arguments.integer("point_size", 1, 50);
+  scene.point_size = point_size
+                         ? static_cast<int>(*point_size)
+                         : pointSize(*scene.points, scene.camera, scene.height / rows);
+  return scene;
+}
+
+void
+reportView(const FieldView& view, Report& report)
+{
+  const std::string section = "views/" + view.field;
+  if (view.range) {
+    report.setNumber(section, "least", view.range->least);
+    report.setNumber(section, "most", view.range->most);
+    report.setCount(section, "unknown", view.unknown);
+  }
+  for (const LegendEntry& entry : view.legend)
+    report.setCount(section, entry.name, entry.points);
+}
+
+void
+reportScene(const Scene& scene, Report& report)
+{
+  reportPoints(*scene.points, report);
+  report.setText("", "camera", toText(scene.camera));
+  report.setCount("", "width", static_cast<std::uint64_t>(scene.width));
+  report.setCount("", "height", static_cast<std::uint64_t>(scene.height));
+  report.setCount("", "point_size", static_cast<std::uint64_t>(scene.point_size));
+  for (const FieldView& view : scene.views)
+    reportView(view, report);
+  report.setCount("overlays", "lines", scene.lines.size());
+  report.setCount("overlays", "instances", scene.instances.size());
+  report.setCount("overlays", "grasps", scene.grasps.grasps.size());
+}
+
+void
+checkOutputs(const Arguments& arguments, const std::string& input)
+{
+  std::vector<std::string> others{input};
+  for (const char* const option : {"lines", "instances", "grasps"})
+    if (arguments.has(option))
+      others.push_back(arguments.text(option));
+  checkOutputPath(arguments, "screenshot", others);
+  if (arguments.has("screenshot"))
+    others.push_back(arguments.text("screenshot"));
+  checkJsonPath(arguments, others);
+}
+
+int
+run(const Arguments& arguments)
+{
+  const std::string input = arguments.operands(1)[0];
+  arguments.threads();
+  checkOutputs(arguments, input);
+  Report report;
+  report.setText("", "input", input);
+  const CloudFile cloud = report.time("read", [&] { return readCloud(input); });
+  const Scene scene = report.time("prepare", [&] { return sceneOf(arguments, cloud); });
+  reportScene(scene, report);
+  requireDisplay();
+  if (!arguments.has("screenshot")) {
+    writeJson(arguments, toJson(arguments.app(), report));
+    showWindow(scene);
+    return 0;
+  }
+  AtomicFile picture(arguments.text("screenshot"));
+  picture.write(report.time("draw", [&] { return drawPicture(scene); }));
+  commitWithJson(arguments, toJson(arguments.app(), report), picture);
+  std::cout << arguments.text("screenshot") << ": " << scene.width << " x "
+            << scene.height << " pixels, camera " << toText(scene.camera) << '\n';
+  return 0;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  CommandLine command_line("pcl_shape_viewer",
+                           "in.pcd",
+                           "Show a cloud in a window, colored by its fields; or write "
+                           "a picture of it with -screenshot.\nWithout a screen: "
+                           "xvfb-run -a pcl_shape_viewer in.pcd -screenshot out.png");
+  command_line
+      .option("field",
+              "F[,F2,...]",
+              "color by these fields, side by side; plain: one color (the field that "
+              "says most)")
+      .option("names", "V=N,...", "names of labels, as 1=flat,2=corrugated")
+      .flag("shade", "darker where the surface turns away; needs normals")
+      .flag("normals", "draw the fields normal_x, normal_y, normal_z as arrows")
+      .option("lines", "F", "draw the creases of pcl_shape_edge_detection -lines F")
+      .option("instances", "F", "draw the objects of pcl_shape_instances -json F")
+      .option("grasps", "F", "draw the grasps of pcl_shape_grasp -json F")
+      .option(
+          "screenshot", "F", "write the picture F (PNG) instead of showing a window")
+      .option(
+          "size", "WxH", "of all views together, pixels (640x480 each, 960x720 one)")
+      .option("camera",
+              "X,...",
+              "x,y,z of position, focus and up, and degrees of view (the cloud's "
+              "viewpoint)")
+      .option("point_size", "N", "pixels, 1 to 50 (by the distance between points)")
+      .flag("keys", "begin with the list of keys on the screen");
+  addCommonOptions(command_line);
+  return runApp(command_line, argc, argv, run);
+}

@@ -1,0 +1,40 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <string>
+
+namespace pcl::app {
+
+/** \brief Where the scene is seen from. */
+struct Camera {
+  Eigen::Vector3f position; ///< metres
+  Eigen::Vector3f focus;    ///< the point in the middle of the picture
+  Eigen::Vector3f up;
+  float angle; ///< of view from bottom to top, degrees
+};
+
+/** \brief The sensor's view, if the points are in front of it, else from above the
+ * cloud's corner with z up; the angle of view is such that all points are seen.
+ * \param[in] points at least one is finite
+ * \param[in] aspect width of the picture over its height */
+Camera defaultCamera(const pcl::PointCloud<pcl::PointXYZ>& points, float aspect);
+
+/** \brief The value of -camera: nine numbers, position, focus, up, and optionally the
+ * angle of view. \throws UsageError */
+Camera parseCamera(const std::string& text);
+
+/** \brief As parseCamera() reads it. */
+std::string toText(const Camera& camera);
+
+} // namespace pcl::app

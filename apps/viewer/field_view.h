@@ -1,0 +1,60 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "color.h"
+#include "common/cloud_file.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl::app {
+
+/** \brief The values at the ends of the scale bar. */
+struct ValueRange {
+  double least;
+  double most;
+};
+
+struct LegendEntry {
+  std::string name;
+  Color color;
+  std::size_t points; ///< with finite coordinates
+};
+
+/** \brief How the points look that are colored by one field. */
+struct FieldView {
+  std::string field;
+  std::string title;               ///< with the unit, if it is known
+  std::vector<Color> colors;       ///< of each point
+  std::optional<ValueRange> range; ///< of numbers, for the scale bar
+  std::vector<LegendEntry> legend; ///< of labels, by value
+  std::size_t unknown = 0;         ///< points that are NaN there
+};
+
+/** \brief The view of one field: colors as they are (rgb, rgba), labels, or numbers;
+ * "plain" is no field but one color for all points.
+ * \param[in] names of labels, beside those that are known
+ * \throws InputError that lists the fields, if this one is missing */
+FieldView viewOf(const CloudFile& cloud,
+                 const std::string& field,
+                 const std::map<std::int64_t, std::string>& names);
+
+/** \brief The field that says most about the cloud. */
+std::string defaultField(const CloudFile& cloud);
+
+/** \brief Make the colors darker where the surface turns away from a light above the
+ * left shoulder of who looks from the viewpoint.
+ * \throws InputError if the cloud has no normals */
+void shade(const CloudFile& cloud, FieldView& view);
+
+} // namespace pcl::app

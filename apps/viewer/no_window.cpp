@@ -1,0 +1,37 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "common/errors.h"
+#include "window.h"
+
+// In the place of window.cpp where PCL has no visualization.
+namespace pcl::app {
+
+void
+requireDisplay()
+{
+  throw InputError("built without PCL's visualization: to draw, install PCL with it "
+                   "(Debian: libpcl-dev), configure with "
+                   "-DPCL_SHAPE_WITH_VISUALIZATION=ON and build again");
+}
+
+std::string
+drawPicture(const Scene& /*scene*/)
+{
+  requireDisplay();
+  return {};
+}
+
+void
+showWindow(const Scene& /*scene*/)
+{
+  requireDisplay();
+}
+
+} // namespace pcl::app

@@ -1,0 +1,21 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "field_view.h"
+
+namespace pcl::app {
+
+/** \brief Numbers in Viridis. Angles are shown in degrees, what is a probability from 0
+ * to 1, anything else from the first to the 99th percentile; what is beyond has the
+ * color of the end. */
+FieldView numberView(const std::string& field, std::vector<double> values);
+
+} // namespace pcl::app

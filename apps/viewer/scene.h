@@ -1,0 +1,59 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "camera.h"
+#include "field_view.h"
+#include "scene_files.h"
+
+#include <string>
+#include <vector>
+
+namespace pcl::app {
+
+/** \brief The points of an instance, and what it is called. */
+struct InstanceBox {
+  std::string name;
+  Color color;
+  Vector least; ///< corner, metres; both corners are the centroid without points
+  Vector most;
+};
+
+/** \brief All that is drawn: the cloud once for each view, side by side, from one
+ * camera; everything else in each of them. */
+struct Scene {
+  std::string title; ///< of the window
+  pcl::PointCloud<pcl::PointXYZ>::Ptr points;
+  std::vector<FieldView> views;
+  pcl::PointCloud<pcl::Normal>::Ptr normals; ///< null without
+  std::vector<Line> lines;
+  std::vector<InstanceBox> instances;
+  Grasps grasps;
+  Camera camera;
+  int width = 0; ///< of all views together, pixels
+  int height = 0;
+  int point_size = 1; ///< pixels
+  bool keys = false;  ///< show what the keys do
+};
+
+/** \brief How many views are beside each other. */
+int columnsOf(std::size_t views);
+
+/** \brief The boxes of the instances, by the cloud's field "instance" if it has one. */
+std::vector<InstanceBox> boxesOf(const std::vector<Instance>& instances,
+                                 const CloudFile& cloud);
+
+/** \brief So many pixels that the points of a surface touch each other in the middle of
+ * the picture. \param[in] height of the picture, pixels */
+int pointSize(const pcl::PointCloud<pcl::PointXYZ>& points,
+              const Camera& camera,
+              int height);
+
+} // namespace pcl::app

@@ -1,0 +1,28 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "scene.h"
+
+#include <string>
+
+namespace pcl::app {
+
+/** \brief \throws InputError unless an X server can be reached, or if this application
+ * was built without PCL's visualization */
+void requireDisplay();
+
+/** \brief Draw the scene without showing it. \return a PNG file */
+std::string drawPicture(const Scene& scene);
+
+/** \brief Show the scene until the user closes the window. */
+void showWindow(const Scene& scene);
+
+} // namespace pcl::app

@@ -1,0 +1,310 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "common/options.h"
+#include "scene/grasp_scene.h"
+
+#include <pcl/point_types.h>
+#include <pcl/segmentation/suction_grasp_estimation.h>
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <iostream>
+#include <limits>
+#include <optional>
+
+// Suction grasps on generated scenes: large objects with smaller ones on them and
+// others before them. Beside them the centroid method: the point of the target nearest
+// to the mean of its points, along the normal there.
+namespace {
+
+namespace po = boost::program_options;
+namespace scene = pcl::scene;
+using Json = nlohmann::ordered_json;
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using Eigen::Vector3f;
+
+constexpr double disc_step = 0.004; // metres: less than half of the smallest cup
+
+struct Arguments {
+  std::uint64_t first_seed = 1;
+  unsigned scenes = 60;
+  double cup_radius = 0.01;
+  std::string noise = "kinect";
+  bool verbose = false;
+};
+
+struct Pose {
+  Vector3f position, approach;
+};
+
+/** What became of one target. */
+struct Outcome {
+  bool has_face = false; ///< of twice the cup
+  bool is_curved = false;
+  bool seals = false;
+  bool is_on_one_face = false;
+  bool is_centroid_on_one_face = false;
+};
+
+struct Counts {
+  std::uint64_t targets = 0, sealed = 0, on_one_face = 0, centroid_on_one_face = 0;
+  std::uint64_t sealed_on_one_face = 0;
+
+  void
+  add(const Outcome& of)
+  {
+    ++targets;
+    sealed += of.seals ? 1 : 0;
+    on_one_face += of.is_on_one_face ? 1 : 0;
+    sealed_on_one_face += of.seals && of.is_on_one_face ? 1 : 0;
+    centroid_on_one_face += of.is_centroid_on_one_face ? 1 : 0;
+  }
+};
+
+bool
+parseArguments(int argc, char** argv, Arguments& a)
+{
+  po::options_description options("compare_grasps [options]");
+  options.add_options()(
+      "first_seed", po::value(&a.first_seed), "of the scenes, two targets each (1)")(
+      "scenes", po::value(&a.scenes), "how many (60)")(
+      "cup_radius", po::value(&a.cup_radius), "metres (0.01)")(
+      "noise", po::value(&a.noise), "kinect (default) or none")(
+      "verbose", po::bool_switch(&a.verbose), "a line for each target")("help", "this");
+  const int style =
+      po::command_line_style::unix_style | po::command_line_style::allow_long_disguise;
+  po::variables_map values;
+  po::store(po::command_line_parser(argc, argv)
+                .options(options)
+                .style(style & ~po::command_line_style::allow_guessing)
+                .run(),
+            values);
+  po::notify(values);
+  if (values.count("help") > 0) {
+    std::cout << options;
+    return false;
+  }
+  if (a.noise != "kinect" && a.noise != "none") {
+    throw std::invalid_argument("-noise " + a.noise + ": allowed is kinect, none");
+  }
+  if (!(a.cup_radius >= 0.004 && a.cup_radius <= 0.1)) {
+    throw std::invalid_argument("-cup_radius " + std::to_string(a.cup_radius) +
+                                ": allowed is 0.004 to 0.1 metres");
+  }
+  return true;
+}
+
+Cloud::Ptr
+cloudOf(const scene::GraspScene& scene)
+{
+  const auto cloud = pcl::make_shared<Cloud>();
+  for (std::size_t i = 0; i < scene.object.size(); ++i) {
+    cloud->emplace_back(scene.xyz[3 * i], scene.xyz[3 * i + 1], scene.xyz[3 * i + 2]);
+  }
+  return cloud;
+}
+
+bool
+isOnOneFace(const scene::GraspScene& scene,
+            std::size_t target,
+            const Pose& pose,
+            double radius)
+{
+  const auto vec = [](const Vector3f& v) { return scene::Vec3{v.x(), v.y(), v.z()}; };
+  const scene::Pose& camera = scene.world.camera.pose;
+  return scene::isOnOneFace(scene.world,
+                            target,
+                            camera.toWorld(vec(pose.position)),
+                            camera.directionToWorld(vec(pose.approach)),
+                            radius,
+                            2.0 * radius);
+}
+
+/** Normals are those of the default mode. */
+Pose
+centroidGrasp(const Cloud& cloud, const pcl::Indices& target, const pcl::Surfaces& of)
+{
+  Vector3f mean = Vector3f::Zero();
+  for (const pcl::index_t i : target) {
+    mean += cloud[static_cast<std::size_t>(i)].getVector3fMap() /
+            static_cast<float>(target.size());
+  }
+  Pose pose{Vector3f::Zero(), Vector3f::Zero()};
+  float least = std::numeric_limits<float>::infinity();
+  for (const pcl::index_t i : target) {
+    const auto at = static_cast<std::size_t>(i);
+    const float squared = (cloud[at].getVector3fMap() - mean).squaredNorm();
+    if (squared < least && of.normals[at].getNormalVector3fMap().allFinite()) {
+      least = squared;
+      pose = {cloud[at].getVector3fMap(), -of.normals[at].getNormalVector3fMap()};
+    }
+  }
+  return pose;
+}
+
+class Comparison {
+public:
+  explicit Comparison(const Arguments& arguments) : arguments_(arguments) {}
+
+  void
+  addScene(std::uint64_t seed)
+  {
+    scene::SceneOptions options;
+    options.seed = seed;
+    options.noise =
+        arguments_.noise == "none" ? scene::Noise::None : scene::Noise::Kinect;
+    const scene::GraspScene scene = scene::graspScene(options);
+    const Cloud::Ptr cloud = cloudOf(scene);
+    pcl::ShapeBackProjection<pcl::PointXYZ> back_projection;
+    back_projection.setInputCloud(cloud);
+    pcl::Surfaces surfaces;
+    back_projection.classify(surfaces);
+    for (const std::size_t target : scene.targets) {
+      const auto points = pcl::make_shared<pcl::Indices>();
+      for (std::size_t i = 0; i < cloud->size(); ++i) {
+        if (scene.object[i] == static_cast<int>(target)) {
+          points->push_back(static_cast<pcl::index_t>(i));
+        }
+      }
+      addTarget(scene, cloud, target, points, surfaces, seed);
+    }
+  }
+
+  Json
+  toJson() const
+  {
+    return {{"noise", arguments_.noise},
+            {"cup_radius", arguments_.cup_radius},
+            {"first_seed", arguments_.first_seed},
+            {"scenes", arguments_.scenes},
+            {"targets", all_},
+            {"mean_seconds",
+             seconds_ / static_cast<double>(std::max<std::uint64_t>(all_, 1))},
+            {"first_ranked_that_seal", sealing_},
+            {"of_these_on_one_face", sealing_on_one_face_},
+            {"with_a_face_of_twice_the_cup",
+             {{"planar", toJson(planar_)}, {"curved", toJson(curved_)}}}};
+  }
+
+private:
+  static Json
+  toJson(const Counts& counts)
+  {
+    return {{"targets", counts.targets},
+            {"with_a_sealing_grasp", counts.sealed},
+            {"first_ranked_on_one_face", counts.on_one_face},
+            {"centroid_on_one_face", counts.centroid_on_one_face}};
+  }
+
+  void
+  addTarget(const scene::GraspScene& scene,
+            const Cloud::Ptr& cloud,
+            std::size_t target,
+            const pcl::IndicesPtr& points,
+            const pcl::Surfaces& surfaces,
+            std::uint64_t seed)
+  {
+    Outcome outcome;
+    outcome.has_face =
+        scene::showsDisc(scene, target, 2.0 * arguments_.cup_radius, disc_step);
+    const auto& solid = scene.world.solids[target - 1];
+    outcome.is_curved = solid.shape != scene::Shape::Box;
+    pcl::SuctionGraspEstimation<pcl::PointXYZ> estimation;
+    estimation.setInputCloud(cloud);
+    estimation.setIndices(points);
+    estimation.setCupRadius(arguments_.cup_radius);
+    std::vector<pcl::SuctionGrasp> grasps;
+    const auto start = std::chrono::steady_clock::now();
+    estimation.compute(grasps);
+    seconds_ +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (!grasps.empty()) {
+      outcome.seals = grasps[0].seals();
+      outcome.is_on_one_face = isOnOneFace(scene,
+                                           target,
+                                           {grasps[0].position, grasps[0].approach},
+                                           arguments_.cup_radius);
+    }
+    if (!points->empty()) {
+      outcome.is_centroid_on_one_face =
+          isOnOneFace(scene,
+                      target,
+                      centroidGrasp(*cloud, *points, surfaces),
+                      arguments_.cup_radius);
+    }
+    note(outcome);
+    if (arguments_.verbose) {
+      describe(seed, target, scene::name(solid.shape), points->size(), outcome, grasps);
+    }
+  }
+
+  void
+  note(const Outcome& outcome)
+  {
+    ++all_;
+    if (outcome.has_face) {
+      (outcome.is_curved ? curved_ : planar_).add(outcome);
+    }
+    sealing_ += outcome.seals ? 1 : 0;
+    sealing_on_one_face_ += outcome.seals && outcome.is_on_one_face ? 1 : 0;
+  }
+
+  static void
+  describe(std::uint64_t seed,
+           std::size_t target,
+           const char* shape,
+           std::size_t points,
+           const Outcome& outcome,
+           const std::vector<pcl::SuctionGrasp>& grasps)
+  {
+    std::cerr << "seed " << seed << " target " << target << ' ' << shape << ' '
+              << points << " points, face " << outcome.has_face << " seals "
+              << outcome.seals << " one face " << outcome.is_on_one_face << " centroid "
+              << outcome.is_centroid_on_one_face << ", " << grasps.size() << " grasps";
+    if (!grasps.empty()) {
+      const pcl::SuctionGrasp& first = grasps[0];
+      std::cerr << "; score " << first.score << " border " << first.border_distance
+                << " edge " << first.edge_distance << " obstacle "
+                << first.obstacle_distance << " margin " << first.margin << " sag "
+                << first.sag << " residual " << first.residual << " of "
+                << first.residual_allowed << " likelihood " << first.likelihood;
+    }
+    std::cerr << '\n';
+  }
+
+  Arguments arguments_;
+  std::uint64_t all_ = 0, sealing_ = 0, sealing_on_one_face_ = 0;
+  double seconds_ = 0.0;
+  Counts planar_, curved_;
+};
+
+int
+runComparison(int argc, char** argv)
+{
+  Arguments arguments;
+  if (!parseArguments(argc, argv, arguments)) {
+    return 0;
+  }
+  Comparison comparison(arguments);
+  for (unsigned s = 0; s < arguments.scenes; ++s) {
+    comparison.addScene(arguments.first_seed + s);
+  }
+  std::cout << comparison.toJson().dump() << std::endl;
+  return 0;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  return runProgram("compare_grasps", runComparison, argc, argv);
+}

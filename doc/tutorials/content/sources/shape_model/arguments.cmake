@@ -1,0 +1,1 @@
+set(TUTORIAL_ARGUMENTS "")

@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# Make the pictures of the tutorials, content/images/*.png, and print what their programs print: on a
+# generated scene, with the programs of the build directory.
+# Usage: doc/tutorials/make_images.sh BUILD_DIR [OUTPUT_DIR]
+# Needs xvfb-run without a display, and python3-pil.
+set -euo pipefail
+[[ -n ${DISPLAY:-} ]] || exec xvfb-run -a "$0" "$@"
+
+build=$(cd "${1:?usage: doc/tutorials/make_images.sh BUILD_DIR [OUTPUT_DIR]}" && pwd)
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+images=$(cd "${2:-$here/content/images}" && pwd)
+export PATH=$build/apps:$build/doc/tutorials:$PATH
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+run() { # COMMAND ...: as in the tutorials
+  echo "\$ $*"
+  "$@"
+}
+
+picture() { # NAME CLOUD VIEWER_OPTION ...
+  local name=$1
+  shift
+  pcl_shape_viewer "$@" -screenshot "$name.png" >/dev/null
+  "${PYTHON:-python3}" "$here"/../../scripts/fewer_colors.py "$name.png" "$images/$name.png" 64
+}
+
+run pcl_shape_scene scene.pcd -seed 2
+
+run tutorial_shape_edge_detection scene.pcd
+run pcl_shape_edge_detection scene.pcd types.pcd -types -lines lines.json
+picture shape_edge_detection_types types.pcd -field edge_type
+picture shape_edge_detection_lines types.pcd -field plain -lines lines.json
+
+run tutorial_shape_back_projection scene.pcd
+run pcl_shape_back_projection scene.pcd surfaces.pcd
+picture shape_back_projection surfaces.pcd -field likelihood,surface
+
+run tutorial_shape_model
+picture shape_model sheets.pcd -field label -names 0=unknown,1=flat,2=corrugated -size 960x400 \
+  -camera 0.55,-0.8,-0.3,0.55,0.15,1,0,-1,0,40
+for sheet in flat corrugated; do
+  run pcl_shape_histogram $sheet.pcd model.json -radius 0.025 -bins 60 -name $sheet \
+    -png "$images/shape_model_$sheet.png"
+done
+
+run tutorial_normal_estimation_sweep scene.pcd
+run pcl_shape_edge_detection scene.pcd normals.pcd -normals
+picture normal_estimation_sweep normals.pcd -field plain -shade -normals

@@ -1,0 +1,34 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "surface_graph.h"
+
+namespace pcl::segmentation {
+
+/** \brief How two faces meet: lengths of their common border in spacings. */
+struct FaceContact {
+  std::int32_t first = 0;  ///< label of a face
+  std::int32_t second = 0; ///< a larger one
+  float convex = 0.0f;     ///< length where they are one body
+  float concave = 0.0f;    ///< length where one stands on or before the other
+};
+
+/** \brief Where faces meet, and whether the border is convex (after Stein et al.,
+ * "Object Partitioning using Local Convexity", 2014).
+ * \param[in] faces label of each point of a face's inside
+ * \param[in] grown the same with the points between the faces shared out
+ * \return one entry a pair of faces, sorted by their labels */
+std::vector<FaceContact> faceContacts(const detail::InstanceInput& input,
+                                      const PointGrid& grid,
+                                      const Labels& faces,
+                                      const Labels& grown);
+
+} // namespace pcl::segmentation

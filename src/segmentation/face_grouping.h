@@ -1,0 +1,43 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "face_contacts.h"
+
+namespace pcl::segmentation {
+
+/** \brief What is known about a face as a whole. */
+struct Face {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< unit, the mean
+  double area = 0.0;                                ///< sum of the squared spacings
+  double spacing = 0.0;                             ///< the mean, metres
+  double planar = 0.0;                              ///< mean likelihood
+  std::size_t points = 0;
+};
+
+std::vector<Face> facesOf(const detail::InstanceInput& input, const Labels& labels);
+
+/** \brief Which faces are of a support: planar, not much smaller than the largest such
+ * face, with others on them; and planar pieces in the same plane. */
+std::vector<char> supportsAmong(const std::vector<Face>& faces,
+                                const std::vector<FaceContact>& contacts,
+                                float offset_limit);
+
+/** \brief Group faces that are on the whole convex to each other: of all pairs of
+ * groups the one with the most convex border is joined as long as its convex border is
+ * longer than its concave one (greedy additive edge contraction; Keuper et al.,
+ * "Efficient Decomposition of Image and Mesh Graphs by Lifted Multicuts", 2015).
+ * \return a group for each face; faces that are left out have none, -1 */
+Labels groupFaces(std::size_t faces,
+                  const std::vector<char>& left_out,
+                  const std::vector<FaceContact>& contacts);
+
+} // namespace pcl::segmentation

@@ -1,0 +1,70 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "../kernels/parallel.h"
+
+#include <pcl/segmentation/ground_detection.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace pcl::segmentation {
+
+/** \brief Points in cells of the plane across "up", cells in lines. Around a laser
+ * scanner lines are sectors and cells grow with the range, as the distances between its
+ * points do; elsewhere cells are squares of one size.
+ *
+ * Which cell a point is in depends on the points and not on their order. */
+struct GroundCells {
+  std::vector<std::uint32_t> begins; ///< of each occupied cell in the points, and end
+  std::vector<std::uint32_t> bins;   ///< of each occupied cell, its place in its line
+  std::vector<std::uint32_t> lines;  ///< the first occupied cell of each line, and end
+  bool around = false;               ///< the last line is beside the first
+  std::vector<std::uint32_t> positions; ///< of the points in the input
+  std::vector<float> x, y, z;           ///< of the points, z along "up", metres
+  float extent = 1.0f;                  ///< coordinates are not much larger, metres
+
+  std::size_t
+  size() const
+  {
+    return bins.size();
+  }
+
+  std::size_t
+  lineCount() const
+  {
+    return lines.size() - 1;
+  }
+};
+
+/** \brief visit(cell) for all occupied cells, line by line. */
+template <typename Visit>
+void
+forEachCell(const GroundCells& cells, unsigned threads, const Visit& visit)
+{
+  constexpr std::size_t lines_a_task = 8;
+  const std::size_t lines = cells.lineCount();
+  kernels::parallelFor(
+      (lines + lines_a_task - 1) / lines_a_task, threads, [&](std::size_t task) {
+        const std::size_t last = std::min(lines, (task + 1) * lines_a_task);
+        for (std::size_t i = cells.lines[task * lines_a_task]; i < cells.lines[last];
+             ++i)
+          visit(i);
+      });
+}
+
+/** \brief Sort the finite points into cells. \param[in] up of any length but 0 */
+GroundCells groundCells(const detail::GroundQuery& query,
+                        const std::array<float, 3>& up);
+
+} // namespace pcl::segmentation

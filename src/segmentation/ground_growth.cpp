@@ -1,0 +1,217 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "ground_growth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pcl::segmentation {
+namespace {
+
+constexpr float least_planar = 0.5f;
+constexpr int hops = 3;       // over cells that are no ground: a kerb, a pole
+constexpr int most_hops = 24; // to the ground before and behind what hides it
+// By how much ground may leave its own plane, per metre: 30 m away a metre, as on a
+// crest with a radius of 450 m.
+constexpr float bend = 0.03f;
+constexpr std::size_t least_patches = 4; // of ground that stands alone
+// The height of a patch is known to 1 cm, ground turns by 3 degrees: (0.01 / 0.05)^2.
+constexpr float prior_weight = 0.04f;
+
+/** Sets of patches that are merged; the first patch of a set stands for it. */
+class Sets {
+public:
+  explicit Sets(std::size_t size) : parents_(size)
+  {
+    std::iota(parents_.begin(), parents_.end(), std::size_t{0});
+  }
+
+  std::size_t
+  find(std::size_t i)
+  {
+    while (parents_[i] != i)
+      i = parents_[i] = parents_[parents_[i]];
+    return i;
+  }
+
+  void
+  merge(std::size_t a, std::size_t b)
+  {
+    a = find(a);
+    b = find(b);
+    parents_[std::max(a, b)] = std::min(a, b);
+  }
+
+private:
+  std::vector<std::size_t> parents_;
+};
+
+/** Whether the second patch continues the plane of the first, or is a step beside it.
+ */
+bool
+continues(const GroundPatch& a, const GroundPatch& b, float max_step)
+{
+  const float distance = std::hypot(b.x - a.x, b.y - a.y);
+  return std::abs(a.above(b.x, b.y, b.z)) <= max_step + bend * distance;
+}
+
+std::vector<char>
+levelPatches(const GroundPatches& all, float max_slope)
+{
+  const float most = std::tan(max_slope) * std::tan(max_slope);
+  std::vector<char> level(all.patches.size());
+  for (std::size_t i = 0; i < level.size(); ++i) {
+    const GroundPatch& p = all.patches[i];
+    level[i] = p.planar >= least_planar &&
+               p.slope_x * p.slope_x + p.slope_y * p.slope_y <= most;
+  }
+  return level;
+}
+
+/** The nearest patch on a side that is marked; what is between may be anything. */
+std::int32_t
+nextMarked(const GroundPatches& all,
+           const std::vector<char>& marks,
+           std::size_t from,
+           PatchSide side,
+           int most)
+{
+  std::int32_t at = all.neighbors[from][side];
+  for (int hop = 1; at != no_patch && !marks[static_cast<std::size_t>(at)]; ++hop)
+    at = hop < most ? all.neighbors[static_cast<std::size_t>(at)][side] : no_patch;
+  return at;
+}
+
+Sets
+connect(const GroundPatches& all, const std::vector<char>& level, float max_step)
+{
+  Sets sets(level.size());
+  for (std::size_t i = 0; i < level.size(); ++i) {
+    for (const PatchSide side : {Outer, Left, Right}) {
+      if (!level[i])
+        break;
+      const std::int32_t found = nextMarked(all, level, i, side, hops);
+      if (found == no_patch)
+        continue;
+      const auto j = static_cast<std::size_t>(found);
+      if (continues(all.patches[i], all.patches[j], max_step) ||
+          continues(all.patches[j], all.patches[i], max_step))
+        sets.merge(i, j);
+    }
+  }
+  return sets;
+}
+
+struct Votes {
+  std::size_t patches = 0, low = 0, high = 0;
+};
+
+/** Whether patches beside the main ground are at the height of it, by vote. */
+std::vector<Votes>
+voteForLow(const GroundPatches& all,
+           const std::vector<std::size_t>& set_of,
+           const std::vector<char>& ground,
+           float max_step)
+{
+  std::vector<Votes> votes(set_of.size());
+  for (std::size_t i = 0; i < set_of.size(); ++i) {
+    if (set_of[i] == set_of.size() || ground[i])
+      continue;
+    Votes& of_set = votes[set_of[i]];
+    ++of_set.patches;
+    for (const PatchSide side : {Inner, Outer}) {
+      const std::int32_t found = nextMarked(all, ground, i, side, most_hops);
+      if (found == no_patch)
+        continue;
+      const GroundPatch& base = all.patches[static_cast<std::size_t>(found)];
+      ++(continues(base, all.patches[i], max_step) ? of_set.low : of_set.high);
+    }
+  }
+  return votes;
+}
+
+void
+fitToGround(const GroundPatches& all,
+            const std::vector<char>& ground,
+            std::size_t cell,
+            float max_step,
+            GroundPatch& patch)
+{
+  std::array<const GroundPatch*, 4> others{};
+  std::size_t count = 0;
+  float slope_x = patch.slope_x, slope_y = patch.slope_y;
+  for (const std::int32_t at : all.neighbors[cell]) {
+    if (at != no_patch && ground[static_cast<std::size_t>(at)] &&
+        continues(patch, all.patches[static_cast<std::size_t>(at)], 0.25f * max_step)) {
+      others[count] = &all.patches[static_cast<std::size_t>(at)];
+      slope_x += others[count]->slope_x;
+      slope_y += others[count]->slope_y;
+      ++count;
+    }
+  }
+  patch.slope_x = slope_x / static_cast<float>(count + 1);
+  patch.slope_y = slope_y / static_cast<float>(count + 1);
+  fitPlane(patch, others.data(), count, prior_weight);
+}
+
+} // namespace
+
+std::vector<char>
+connectedGround(const GroundCells& cells,
+                const GroundParameters& parameters,
+                unsigned threads,
+                GroundPatches& all)
+{
+  const std::size_t size = all.patches.size();
+  const std::vector<char> level = levelPatches(all, parameters.max_slope);
+  Sets sets = connect(all, level, parameters.max_step);
+  std::vector<std::size_t> set_of(size, size), sizes(size, 0);
+  for (std::size_t i = 0; i < size; ++i)
+    if (level[i])
+      ++sizes[set_of[i] = sets.find(i)];
+  const auto largest = std::max_element(sizes.begin(), sizes.end());
+  std::vector<char> ground(size, 0);
+  if (largest == sizes.end() || *largest < least_patches)
+    return ground;
+  const auto main = static_cast<std::size_t>(largest - sizes.begin());
+  for (std::size_t i = 0; i < size; ++i)
+    ground[i] = set_of[i] == main;
+  const std::vector<Votes> votes = voteForLow(all, set_of, ground, parameters.max_step);
+  for (std::size_t i = 0; i < size; ++i) {
+    if (set_of[i] == size || ground[i])
+      continue;
+    const Votes& of_set = votes[set_of[i]];
+    ground[i] = of_set.patches >= least_patches && of_set.low > of_set.high;
+  }
+  std::vector<GroundPatch> fitted = all.patches;
+  forEachCell(cells, threads, [&](std::size_t i) {
+    if (ground[i])
+      fitToGround(all, ground, i, parameters.max_step, fitted[i]);
+  });
+  all.patches = std::move(fitted);
+  return ground;
+}
+
+NearGround
+nearGround(const GroundPatches& all, const std::vector<char>& ground, std::size_t cell)
+{
+  NearGround near;
+  if (ground[cell])
+    near.patches[near.count++] = static_cast<std::int32_t>(cell);
+  for (const PatchSide side : {Inner, Outer, Right, Left}) {
+    const std::int32_t found = nextMarked(all, ground, cell, side, hops);
+    if (found != no_patch)
+      near.patches[near.count++] = found;
+  }
+  return near;
+}
+
+} // namespace pcl::segmentation

@@ -1,0 +1,198 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "ground_patches.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::segmentation {
+namespace {
+
+// A patch may continue as far away as its own range: 16 cells of 4 % around a laser.
+constexpr std::uint32_t most_bins_apart = 16;
+constexpr std::uint32_t most_bins_beside = 4;
+// Points nearer to a line than 1/100 of their distances do not tell a plane.
+constexpr float least_determinant = 1e-4f;
+constexpr float paper_bin = 0.157f; // 9 degrees: of 10 bins over 90
+
+/** The mean of the points near the lowest one. Sums are of whole numbers: the order of
+ * the points does not matter. */
+GroundPatch
+lowestSurface(const GroundCells& cells, std::size_t cell, float thickness)
+{
+  const std::size_t begin = cells.begins[cell], end = cells.begins[cell + 1];
+  const float low = *std::min_element(&cells.z[begin], &cells.z[begin] + (end - begin));
+  const float unit = cells.extent / (1 << 24), units = 1.0f / unit;
+  const auto whole = [units](float value) {
+    constexpr float most = 1LL << 40; // of a point that is far beyond all others
+    return static_cast<std::int64_t>(std::clamp(value * units, -most, most));
+  };
+  std::int64_t count = 0, x = 0, y = 0, z = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (cells.z[i] - low < thickness) {
+      ++count;
+      x += whole(cells.x[i]);
+      y += whole(cells.y[i]);
+      z += whole(cells.z[i] - low);
+    }
+  }
+  const float share = unit / static_cast<float>(count);
+  GroundPatch patch;
+  patch.x = static_cast<float>(x) * share;
+  patch.y = static_cast<float>(y) * share;
+  patch.z = patch.low = low + static_cast<float>(z) * share;
+  return patch;
+}
+
+/** The cell of a line nearest to each cell of another one, if it is near enough. */
+void
+findBeside(const GroundCells& cells,
+           std::size_t line,
+           std::size_t other,
+           PatchSide side,
+           std::vector<PatchNeighbors>& neighbors)
+{
+  const std::size_t end = cells.lines[other + 1];
+  std::size_t at = cells.lines[other];
+  const auto apart = [&](std::size_t a, std::size_t b) {
+    return cells.bins[a] < cells.bins[b] ? cells.bins[b] - cells.bins[a]
+                                         : cells.bins[a] - cells.bins[b];
+  };
+  for (std::size_t i = cells.lines[line]; i < cells.lines[line + 1] && at < end; ++i) {
+    while (at + 1 < end && apart(at + 1, i) < apart(at, i))
+      ++at;
+    if (apart(at, i) <= most_bins_beside)
+      neighbors[i][side] = static_cast<std::int32_t>(at);
+  }
+}
+
+void
+findNeighbors(const GroundCells& cells,
+              std::size_t line,
+              std::vector<PatchNeighbors>& neighbors)
+{
+  const std::size_t lines = cells.lineCount();
+  for (std::size_t i = cells.lines[line]; i < cells.lines[line + 1]; ++i) {
+    neighbors[i] = {no_patch, no_patch, no_patch, no_patch};
+    if (i > cells.lines[line] && cells.bins[i] - cells.bins[i - 1] <= most_bins_apart)
+      neighbors[i][Inner] = static_cast<std::int32_t>(i - 1);
+    if (i + 1 < cells.lines[line + 1] &&
+        cells.bins[i + 1] - cells.bins[i] <= most_bins_apart)
+      neighbors[i][Outer] = static_cast<std::int32_t>(i + 1);
+  }
+  if (line > 0 || cells.around)
+    findBeside(cells, line, (line + lines - 1) % lines, Right, neighbors);
+  if (line + 1 < lines || cells.around)
+    findBeside(cells, line, (line + 1) % lines, Left, neighbors);
+}
+
+struct Normal {
+  float x, y, z;
+};
+
+Normal
+normalOf(const GroundPatch& patch)
+{
+  const float z = 1.0f / std::sqrt(1.0f + patch.slope_x * patch.slope_x +
+                                   patch.slope_y * patch.slope_y);
+  return {-patch.slope_x * z, -patch.slope_y * z, z};
+}
+
+/** The likelihood of a plane by the angles between its normal and its neighbors'.
+ * Chords stand for the angles: below 30 degrees they differ by a hundredth. */
+float
+planarLikelihood(const GroundPatches& all,
+                 const std::vector<char>& has_plane,
+                 std::size_t patch)
+{
+  const Normal n = normalOf(all.patches[patch]);
+  float sum = 0.0f;
+  int count = 0;
+  for (const std::int32_t other : all.neighbors[patch]) {
+    if (other == no_patch || !has_plane[static_cast<std::size_t>(other)])
+      continue;
+    const Normal m = normalOf(all.patches[static_cast<std::size_t>(other)]);
+    sum += std::sqrt((n.x - m.x) * (n.x - m.x) + (n.y - m.y) * (n.y - m.y) +
+                     (n.z - m.z) * (n.z - m.z));
+    ++count;
+  }
+  if (count == 0)
+    return 0.0f;
+  const float bins = sum / (static_cast<float>(count) * paper_bin);
+  return 1.0f / (1.0f + bins * bins);
+}
+
+} // namespace
+
+bool
+fitPlane(GroundPatch& patch,
+         const GroundPatch* const* others,
+         std::size_t count,
+         float prior_weight)
+{
+  // Around the patch: the plane need not go through it.
+  float n = 1.0f, x = 0.0f, y = 0.0f, z = 0.0f;
+  float xx = 0.0f, xy = 0.0f, yy = 0.0f, xz = 0.0f, yz = 0.0f;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float dx = others[i]->x - patch.x, dy = others[i]->y - patch.y;
+    const float dz = others[i]->low - patch.low;
+    n += 1.0f;
+    x += dx, y += dy, z += dz;
+    xx += dx * dx, xy += dx * dy, yy += dy * dy;
+    xz += dx * dz, yz += dy * dz;
+  }
+  x /= n, y /= n, z /= n;
+  xx = xx / n - x * x + prior_weight;
+  yy = yy / n - y * y + prior_weight;
+  xy = xy / n - x * y;
+  xz = xz / n - x * z + prior_weight * patch.slope_x;
+  yz = yz / n - y * z + prior_weight * patch.slope_y;
+  const float determinant = xx * yy - xy * xy;
+  if (!(determinant > least_determinant * (xx + yy) * (xx + yy)))
+    return false;
+  patch.slope_x = (xz * yy - yz * xy) / determinant;
+  patch.slope_y = (yz * xx - xz * xy) / determinant;
+  patch.z = patch.low + z - patch.slope_x * x - patch.slope_y * y;
+  return true;
+}
+
+GroundPatches
+groundPatches(const GroundCells& cells,
+              const GroundParameters& parameters,
+              unsigned threads)
+{
+  GroundPatches all;
+  all.patches.resize(cells.size());
+  all.neighbors.resize(cells.size());
+  std::vector<GroundPatch> low(cells.size());
+  std::vector<char> has_plane(cells.size());
+  const float thickness = 0.5f * parameters.max_step;
+  forEachCell(cells, threads, [&](std::size_t i) {
+    low[i] = lowestSurface(cells, i, thickness);
+  });
+  kernels::parallelFor(cells.lineCount(), threads, [&](std::size_t line) {
+    findNeighbors(cells, line, all.neighbors);
+  });
+  forEachCell(cells, threads, [&](std::size_t i) {
+    std::array<const GroundPatch*, 4> others{};
+    std::size_t count = 0;
+    for (const std::int32_t other : all.neighbors[i])
+      if (other != no_patch)
+        others[count++] = &low[static_cast<std::size_t>(other)];
+    all.patches[i] = low[i];
+    has_plane[i] = fitPlane(all.patches[i], others.data(), count, 0.0f);
+  });
+  forEachCell(cells, threads, [&](std::size_t i) {
+    all.patches[i].planar = has_plane[i] ? planarLikelihood(all, has_plane, i) : 0.0f;
+  });
+  return all;
+}
+
+} // namespace pcl::segmentation

@@ -1,0 +1,36 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "target_surface.h"
+
+namespace pcl::segmentation {
+
+/** \brief Where a mean shift ended. */
+struct Mode {
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< mean of the window, unit
+  float density = 0.0f;                             ///< of the likelihood there, 1/m^2
+  float bandwidth = 0.0f;                           ///< metres
+  std::uint32_t starts = 1;
+  std::uint32_t iterations = 0;
+  bool converged = false;
+};
+
+/** \brief The modes of a likelihood over a surface, by an adaptive mean shift from
+ * starts all over it; those nearer than half the least bandwidth are one. The densest
+ * comes first. \param[in] weights one for each of surface.points(), 0 and more
+ * \param[in] least bandwidth, metres */
+std::vector<Mode> likelihoodModes(const TargetSurface& surface,
+                                  const std::vector<float>& weights,
+                                  float least,
+                                  unsigned threads);
+
+} // namespace pcl::segmentation

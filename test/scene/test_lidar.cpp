@@ -1,0 +1,186 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "scene/lidar.h"
+#include "scene/street.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+using namespace pcl::scene;
+
+namespace {
+
+LidarOptions
+exact(std::uint64_t seed, unsigned beams = 16)
+{
+  LidarOptions options;
+  options.seed = seed;
+  options.beams = beams;
+  options.sigma = 0.0;
+  options.drop_outs = false;
+  return options;
+}
+
+Vec3
+pointOf(const LidarScan& scan, std::size_t i)
+{
+  return {scan.xyz[3 * i], scan.xyz[3 * i + 1], scan.xyz[3 * i + 2]};
+}
+
+double
+degreesUp(const Vec3& p)
+{
+  return std::asin(p.z / norm(p)) * 180.0 / std::acos(-1.0);
+}
+
+std::string
+refusal(const LidarOptions& options)
+{
+  try {
+    scanStreet(options);
+  }
+  catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+} // namespace
+
+TEST(Lidar, BeamsAreThoseOfTheDataSheets)
+{
+  const std::vector<double> many = beamElevations(64), few = beamElevations(16);
+  ASSERT_EQ(many.size(), 64U);
+  ASSERT_EQ(few.size(), 16U);
+  EXPECT_NEAR(many.front(), -24.33, 0.01);
+  EXPECT_NEAR(many[31], -8.83, 0.01);
+  EXPECT_NEAR(many[32], -8.33, 0.01);
+  EXPECT_DOUBLE_EQ(many.back(), 2.0);
+  EXPECT_DOUBLE_EQ(few.front(), -15.0);
+  EXPECT_DOUBLE_EQ(few.back(), 15.0);
+  EXPECT_TRUE(std::is_sorted(many.begin(), many.end()));
+  EXPECT_TRUE(std::is_sorted(few.begin(), few.end()));
+}
+
+TEST(Lidar, PointsLieOnTheirBeamsAndWithinReach)
+{
+  for (const unsigned beams : {16U, 64U}) {
+    const std::vector<double> elevations = beamElevations(beams);
+    const LidarScan scan = scanStreet(exact(41, beams));
+    EXPECT_GT(scan.size(), beams * 1000U);
+    for (std::size_t i = 0; i < scan.size(); ++i) {
+      const Vec3 p = pointOf(scan, i);
+      ASSERT_NEAR(degreesUp(p), elevations[scan.ring[i]], 1e-3);
+      ASSERT_LE(norm(p), scan.ground[i] == GroundTrue ? 50.001 : 120.001);
+    }
+  }
+}
+
+TEST(Lidar, TruthIsWhatTheRayMet)
+{
+  for (std::uint64_t seed = 42; seed < 45; ++seed) {
+    const Street street = randomStreet(seed);
+    const LidarScan scan = scanStreet(exact(seed));
+    ASSERT_EQ(scan.objects, street.objects);
+    std::size_t kerbs = 0;
+    for (std::size_t i = 0; i < scan.size(); ++i) {
+      const Vec3 p = pointOf(scan, i);
+      const StreetPoint at = street.ground.toStreet(p.x, p.y);
+      const double above = p.z - street.ground.height(at);
+      if (scan.ground[i] == GroundTrue) {
+        ASSERT_NEAR(above, 0.0, 1e-3);
+        ASSERT_EQ(scan.instance[i], 0U);
+        ASSERT_GT(scan.normals[3 * i + 2], 0.9F);
+      }
+      else if (scan.ground[i] == GroundVoid) {
+        ++kerbs;
+        ASSERT_NEAR(std::abs(at.t), street.ground.profile().half_width, 1e-3);
+        ASSERT_EQ(scan.normals[3 * i + 2], 0.0F);
+      }
+      else {
+        ASSERT_GT(above, -1e-3);
+        bool is_on_one = false;
+        for (std::size_t s = 0; s < street.solids.size(); ++s)
+          is_on_one = is_on_one || (street.instances[s] == scan.instance[i] &&
+                                    !facesAt(street.solids[s], p, 1e-3).empty());
+        ASSERT_TRUE(is_on_one) << i;
+      }
+      const Vec3 normal{
+          scan.normals[3 * i], scan.normals[3 * i + 1], scan.normals[3 * i + 2]};
+      ASSERT_LE(dot(normal, p), 1e-6);
+    }
+    EXPECT_GT(kerbs, 0U);
+  }
+}
+
+TEST(Lidar, StreetsHaveKerbsSlopesAndThings)
+{
+  double least_grade = 1.0, most_grade = -1.0;
+  for (std::uint64_t seed = 50; seed < 60; ++seed) {
+    const Street street = randomStreet(seed);
+    const StreetProfile& profile = street.ground.profile();
+    least_grade = std::min(least_grade, profile.grade);
+    most_grade = std::max(most_grade, profile.grade);
+    const double edge = profile.half_width;
+    const double step =
+        street.ground.height({3.0, edge + 1e-9}) - street.ground.height({3.0, edge});
+    EXPECT_NEAR(step, profile.kerb, 1e-6);
+    EXPECT_GT(street.objects, 20U);
+    const StreetPoint below = street.ground.toStreet(0.0, 0.0);
+    EXPECT_NEAR(street.ground.height(below), -profile.height, 1e-9);
+  }
+  EXPECT_LT(least_grade, -0.02);
+  EXPECT_GT(most_grade, 0.02);
+}
+
+TEST(Lidar, NoiseIsAlongTheRay)
+{
+  const LidarScan truth = scanStreet(exact(61));
+  LidarOptions noisy = exact(61);
+  noisy.sigma = 0.03;
+  const LidarScan scan = scanStreet(noisy);
+  ASSERT_EQ(scan.size(), truth.size());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    const Vec3 p = pointOf(scan, i), q = pointOf(truth, i);
+    ASSERT_NEAR(dot(p, q), norm(p) * norm(q), 1e-6 * dot(q, q));
+    sum += (norm(p) - norm(q)) * (norm(p) - norm(q));
+  }
+  EXPECT_NEAR(std::sqrt(sum / static_cast<double>(scan.size())), 0.03, 0.001);
+}
+
+TEST(Lidar, SeedsDecide)
+{
+  LidarOptions options;
+  options.beams = 16;
+  options.seed = 62;
+  const LidarScan scan = scanStreet(options), again = scanStreet(options);
+  EXPECT_EQ(scan.xyz, again.xyz);
+  EXPECT_EQ(scan.ground, again.ground);
+  options.seed = 63;
+  EXPECT_NE(scan.xyz, scanStreet(options).xyz);
+  EXPECT_LT(scan.size(), scanStreet(exact(62)).size()) << "some returns get lost";
+}
+
+TEST(Lidar, RefusesBadOptions)
+{
+  LidarOptions options;
+  options.beams = 32;
+  EXPECT_EQ(refusal(options), "beams is 32, allowed is 16 or 64");
+  options = {};
+  for (const double sigma : {-0.001, 0.2, std::nan("")}) {
+    options.sigma = sigma;
+    EXPECT_NE(refusal(options).find("allowed is 0 to 0.1 m"), std::string::npos);
+  }
+}

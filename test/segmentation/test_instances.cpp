@@ -1,0 +1,300 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "instance_scenes.h"
+
+#include <pcl/common/io.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace {
+
+using namespace pcl;
+using namespace pcl::test;
+using scene::Shape;
+
+scene::Scene
+smallScene(const std::vector<Shape>& shapes, unsigned objects = 3)
+{
+  scene::SceneOptions options;
+  options.seed = 31;
+  options.objects = objects;
+  options.width = 320;
+  options.height = 240;
+  options.shapes = shapes;
+  return scene::generateScene(options);
+}
+
+/** \brief The same points in another order: order[k] is the old place of point k. */
+Cloud::Ptr
+reordered(const Cloud& cloud, const Indices& order)
+{
+  const auto result = make_shared<Cloud>();
+  copyPointCloud(cloud, order, *result);
+  return result;
+}
+
+Indices
+shuffled(std::size_t size)
+{
+  Indices order(size);
+  std::iota(order.begin(), order.end(), 0);
+  Random random(5);
+  for (std::size_t i = size; i > 1; --i) {
+    std::swap(order[i - 1], order[random.index(i)]);
+  }
+  return order;
+}
+
+class Instances : public testing::TestWithParam<const char*> {};
+
+TEST_P(Instances, DoNotDependOnThreadsOrOrderOrUnit)
+{
+  const Cloud::Ptr cloud = cloudOf(smallScene({}, 6));
+  const Labels labels = instancesOf(cloud, GetParam(), 1);
+  ASSERT_GE(*std::max_element(labels.begin(), labels.end()), 2U);
+  EXPECT_EQ(labels, instancesOf(cloud, GetParam(), 3));
+
+  const Indices order = shuffled(cloud->size());
+  const Labels of_order = instancesOf(reordered(*cloud, order), GetParam());
+  std::size_t same = 0;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    same += labels[static_cast<std::size_t>(order[k])] == of_order[k] ? 1 : 0;
+  }
+  EXPECT_GE(same, cloud->size() - cloud->size() / 1000);
+
+  const auto large = make_shared<Cloud>(*cloud);
+  for (PointXYZ& point : *large) {
+    point.getVector3fMap() *= 1024.0f;
+  }
+  EXPECT_EQ(labels, instancesOf(large, GetParam()));
+}
+
+TEST_P(Instances, AreOfTheGivenIndicesOnly)
+{
+  const Cloud::Ptr cloud = cloudOf(smallScene({}, 6));
+  const Labels all = instancesOf(cloud, GetParam());
+  Indices half;
+  for (std::size_t i = 0; i < cloud->size(); ++i) {
+    if (i % cloud->width < cloud->width / 2) {
+      half.push_back(static_cast<index_t>(i));
+    }
+  }
+  ShapeInstanceSegmentation<PointXYZ> segmentation;
+  segmentation.setInputCloud(cloud);
+  segmentation.setIndices(indicesOf(half));
+  segmentation.setClass(GetParam());
+  std::vector<ShapeInstance> instances;
+  segmentation.segment(instances);
+  ASSERT_FALSE(instances.empty());
+  for (const ShapeInstance& instance : instances) {
+    EXPECT_TRUE(std::is_sorted(instance.indices.begin(), instance.indices.end()));
+    EXPECT_TRUE(std::includes(
+        half.begin(), half.end(), instance.indices.begin(), instance.indices.end()));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllClasses,
+                         Instances,
+                         testing::Values("curved", "planar", "object"));
+
+TEST(Instances, AreSortedAndDisjointAndLargeEnough)
+{
+  const Cloud::Ptr cloud = cloudOf(smallScene({}, 6));
+  ShapeInstanceSegmentation<PointXYZ> segmentation;
+  segmentation.setInputCloud(cloud);
+  segmentation.setClass("planar");
+  std::vector<PointIndices> usual, large;
+  segmentation.segment(usual);
+  segmentation.setMinPoints(1000);
+  segmentation.segment(large);
+  ASSERT_FALSE(large.empty());
+  EXPECT_LT(large.size(), usual.size());
+  std::vector<bool> seen(cloud->size(), false);
+  std::size_t previous = cloud->size();
+  for (const PointIndices& instance : usual) {
+    EXPECT_LE(instance.indices.size(), previous);
+    EXPECT_GE(instance.indices.size(), 100U);
+    previous = instance.indices.size();
+    for (const index_t i : instance.indices) {
+      EXPECT_FALSE(seen[static_cast<std::size_t>(i)]);
+      seen[static_cast<std::size_t>(i)] = true;
+    }
+  }
+  for (const PointIndices& instance : large) {
+    EXPECT_GE(instance.indices.size(), 1000U);
+  }
+}
+
+TEST(Instances, ObjectsAreSortedByShape)
+{
+  const std::vector<ShapeInstance> boxes =
+      describedIn(cloudOf(smallScene({Shape::Box})), "object");
+  ASSERT_EQ(3U, boxes.size());
+  for (const ShapeInstance& box : boxes) {
+    EXPECT_GE(box.shares.at(0), 0.9f) << "planar";
+    EXPECT_NEAR(1.0f, box.shares[0] + box.shares[1], 1e-6f);
+  }
+  const std::vector<ShapeInstance> balls =
+      describedIn(cloudOf(smallScene({Shape::Sphere})), "object");
+  ASSERT_EQ(3U, balls.size());
+  for (const ShapeInstance& ball : balls) {
+    EXPECT_GE(ball.shares.at(1), 0.9f) << "curved";
+  }
+}
+
+TEST(Instances, CentroidIsTheMeanOfThePoints)
+{
+  const Cloud::Ptr cloud = cloudOf(smallScene({Shape::Cylinder}));
+  for (const ShapeInstance& instance : describedIn(cloud, "curved")) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const index_t i : instance.indices) {
+      sum += (*cloud)[i].getVector3fMap().cast<double>();
+    }
+    sum /= static_cast<double>(instance.indices.size());
+    EXPECT_LT((sum.cast<float>() - instance.centroid).norm(), 1e-5f);
+  }
+}
+
+/** \brief A surface somewhere in front of the camera. */
+std::vector<ShapeInstance>
+fittedTo(Surface surface, const std::string& of_class, PrimitiveType primitive)
+{
+  surface.move(tiltedPose());
+  return describedIn(toCloud<PointXYZ>(surface), of_class, primitive);
+}
+
+TEST(Instances, ACylinderIsFittedWithItsAxisAndRadius)
+{
+  Random random(7);
+  const auto found =
+      fittedTo(cylinder(20000, 0.05, 0.2, random), "curved", PrimitiveType::Auto);
+  ASSERT_EQ(1U, found.size());
+  const ShapePrimitive& fit = found[0].primitive;
+  ASSERT_EQ(PrimitiveType::Cylinder, fit.type);
+  const std::vector<float>& c = fit.coefficients;
+  const Eigen::Vector3d axis = tiltedPose().linear().col(2);
+  const Eigen::Vector3d found_axis(c[3], c[4], c[5]);
+  EXPECT_NEAR(1.0, std::abs(axis.dot(found_axis)), 1e-5);
+  EXPECT_NEAR(0.05, c[6], 1e-4);
+  const Eigen::Vector3d off =
+      Eigen::Vector3d(c[0], c[1], c[2]) - tiltedPose().translation();
+  EXPECT_LT(off.cross(axis).norm(), 1e-4);
+  EXPECT_LT(fit.residual, 1e-4f);
+}
+
+TEST(Instances, ASphereIsFittedWithItsCenterAndRadius)
+{
+  Random random(8);
+  const auto found =
+      fittedTo(sphere(20000, 0.06, random), "curved", PrimitiveType::Auto);
+  ASSERT_EQ(1U, found.size());
+  const ShapePrimitive& fit = found[0].primitive;
+  ASSERT_EQ(PrimitiveType::Sphere, fit.type);
+  const std::vector<float>& c = fit.coefficients;
+  EXPECT_LT((Eigen::Vector3d(c[0], c[1], c[2]) - tiltedPose().translation()).norm(),
+            1e-4);
+  EXPECT_NEAR(0.06, c[3], 1e-4);
+}
+
+TEST(Instances, APlaneIsFittedWithItsNormalAndResidual)
+{
+  Random random(9);
+  Surface surface = plane(20000, 0.3, random);
+  constexpr double sigma = 2e-4;
+  for (std::size_t i = 2; i < surface.xyz.size(); i += 3) {
+    surface.xyz[i] += static_cast<float>(sigma * random.normal());
+  }
+  const auto found = fittedTo(surface, "planar", PrimitiveType::Auto);
+  ASSERT_EQ(1U, found.size());
+  const ShapePrimitive& fit = found[0].primitive;
+  ASSERT_EQ(PrimitiveType::Plane, fit.type);
+  const std::vector<float>& c = fit.coefficients;
+  const Eigen::Vector3d normal = tiltedPose().linear().col(2);
+  EXPECT_NEAR(1.0, std::abs(normal.dot(Eigen::Vector3d(c[0], c[1], c[2]))), 1e-5);
+  const Eigen::Vector3f on_plane = tiltedPose().translation().cast<float>();
+  EXPECT_LT(std::abs(Eigen::Vector3f(c[0], c[1], c[2]).dot(on_plane) + c[3]), 1e-4f);
+  EXPECT_NEAR(sigma, fit.residual, 0.2 * sigma);
+}
+
+TEST(Instances, TheGivenPrimitiveIsFittedAndDoesNotDependOnTheOrder)
+{
+  Random random(10);
+  Surface surface = cylinder(20000, 0.05, 0.2, random);
+  surface.move(tiltedPose());
+  const auto cloud = toCloud<PointXYZ>(surface);
+  const auto found = describedIn(cloud, "curved", PrimitiveType::Sphere);
+  ASSERT_EQ(1U, found.size());
+  EXPECT_EQ(PrimitiveType::Sphere, found[0].primitive.type);
+  EXPECT_GT(found[0].primitive.residual, 1e-3f) << "it is none";
+  const auto other = describedIn(
+      reordered(*cloud, shuffled(cloud->size())), "curved", PrimitiveType::Sphere);
+  ASSERT_EQ(1U, other.size());
+  EXPECT_EQ(found[0].primitive.coefficients, other[0].primitive.coefficients);
+}
+
+TEST(Instances, NothingIsFoundWhereThereIsNothing)
+{
+  Random random(11);
+  EXPECT_TRUE(
+      fittedTo(plane(20000, 0.3, random), "curved", PrimitiveType::None).empty());
+  EXPECT_TRUE(
+      fittedTo(sphere(20000, 0.06, random), "planar", PrimitiveType::None).empty());
+}
+
+TEST(Instances, BadSettingsAreRefused)
+{
+  const Cloud::Ptr cloud = cloudOf(smallScene({Shape::Box}, 1));
+  const auto errorOf = [&](const auto& set) {
+    ShapeInstanceSegmentation<PointXYZ> segmentation;
+    segmentation.setInputCloud(cloud);
+    set(segmentation);
+    std::vector<ShapeInstance> instances(1);
+    const std::string error = errorsOf([&] { segmentation.segment(instances); });
+    EXPECT_TRUE(instances.empty());
+    return error;
+  };
+  using Segmentation = ShapeInstanceSegmentation<PointXYZ>;
+  expectParts(
+      errorOf([](Segmentation& s) { s.setClass("round"); }),
+      {"[pcl::ShapeInstanceSegmentation::segment]", "'round'", "planar, curved"});
+  expectParts(errorOf([](Segmentation& s) { s.setThresholds(0.4, 0.6); }),
+              {"thresholds", "low <= high", "allowed"});
+  expectParts(errorOf([](Segmentation& s) {
+                s.setThresholds(std::numeric_limits<double>::quiet_NaN(), 0.5);
+              }),
+              {"thresholds", "allowed"});
+  expectParts(errorOf([](Segmentation& s) { s.setMinPoints(0); }), {"0", "allowed"});
+  expectParts(errorOf([](Segmentation& s) { s.setModel(ShapeModel::idealPlane()); }),
+              {"DENSITY", "allowed"});
+  expectParts(errorOf([](Segmentation& s) { s.setInputCloud(nullptr); }),
+              {"no input cloud"});
+  expectParts(
+      errorOf([](Segmentation& s) { s.setInputCloud(make_shared<Cloud>(4, 1)); }), {});
+}
+
+TEST(Instances, AModelOfOnesOwnHasItsOwnClasses)
+{
+  ShapeModel model = ShapeModel::defaultSurfaces();
+  ShapeInstanceSegmentation<PointXYZ> segmentation;
+  segmentation.setModel(model);
+  segmentation.setInputCloud(cloudOf(smallScene({Shape::Cylinder})));
+  for (const ShapeModel::Class& of : model.classes()) {
+    segmentation.setClass(of.name);
+    std::vector<PointIndices> instances;
+    segmentation.segment(instances);
+    EXPECT_FALSE(instances.empty()) << of.name;
+  }
+}
+
+} // namespace

@@ -1,0 +1,349 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "support/clouds.h"
+#include "support/errors.h"
+#include "support/shapes.h"
+
+#include <pcl/segmentation/suction_grasp_estimation.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace {
+
+using namespace pcl;
+using namespace pcl::test;
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+using Cloud = PointCloud<PointXYZ>;
+using Grasps = std::vector<SuctionGrasp>;
+using Estimation = SuctionGraspEstimation<PointXYZ>;
+
+constexpr double cup = 0.01;
+constexpr float cup_radius = 0.01f;
+
+/** \brief Points of z = height in a rectangle, about 1.5 mm apart. */
+Surface
+sheet(Vector3d corner, double width, double length, Random& random)
+{
+  const auto count = static_cast<std::size_t>(width * length / (0.0015 * 0.0015));
+  return sampled(count, random, [=](Random& r) {
+    const double x = r.uniform(0, width), y = r.uniform(0, length);
+    return SurfacePoint{corner + Vector3d(x, y, 0), {0, 0, 1}};
+  });
+}
+
+Estimation
+seenFromAbove(const Cloud::Ptr& cloud)
+{
+  Estimation estimation;
+  estimation.setInputCloud(cloud);
+  estimation.setCupRadius(cup);
+  estimation.setViewPoint(0, 0, 5);
+  return estimation;
+}
+
+Grasps
+graspsOf(Estimation& estimation)
+{
+  Grasps grasps;
+  EXPECT_TRUE(estimation.compute(grasps));
+  return grasps;
+}
+
+Grasps
+graspsOn(const Surface& surface)
+{
+  Estimation estimation = seenFromAbove(toCloud<PointXYZ>(surface));
+  return graspsOf(estimation);
+}
+
+bool
+has(const SuctionGrasp& grasp, SealProblem problem)
+{
+  return std::find(grasp.problems.begin(), grasp.problems.end(), problem) !=
+         grasp.problems.end();
+}
+
+bool
+areSame(const Grasps& one, const Grasps& other)
+{
+  return std::equal(one.begin(),
+                    one.end(),
+                    other.begin(),
+                    other.end(),
+                    [](const SuctionGrasp& a, const SuctionGrasp& b) {
+                      return a.position == b.position && a.approach == b.approach &&
+                             a.score == b.score && a.problems == b.problems &&
+                             a.iterations == b.iterations;
+                    });
+}
+
+TEST(SuctionGrasps, OfAPlaneAreOnItAndPointAgainstItsNormal)
+{
+  Random random(901);
+  const Grasps grasps = graspsOn(sheet({0, 0, 0.3}, 0.1, 0.08, random));
+  ASSERT_GT(grasps.size(), 3U);
+  for (const SuctionGrasp& grasp : grasps) {
+    ASSERT_TRUE(grasp.seals()) << "the mode moves to where the cup fits";
+    EXPECT_NEAR(grasp.position.z(), 0.3f, 1e-5f);
+    EXPECT_LT((grasp.approach - Vector3f(0, 0, -1)).norm(), 1e-3f);
+    EXPECT_EQ(grasp.surface, 1U);
+    EXPECT_TRUE(grasp.converged);
+    for (const int axis : {0, 1}) {
+      EXPECT_GE(grasp.position[axis], cup_radius);
+      EXPECT_LE(grasp.position[axis], (axis == 0 ? 0.1f : 0.08f) - cup_radius);
+    }
+  }
+}
+
+TEST(SuctionGrasps, AreRankedWithThoseThatSealFirst)
+{
+  Random random(902);
+  Surface surface = sheet({0, 0, 0}, 0.06, 0.06, random);
+  surface.append(sheet({0.1, 0, 0}, 0.015, 0.06, random)); // narrower than the cup
+  const Grasps grasps = graspsOn(surface);
+  ASSERT_GE(grasps.size(), 2U);
+  EXPECT_TRUE(grasps.front().seals());
+  EXPECT_FALSE(grasps.back().seals());
+  for (std::size_t g = 0; g < grasps.size(); ++g) {
+    EXPECT_EQ(grasps[g].score > 0.5f, grasps[g].seals());
+    EXPECT_LE(grasps[g].score, g == 0 ? 1.0f : grasps[g - 1].score);
+  }
+}
+
+TEST(SuctionGrasps, DoNotSealOnAStripNarrowerThanTheCup)
+{
+  Random random(903);
+  const Grasps grasps = graspsOn(sheet({0, 0, 0}, 0.016, 0.08, random));
+  ASSERT_FALSE(grasps.empty());
+  for (const SuctionGrasp& grasp : grasps) {
+    EXPECT_TRUE(has(grasp, SealProblem::Border));
+    EXPECT_LT(grasp.covered, 1.0f);
+    EXPECT_NEAR(grasp.border_distance, 0.008f, 0.003f);
+  }
+}
+
+TEST(SuctionGrasps, AvoidAHole)
+{
+  Random random(904);
+  Surface surface;
+  const Surface whole = sheet({-0.03, -0.03, 0}, 0.06, 0.06, random);
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if (whole.position(i).norm() > 0.006) {
+      surface.add({whole.position(i), whole.normal(i)});
+    }
+  }
+  const Grasps grasps = graspsOn(surface);
+  ASSERT_FALSE(grasps.empty());
+  EXPECT_TRUE(grasps.front().seals());
+  for (const SuctionGrasp& grasp : grasps) {
+    EXPECT_TRUE(!grasp.seals() || grasp.position.norm() > 0.016f);
+  }
+}
+
+TEST(SuctionGrasps, KeepAwayFromACrease)
+{
+  Random random(905);
+  Surface surface = dihedral(10000, 90, 0.1, random); // along the x axis
+  Estimation estimation;
+  estimation.setInputCloud(toCloud<PointXYZ>(surface));
+  estimation.setViewPoint(0, 5, 5);
+  const Grasps grasps = graspsOf(estimation);
+  ASSERT_GE(grasps.size(), 2U);
+  bool is_level = false, is_upright = false;
+  for (const SuctionGrasp& grasp : grasps) {
+    if (grasp.seals()) {
+      EXPECT_GT(grasp.position.tail<2>().norm(), cup_radius);
+      EXPECT_LT(grasp.position.tail<2>().minCoeff(), 1e-4f) << "on one of the planes";
+      is_level = is_level || grasp.approach.z() < -0.99f;
+      is_upright = is_upright || grasp.approach.y() < -0.99f;
+    }
+  }
+  EXPECT_TRUE(is_level && is_upright) << "both faces are graspable";
+}
+
+TEST(SuctionGrasps, BendWithinTheComplianceOnly)
+{
+  Random random(906);
+  for (const double radius : {0.04, 0.016}) {
+    const double area = 2 * pi * radius * 0.1;
+    const Surface tube = cylinder(
+        static_cast<std::size_t>(area / (0.0015 * 0.0015)), radius, 0.1, random);
+    Surface upper;
+    for (std::size_t i = 0; i < tube.size(); ++i) {
+      if (tube.normal(i).y() > 0) {
+        upper.add({tube.position(i), tube.normal(i)});
+      }
+    }
+    Estimation estimation;
+    estimation.setInputCloud(toCloud<PointXYZ>(upper));
+    estimation.setViewPoint(0, 5, 0);
+    estimation.setSurface(Estimation::CURVED);
+    const Grasps grasps = graspsOf(estimation);
+    ASSERT_FALSE(grasps.empty());
+    const SuctionGrasp& first = grasps.front();
+    EXPECT_EQ(first.seals(), radius > 0.03);
+    EXPECT_EQ(has(first, SealProblem::Bent), radius < 0.03);
+    const auto sag = static_cast<float>(cup * cup / (2 * radius));
+    EXPECT_NEAR(first.sag, sag, 0.2f * sag);
+    EXPECT_EQ(first.surface, 2U);
+    EXPECT_NEAR(first.position.head<2>().norm(), radius, 0.0003);
+    const Vector3f outward(first.position.x(), first.position.y(), 0);
+    EXPECT_LT((first.approach + outward.normalized()).norm(), 0.05f);
+  }
+}
+
+TEST(SuctionGrasps, KeepAwayFromWhatStandsOnTheTarget)
+{
+  Random random(907);
+  Surface surface = sheet({0, 0, 0}, 0.08, 0.04, random);
+  const std::size_t own = surface.size();
+  surface.append(sheet({0, 0, 0.015}, 0.04, 0.04, random)); // above the left half
+  const Cloud::Ptr cloud = toCloud<PointXYZ>(surface);
+  const auto target = make_shared<Indices>();
+  for (std::size_t i = 0; i < own; ++i) {
+    target->push_back(static_cast<index_t>(i));
+  }
+  Estimation estimation = seenFromAbove(cloud);
+  estimation.setIndices(target);
+  const Grasps grasps = graspsOf(estimation);
+  ASSERT_FALSE(grasps.empty());
+  EXPECT_TRUE(grasps.front().seals());
+  for (const SuctionGrasp& grasp : grasps) {
+    EXPECT_NEAR(grasp.position.z(), 0.0f, 1e-3f) << "on the target";
+    EXPECT_EQ(has(grasp, SealProblem::Obstacle),
+              grasp.position.x() < 0.04f + cup_radius + grasp.margin);
+  }
+}
+
+TEST(SuctionGrasps, EndWhereTheTargetEnds)
+{
+  Random random(908);
+  const Cloud::Ptr cloud = toCloud<PointXYZ>(sheet({0, 0, 0}, 0.1, 0.06, random));
+  const auto target = make_shared<Indices>();
+  for (std::size_t i = 0; i < cloud->size(); ++i) {
+    if ((*cloud)[i].x < 0.05f) {
+      target->push_back(static_cast<index_t>(i));
+    }
+  }
+  Estimation estimation = seenFromAbove(cloud);
+  estimation.setIndices(target);
+  const Grasps grasps = graspsOf(estimation);
+  ASSERT_FALSE(grasps.empty());
+  for (const SuctionGrasp& grasp : grasps) {
+    EXPECT_TRUE(!grasp.seals() || grasp.position.x() <= 0.05f - cup_radius);
+  }
+}
+
+TEST(SuctionGrasps, DoNotSealOnARoughSurface)
+{
+  Random random(909);
+  Surface smooth = sheet({0, 0, 0}, 0.1, 0.06, random);
+  Surface rough;
+  for (std::size_t i = 0; i < smooth.size(); ++i) { // one half has waves of 2 mm
+    Vector3d p = smooth.position(i);
+    if (p.x() < 0.05) {
+      p.z() = 0.002 * std::sin(2 * pi * p.x() / 0.0125);
+    }
+    rough.add({p, smooth.normal(i)});
+  }
+  const Grasps grasps = graspsOn(rough);
+  ASSERT_FALSE(grasps.empty());
+  EXPECT_TRUE(grasps.front().seals());
+  for (const SuctionGrasp& grasp : grasps) {
+    EXPECT_TRUE(!grasp.seals() || grasp.position.x() > 0.05f);
+  }
+}
+
+TEST(SuctionGrasps, DoNotDependOnThreadsOrderOrUnknownPoints)
+{
+  Random random(910);
+  Surface scene = mixedScene(15000, random); // all count for its noise
+  scene.addNoise(0.0003, random);
+  const Cloud::Ptr cloud = toCloud<PointXYZ>(scene);
+  Estimation estimation;
+  estimation.setInputCloud(cloud);
+  estimation.setNumberOfThreads(1);
+  const Grasps one = graspsOf(estimation);
+  ASSERT_GT(one.size(), 5U);
+  estimation.setNumberOfThreads(3);
+  EXPECT_TRUE(areSame(one, graspsOf(estimation)));
+
+  const auto changed = make_shared<Cloud>();
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  for (std::size_t i = cloud->size(); i-- > 0;) {
+    changed->push_back((*cloud)[i]);
+    if (i % 100 == 0) {
+      changed->emplace_back(nan, nan, nan);
+    }
+  }
+  changed->is_dense = false;
+  estimation.setInputCloud(changed);
+  EXPECT_TRUE(areSame(one, graspsOf(estimation)));
+}
+
+TEST(SuctionGrasps, ScaleWithTheCloud)
+{
+  Random random(911);
+  const Cloud::Ptr cloud = toCloud<PointXYZ>(sheet({0, 0, 0}, 0.08, 0.08, random));
+  Estimation estimation = seenFromAbove(cloud);
+  const Grasps small = graspsOf(estimation);
+  for (PointXYZ& point : *cloud) {
+    point.getVector3fMap() *= 1024.0f;
+  }
+  estimation.setViewPoint(0, 0, 5120);
+  estimation.setCupRadius(1024 * cup);
+  const Grasps large = graspsOf(estimation);
+  ASSERT_EQ(small.size(), large.size());
+  for (std::size_t g = 0; g < small.size(); ++g) {
+    EXPECT_LT((1024.0f * small[g].position - large[g].position).norm(), 1.0f);
+    EXPECT_NEAR(small[g].score, large[g].score, 1e-3f);
+  }
+}
+
+TEST(SuctionGrasps, OfOneClassOnlyAndNoMoreThanAskedFor)
+{
+  Random random(912);
+  Estimation estimation =
+      seenFromAbove(toCloud<PointXYZ>(sheet({0, 0, 0}, 0.08, 0.08, random)));
+  estimation.setMaximumGrasps(2);
+  EXPECT_EQ(graspsOf(estimation).size(), 2U);
+  estimation.setSurface(Estimation::CURVED);
+  EXPECT_TRUE(graspsOf(estimation).empty()) << "nothing is curved";
+}
+
+TEST(SuctionGrasps, RefuseWhatCannotBeUsed)
+{
+  Random random(913);
+  const Cloud::Ptr cloud = toCloud<PointXYZ>(sheet({0, 0, 0}, 0.04, 0.04, random));
+  const auto refused = [&](const std::string& word, const auto& change) {
+    Estimation estimation = seenFromAbove(cloud);
+    change(estimation);
+    Grasps grasps(1);
+    const std::string error =
+        errorsOf([&] { EXPECT_FALSE(estimation.compute(grasps)); });
+    EXPECT_NE(error.find(word), std::string::npos) << error;
+    EXPECT_NE(error.find("SuctionGraspEstimation"), std::string::npos) << error;
+    EXPECT_TRUE(grasps.empty());
+  };
+  refused("cup radius", [](Estimation& e) { e.setCupRadius(0); });
+  refused("cup radius", [](Estimation& e) { e.setCupRadius(-1); });
+  refused("cup radius", [](Estimation& e) {
+    e.setCupRadius(std::numeric_limits<double>::infinity());
+  });
+  refused("too sparse", [](Estimation& e) { e.setCupRadius(1e-4); });
+  refused("compliance", [](Estimation& e) { e.setCompliance(1.5); });
+  refused("no input cloud", [](Estimation& e) { e.setInputCloud(nullptr); });
+}
+
+} // namespace
