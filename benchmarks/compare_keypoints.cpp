@@ -172,7 +172,11 @@ run(int argc, char** argv)
       std::cout << rows.back().dump() << '\n';
     }
   }
-  std::cout << nlohmann::ordered_json{{"seed", first}, {"rows", rows}}.dump() << '\n';
+  std::cout << nlohmann::ordered_json{{"seed", first},
+                                      {"threads", options.threads},
+                                      {"rows", rows}}
+                   .dump()
+            << '\n';
   return 0;
 }
 
