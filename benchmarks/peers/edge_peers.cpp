@@ -70,13 +70,16 @@ edgePeers(const std::vector<double>& radii)
 {
   constexpr float six_of_256_levels = 6.0f / 256.0f;
   Peer normals{"pcl::DifferenceOfNormalsEstimation", {}, {}};
-  for (const double large : radii) {
-    const double small = large / 3.0;
-    normals.settings.push_back({millimetres(small) + " and " + millimetres(large),
-                                [=](const LabelledCloud& cloud) {
-                                  return differenceOfNormals(
-                                      cloud.points, small, large);
-                                }});
+  // Below and above: with noise the normals over a third of a radius are of no use.
+  for (const double scale : {1.0 / 3.0, 1.0}) {
+    for (const double radius : radii) {
+      const double small = scale * radius, large = 3.0 * small;
+      normals.settings.push_back({millimetres(small) + " and " + millimetres(large),
+                                  [=](const LabelledCloud& cloud) {
+                                    return differenceOfNormals(
+                                        cloud.points, small, large);
+                                  }});
+    }
   }
   return {{"surface variation (Bazazian), its defaults",
            {{"10 nearest points", variationOfNearest}},

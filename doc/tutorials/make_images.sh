@@ -48,3 +48,8 @@ done
 run tutorial_normal_estimation_sweep scene.pcd
 run pcl_shape_edge_detection scene.pcd normals.pcd -normals
 picture normal_estimation_sweep normals.pcd -field plain -shade -normals
+
+run pcl_shape_scene front.pcd -seed 2
+run pcl_shape_scene right.pcd -seed 2 -turn 30
+run tutorial_salient_points front.pcd right.pcd both.pcd
+picture salient_points both.pcd -field label -names 1=first,2=second

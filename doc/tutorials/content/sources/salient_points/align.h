@@ -32,6 +32,7 @@ struct Alignment {
   std::size_t agreeing = 0; ///< those that the pose brings together
 };
 
+// [describe]
 /** \brief Fast Point Feature Histograms (Rusu 2009) of the keypoints.
  * \param[in] spacing the mean distance of the cloud's points, metres */
 inline Features::Ptr
@@ -40,7 +41,7 @@ describe(const View& view, float spacing)
   const auto thinned = pcl::make_shared<Cloud>();
   pcl::VoxelGrid<pcl::PointXYZ> grid;
   grid.setInputCloud(view.cloud);
-  grid.setLeafSize(3.0f * spacing, 3.0f * spacing, 3.0f * spacing);
+  grid.setLeafSize(4.0f * spacing, 4.0f * spacing, 4.0f * spacing);
   grid.filter(*thinned);
 
   const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
@@ -60,7 +61,9 @@ describe(const View& view, float spacing)
   estimation.compute(*features);
   return features;
 }
+// [describe]
 
+// [align]
 /** \brief Keypoints with similar surroundings, and the pose that most of them agree on.
  * \param[in] spacing the mean distance of the clouds' points, metres */
 inline Alignment
@@ -85,3 +88,4 @@ align(const View& from, const View& to, float spacing)
   rejection.getCorrespondences(agreeing);
   return {rejection.getBestTransformation(), matches->size(), agreeing.size()};
 }
+// [align]

@@ -25,6 +25,7 @@ struct Creases {
   float spacing = 0.0f; ///< of the cloud, the median at its creases
 };
 
+// [creases]
 Creases
 creasesOf(const Cloud::ConstPtr& cloud)
 {
@@ -49,6 +50,7 @@ creasesOf(const Cloud::ConstPtr& cloud)
   creases.spacing = *middle;
   return creases;
 }
+// [creases]
 
 Cloud::Ptr
 thinned(const Cloud::ConstPtr& cloud, float distance)
@@ -61,17 +63,26 @@ thinned(const Cloud::ConstPtr& cloud, float distance)
   return result;
 }
 
+void
+append(const Cloud& cloud, std::uint32_t label, pcl::PointCloud<pcl::PointXYZL>& all)
+{
+  for (const pcl::PointXYZ& point : cloud) {
+    all.emplace_back(point.x, point.y, point.z, label);
+  }
+}
+
 } // namespace
 
 int
 main(int argc, char** argv)
 {
   if (argc != 4) {
-    std::cerr << "usage: salient_points FROM.pcd TO.pcd ALIGNED.pcd\n";
+    std::cerr << "usage: salient_points FROM.pcd TO.pcd BOTH.pcd\n";
     return 2;
   }
   View views[2];
   float spacing = 0.0f;
+  // [keypoints]
   for (int v = 0; v < 2; ++v) {
     const auto cloud = pcl::make_shared<Cloud>();
     if (pcl::io::loadPCDFile(argv[1 + v], *cloud) != 0) {
@@ -88,11 +99,19 @@ main(int argc, char** argv)
     views[v] = {cloud, thinned(creases.points, 4.0f * creases.spacing)};
     std::cout << argv[1 + v] << ": " << views[v].keypoints->size() << " keypoints\n";
   }
+  // [keypoints]
+  // [align]
   const Alignment alignment = align(views[0], views[1], spacing);
   std::cout << alignment.agreeing << " of " << alignment.matches
             << " matches agree on the pose\n"
             << alignment.pose << '\n';
+  // [align]
+  // [save]
   Cloud aligned;
   pcl::transformPointCloud(*views[0].cloud, aligned, alignment.pose);
-  return pcl::io::savePCDFileBinaryCompressed(argv[3], aligned) == 0 ? 0 : 1;
+  pcl::PointCloud<pcl::PointXYZL> both;
+  append(aligned, 1, both);
+  append(*views[1].cloud, 2, both);
+  return pcl::io::savePCDFileBinaryCompressed(argv[3], both) == 0 ? 0 : 1;
+  // [save]
 }
