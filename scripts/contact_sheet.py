@@ -38,8 +38,8 @@ def main(out, columns, width, colors, *entries):
         x, y = place % columns * cell_width, place // columns * cell_height
         draw.text((x + 4, y + 3), title, fill="black", font=font())
         sheet.paste(picture, (x, y + BAND))
-    sheet.quantize(int(colors), method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE).save(
-        out, optimize=True)
+    few = sheet.quantize(int(colors), method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
+    few.save(out, optimize=True)
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@
 # Needs xvfb-run without a display, and python3-pil.
 set -euo pipefail
 export LC_ALL=C
-[[ -n ${DISPLAY:-} ]] || exec xvfb-run -a "$0" "$@"
+[[ -n ${DISPLAY:-} ]] || exec xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$0" "$@"
 
 apps=${1:?usage: scripts/draw_errors.sh BUILD_DIR [DATA_DIR] [OUT.png]}/apps
 data=${2:-}
@@ -45,4 +45,4 @@ if [[ -n $data ]]; then
     outcomes $cloud "$data/synthetic/$cloud.pcd" edge
   done
 fi
-"${PYTHON:-python3}" "$here"/contact_sheet.py "$picture" 3 320 12 "${entries[@]}"
+"${PYTHON:-python3}" "$here"/contact_sheet.py "$picture" 3 320 64 "${entries[@]}"

@@ -4,7 +4,7 @@
 # Usage: scripts/draw_readme.sh BUILD_DIR [OUTPUT_DIR]
 # Needs xvfb-run without a display, and python3-pil.
 set -euo pipefail
-[[ -n ${DISPLAY:-} ]] || exec xvfb-run -a "$0" "$@"
+[[ -n ${DISPLAY:-} ]] || exec xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$0" "$@"
 
 apps=${1:?usage: scripts/draw_readme.sh BUILD_DIR [OUTPUT_DIR]}/apps
 here=$(dirname "${BASH_SOURCE[0]}")
@@ -13,7 +13,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 # The objects, without the borders of the table.
-camera=0,0,0,0,-0.02,0.9,0,-1,0,28
+camera=0,0,0,-0.03,0.02,0.9,0,-1,0,31
 
 "$apps"/pcl_shape_scene "$work/scene.pcd" -seed 2
 "$apps"/pcl_shape_back_projection "$work/scene.pcd" "$work/surfaces.pcd"
@@ -25,6 +25,6 @@ camera=0,0,0,0,-0.02,0.9,0,-1,0,28
 "$apps"/pcl_shape_histogram "$work/scene.pcd" "$work/model.json" -radius 0.025 -name curved \
   -field surface -value 2 -bins 60 -mu_range 45 -sigma_range 22.5 -png "$work/heat_map.png"
 
-for picture in scene:64 lines:64 heat_map:64; do
-  "${PYTHON:-python3}" "$here"/fewer_colors.py "$work/${picture%:*}.png" "$figures/${picture%:*}.png" "${picture#*:}"
+for picture in scene lines heat_map; do
+  "${PYTHON:-python3}" "$here"/fewer_colors.py "$work/$picture.png" "$figures/$picture.png" 128
 done

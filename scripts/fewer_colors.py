@@ -11,4 +11,5 @@ from PIL import Image
 if len(sys.argv) != 4:
     sys.exit(__doc__)
 picture = Image.open(sys.argv[1]).convert("RGB")
-picture.quantize(int(sys.argv[3]), dither=Image.Dither.NONE).save(sys.argv[2], optimize=True)
+few = picture.quantize(int(sys.argv[3]), method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
+few.save(sys.argv[2], optimize=True)

@@ -37,6 +37,11 @@ knownStyles()
       {"ground", {{0, {"not ground", unknown}}, {1, {"ground", green}}}},
       {"instance", {{0, {"none", plain}}}},
       {"label", {{0, {"none", plain}}}},
+      {"label beside confidence",
+       {{0, {"void", unknown}},
+        {1, {"planar", blue}},
+        {2, {"curved", orange}},
+        {3, {"edge", crimson}}}},
       {"outcome",
        {{0, {"left out", unknown}},
         {1, {"rightly not", plain}},
@@ -86,7 +91,9 @@ isLabelField(const std::string& field)
 LabelStyles
 stylesOf(const CloudFile& cloud, const std::string& field)
 {
-  const auto known = knownStyles().find(field);
+  const bool is_training = field == "label" && findField(cloud, "confidence");
+  const auto known =
+      knownStyles().find(is_training ? "label beside confidence" : field);
   if (known == knownStyles().end())
     return {};
   return field == "surface" ? stylesOfModel(classNames(cloud), known->second)

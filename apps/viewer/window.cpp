@@ -18,6 +18,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <memory>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
@@ -197,13 +198,14 @@ void
 requireDisplay()
 {
   const char* const name = std::getenv("DISPLAY");
-  Display* const display = XOpenDisplay(nullptr);
+  // Open until the end: Xvfb starts anew when its last client leaves.
+  static const std::unique_ptr<Display, int (*)(Display*)> display(
+      XOpenDisplay(nullptr), XCloseDisplay);
   if (!display)
     throw InputError("no X server at DISPLAY '" + std::string(name ? name : "") +
                      "': allowed is one that can be reached; without a screen, "
                      "'xvfb-run -a pcl_shape_viewer ... -screenshot out.png' draws "
                      "pictures");
-  XCloseDisplay(display);
 }
 
 std::string

@@ -4,7 +4,7 @@
 # Usage: doc/tutorials/make_images.sh BUILD_DIR [OUTPUT_DIR]
 # Needs xvfb-run without a display, and python3-pil.
 set -euo pipefail
-[[ -n ${DISPLAY:-} ]] || exec xvfb-run -a "$0" "$@"
+[[ -n ${DISPLAY:-} ]] || exec xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$0" "$@"
 
 build=$(cd "${1:?usage: doc/tutorials/make_images.sh BUILD_DIR [OUTPUT_DIR]}" && pwd)
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -23,23 +23,26 @@ picture() { # NAME CLOUD VIEWER_OPTION ...
   local name=$1
   shift
   pcl_shape_viewer "$@" -screenshot "$name.png" >/dev/null
-  "${PYTHON:-python3}" "$here"/../../scripts/fewer_colors.py "$name.png" "$images/$name.png" 64
+  "${PYTHON:-python3}" "$here"/../../scripts/fewer_colors.py "$name.png" "$images/$name.png" 128
 }
+
+# The objects of the scene, without the borders of the table.
+camera=0,0,0,-0.03,0.02,0.9,0,-1,0,31
 
 run pcl_shape_scene scene.pcd -seed 2
 
 run tutorial_shape_edge_detection scene.pcd
 run pcl_shape_edge_detection scene.pcd types.pcd -types -lines lines.json
-picture shape_edge_detection_types types.pcd -field edge_type
-picture shape_edge_detection_lines types.pcd -field plain -lines lines.json
+picture shape_edge_detection_types types.pcd -field edge_type -camera $camera -size 720x540
+picture shape_edge_detection_lines types.pcd -field plain -lines lines.json -camera $camera -size 720x540
 
 run tutorial_shape_back_projection scene.pcd
 run pcl_shape_back_projection scene.pcd surfaces.pcd
-picture shape_back_projection surfaces.pcd -field likelihood,surface
+picture shape_back_projection surfaces.pcd -field likelihood,surface -camera $camera -size 1200x450
 
 run tutorial_shape_model
 picture shape_model sheets.pcd -field label -names 0=unknown,1=flat,2=corrugated -size 960x400 \
-  -camera 0.55,-0.8,-0.3,0.55,0.15,1,0,-1,0,40
+  -camera 0.55,-0.8,-0.3,0.55,0.15,1.02,0,-1,0,19
 for sheet in flat corrugated; do
   run pcl_shape_histogram $sheet.pcd model.json -radius 0.025 -bins 60 -name $sheet \
     -png "$images/shape_model_$sheet.png"
@@ -47,7 +50,7 @@ done
 
 run tutorial_normal_estimation_sweep scene.pcd
 run pcl_shape_edge_detection scene.pcd normals.pcd -normals
-picture normal_estimation_sweep normals.pcd -field plain -shade -normals
+picture normal_estimation_sweep normals.pcd -field plain -shade -normals -camera $camera -size 720x540
 
 run pcl_shape_scene front.pcd -seed 2
 run pcl_shape_scene right.pcd -seed 2 -turn 30

@@ -68,8 +68,16 @@ Picture::count(const Pixel& color, const Part& part) const
 double
 Picture::share(const Pixel& color, const Part& part) const
 {
-  const double area = (part.right - part.left) * (part.bottom - part.top);
-  return static_cast<double>(count(color, part)) / (area * width_ * height_);
+  return static_cast<double>(count(color, part)) / static_cast<double>(size(part));
+}
+
+std::size_t
+Picture::size(const Part& part) const
+{
+  const Columns columns = between(part.left, part.right, width_);
+  const Columns rows = between(part.top, part.bottom, height_);
+  return static_cast<std::size_t>(columns.end - columns.first) *
+         static_cast<std::size_t>(rows.end - rows.first);
 }
 
 } // namespace pcl_shape_test

@@ -42,6 +42,9 @@ public:
     return height_;
   }
 
+  /** \brief How many pixels a part has. */
+  std::size_t size(const Part& part) const;
+
   /** \brief How many pixels of a part have this color, give or take 6 in each channel.
    */
   std::size_t count(const Pixel& color, const Part& part = {}) const;

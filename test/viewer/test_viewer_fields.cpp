@@ -53,6 +53,16 @@ TEST_F(ViewerFields, LabelsAreCountedAndNamed)
   EXPECT_EQ(views["label"], (Json{{"flat", 400}, {"corrugated", 800}, {"7", 400}}));
 }
 
+TEST_F(ViewerFields, TrainingLabelsAreNamed)
+{
+  pictureOf({square("label confidence", "U F", {"0 0", "1 .9", "2 .9", "3 .9"}),
+             "-json",
+             path("json")});
+  const Json view = Json::parse(readFile(path("json")))["views"]["label"];
+  EXPECT_EQ(view,
+            (Json{{"void", 400}, {"planar", 400}, {"curved", 400}, {"edge", 400}}));
+}
+
 TEST_F(ViewerFields, AnglesAreViridisInDegreesAndUnknownIsGrey)
 {
   const std::string cloud = square("mu", "F", {"0", "0", "nan", "1.5", "1.5"});

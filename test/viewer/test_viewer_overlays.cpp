@@ -30,9 +30,7 @@ protected:
 std::size_t
 countOthers(const Picture& picture, const Part& part = {})
 {
-  const double all = (part.right - part.left) * (part.bottom - part.top) *
-                     picture.width() * picture.height();
-  return static_cast<std::size_t>(all) - picture.count(white, part) -
+  return picture.size(part) - picture.count(white, part) -
          picture.count(light_grey, part);
 }
 
