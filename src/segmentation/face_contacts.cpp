@@ -55,7 +55,7 @@ public:
   , faces_(faces)
   , grown_(grown)
   , cell_(medianSpacing(input))
-  , offset_(offsetLimit(input))
+  , step_(stepLimit(input))
   {}
 
   /** One meeting a pair of faces in each cell of space. */
@@ -152,10 +152,8 @@ private:
     const float distance = between.norm();
     const float cosine = a.normal.dot(b.normal);
     if (cosine > flat_cosine) {
-      const float sine = std::sqrt(std::max(0.0f, 1.0f - cosine * cosine));
-      const float step =
-          0.5f * (std::abs(a.normal.dot(between)) + std::abs(b.normal.dot(between)));
-      return step < offset_ * spacing + 0.5f * sine * distance ? 1.0f : -1.0f;
+      const float step = 0.5f * std::abs((a.normal + b.normal).dot(between));
+      return step < step_ * spacing ? 1.0f : -1.0f;
     }
     const float opening = (a.normal - b.normal).dot(between) / distance;
     return std::clamp(opening / flat_sine, -1.0f, 1.0f);
@@ -166,7 +164,7 @@ private:
   const Labels& faces_;
   const Labels& grown_;
   float cell_;
-  float offset_;
+  float step_;
 };
 
 } // namespace

@@ -9,6 +9,8 @@
 
 #include "face_grouping.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -18,8 +20,8 @@ namespace {
 
 // doc/instances.md has the reason of each number.
 constexpr double planar_threshold = 0.5;
-constexpr double least_area_share = 0.25;   // of the largest face's
-constexpr double same_plane_cosine = 0.985; // of 10 degrees
+constexpr double least_area_share = 0.25; // of the largest face's
+constexpr double in_plane_share = 0.8;    // of a face's points
 
 bool
 carries(std::size_t face, const std::vector<FaceContact>& contacts)
@@ -36,13 +38,54 @@ carries(std::size_t face, const std::vector<FaceContact>& contacts)
   return concave > 2.0f * convex;
 }
 
-bool
-inSamePlane(const Face& support, const Face& face, float offset_limit)
+/** A plane by least squares. */
+struct Plane {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+};
+
+Plane
+planeOf(const detail::InstanceInput& input, const Labels& labels, std::int32_t label)
 {
-  const double offset = std::abs(support.normal.dot(face.center - support.center));
-  return face.planar > planar_threshold &&
-         face.normal.dot(support.normal) > same_plane_cosine &&
-         offset < 2.0f * offset_limit * face.spacing;
+  const auto forEach = [&](const auto& visit) {
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      if (labels[i] == label)
+        visit(Eigen::Vector3d(positionOf(input.points, i).cast<double>()));
+  };
+  Plane plane;
+  double points = 0.0;
+  forEach([&](const Eigen::Vector3d& p) {
+    plane.center += p;
+    points += 1.0;
+  });
+  plane.center /= points;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  forEach([&](const Eigen::Vector3d& p) {
+    covariance += (p - plane.center) * (p - plane.center).transpose();
+  });
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  plane.normal = solver.eigenvectors().col(0);
+  return plane;
+}
+
+/** How many points of each face are in a plane, but for the noise. */
+std::vector<std::size_t>
+pointsIn(const Plane& plane,
+         const detail::InstanceInput& input,
+         const Labels& labels,
+         std::size_t faces)
+{
+  const double limit = offsetLimit(input);
+  std::vector<std::size_t> counts(faces, 0);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] < 0)
+      continue;
+    const Eigen::Vector3d p = positionOf(input.points, i).cast<double>();
+    const double offset = std::abs(plane.normal.dot(p - plane.center));
+    if (offset < limit * input.spacings[i])
+      ++counts[static_cast<std::size_t>(labels[i])];
+  }
+  return counts;
 }
 
 /** Weights between groups; positive ones want to be joined. */
@@ -129,43 +172,40 @@ facesOf(const detail::InstanceInput& input, const Labels& labels)
       continue;
     Face& face = faces[static_cast<std::size_t>(labels[i])];
     const double d = input.spacings[i];
-    face.center += positionOf(input.points, i).cast<double>();
-    face.normal += normalOf(input, i).cast<double>();
     face.area += d * d;
-    face.spacing += d;
     face.planar += std::isnan(input.likelihood[i]) ? 0.0 : input.likelihood[i];
     ++face.points;
   }
-  for (Face& face : faces) {
-    const auto points = static_cast<double>(face.points);
-    face.center /= points;
-    face.normal.normalize();
-    face.spacing /= points;
-    face.planar /= points;
-  }
+  for (Face& face : faces)
+    face.planar /= static_cast<double>(face.points);
   return faces;
 }
 
 std::vector<char>
-supportsAmong(const std::vector<Face>& faces,
-              const std::vector<FaceContact>& contacts,
-              float offset_limit)
+supportsAmong(const detail::InstanceInput& input,
+              const Labels& labels,
+              const std::vector<Face>& faces,
+              const std::vector<FaceContact>& contacts)
 {
   double largest = 0.0;
   for (const Face& face : faces)
     if (face.planar > planar_threshold)
       largest = std::max(largest, face.area);
   std::vector<char> is_support(faces.size(), 0);
-  std::vector<std::size_t> supports;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const bool is_large = faces[f].area >= least_area_share * largest;
-    if (faces[f].planar > planar_threshold && is_large && carries(f, contacts))
-      supports.push_back(f);
-  }
-  for (const std::size_t s : supports)
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      if (f == s || inSamePlane(faces[s], faces[f], offset_limit))
+  for (std::size_t s = 0; s < faces.size(); ++s) {
+    const bool is_large = faces[s].area >= least_area_share * largest;
+    if (is_support[s] || faces[s].planar <= planar_threshold || !is_large ||
+        !carries(s, contacts))
+      continue;
+    const Plane plane = planeOf(input, labels, static_cast<std::int32_t>(s));
+    const std::vector<std::size_t> in_plane =
+        pointsIn(plane, input, labels, faces.size());
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const auto needed = in_plane_share * static_cast<double>(faces[f].points);
+      if (f == s || static_cast<double>(in_plane[f]) >= needed)
         is_support[f] = 1;
+    }
+  }
   return is_support;
 }
 

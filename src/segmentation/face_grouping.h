@@ -26,10 +26,11 @@ struct Face {
 std::vector<Face> facesOf(const detail::InstanceInput& input, const Labels& labels);
 
 /** \brief Which faces are of a support: planar, not much smaller than the largest such
- * face, with others on them; and planar pieces in the same plane. */
-std::vector<char> supportsAmong(const std::vector<Face>& faces,
-                                const std::vector<FaceContact>& contacts,
-                                float offset_limit);
+ * face, with others on them; and pieces that lie in the same plane. */
+std::vector<char> supportsAmong(const detail::InstanceInput& input,
+                                const Labels& labels,
+                                const std::vector<Face>& faces,
+                                const std::vector<FaceContact>& contacts);
 
 /** \brief Group faces that are on the whole convex to each other: of all pairs of
  * groups the one with the most convex border is joined as long as its convex border is

@@ -23,6 +23,7 @@ using namespace segmentation;
 
 constexpr float grid_spacings = 1.5f;
 constexpr std::size_t least_face_points = 12; // a neighborhood of one spacing
+constexpr double high_share = 0.25;           // see doc/instances.md
 
 bool
 isKnown(const InstanceInput& input, std::size_t i)
@@ -41,28 +42,28 @@ membersOf(const InstanceInput& input, double low, bool with_edges)
   return members;
 }
 
-/** Labels whose points are not, on the average, of the class are dropped. */
+/** Labels with too few points of a high likelihood are dropped. */
 void
 dropUnlikely(const InstanceInput& input, double high, Labels& labels)
 {
-  struct Sum {
-    double likelihood = 0.0;
-    std::size_t points = 0;
+  struct Count {
+    std::size_t points = 0, high = 0;
   };
-  std::vector<Sum> sums;
+  std::vector<Count> counts;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i] < 0)
       continue;
     const auto label = static_cast<std::size_t>(labels[i]);
-    sums.resize(std::max(sums.size(), label + 1));
-    sums[label].likelihood += input.likelihood[i];
-    ++sums[label].points;
+    counts.resize(std::max(counts.size(), label + 1));
+    ++counts[label].points;
+    counts[label].high += input.likelihood[i] >= static_cast<float>(high) ? 1 : 0;
   }
   for (std::int32_t& label : labels) {
     if (label < 0)
       continue;
-    const Sum& sum = sums[static_cast<std::size_t>(label)];
-    if (sum.likelihood < high * static_cast<double>(sum.points))
+    const Count& count = counts[static_cast<std::size_t>(label)];
+    if (static_cast<double>(count.high) <
+        high_share * static_cast<double>(count.points))
       label = -1;
   }
 }
@@ -95,8 +96,7 @@ findObjects(const InstanceInput& input, const InstanceLimits& limits)
 
   const std::vector<FaceContact> contacts = faceContacts(input, grid, faces, grown);
   const std::vector<Face> properties = facesOf(input, faces);
-  const std::vector<char> supports =
-      supportsAmong(properties, contacts, offsetLimit(input));
+  const std::vector<char> supports = supportsAmong(input, faces, properties, contacts);
   const Labels groups = groupFaces(properties.size(), supports, contacts);
   for (std::int32_t& label : grown)
     if (label >= 0)

@@ -13,7 +13,9 @@
 #include "../kernels/parallel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -24,10 +26,14 @@ using detail::InstanceInput;
 using Eigen::Vector3f;
 
 // In spacings d; doc/instances.md has the reason of each number.
-constexpr float reach = 1.5f;
-constexpr float bond_reach = 1.0f;
+constexpr float cell_spacings = 1.5f;
+constexpr float fit_spacings = 1.5f;
+constexpr int least_points = 5;
+constexpr float least_chord = 2.0f, most_chord = 4.5f;
+constexpr float middle_spacings = 1.2f;
+constexpr float same_surface = 0.878f;  // cosine of 0.5 rad, the least turn of a crease
 constexpr float same_direction = 0.94f; // cosine of 20 degrees
-constexpr float core_share = 0.5f;
+constexpr float core_share = 0.4f;
 
 /** A forest whose trees are sets of points; the root is the smallest index. */
 class DisjointSets {
@@ -57,120 +63,209 @@ private:
   std::vector<std::uint32_t> parent_;
 };
 
-class Bonds {
+/** A member that stands for those around it. */
+struct Node {
+  Vector3f center;
+  Vector3f normal;
+  float spacing = 0.0f;
+};
+
+/** The member that is nearest to the middle of each cell of space, cells in the order
+ * of their coordinates. */
+std::vector<std::size_t>
+representatives(const InstanceInput& input,
+                const std::vector<char>& members,
+                float cell)
+{
+  struct Entry {
+    std::array<float, 3> cell;
+    float off_center;
+    std::array<float, 3> position;
+    std::size_t point;
+  };
+  std::vector<Entry> entries;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (!members[i])
+      continue;
+    const Eigen::Array3f p = positionOf(input.points, i).array() / cell;
+    const Eigen::Array3f c = p.floor();
+    const float* xyz = input.points[i];
+    entries.push_back({{c.x(), c.y(), c.z()},
+                       (p - c - 0.5f).matrix().squaredNorm(),
+                       {xyz[0], xyz[1], xyz[2]},
+                       i});
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return std::tie(a.cell, a.off_center, a.position, a.point) <
+           std::tie(b.cell, b.off_center, b.position, b.point);
+  });
+  std::vector<std::size_t> chosen;
+  for (std::size_t k = 0; k < entries.size(); ++k)
+    if (k == 0 || entries[k].cell != entries[k - 1].cell)
+      chosen.push_back(entries[k].point);
+  return chosen;
+}
+
+/** Nodes on a surface, and which of them it runs between without a step or a crease. */
+class SurfaceNodes {
 public:
-  Bonds(const InstanceInput& input,
-        const PointGrid& grid,
-        const std::vector<char>& members)
+  SurfaceNodes(const InstanceInput& input,
+               const PointGrid& points,
+               const std::vector<char>& members)
   : input_(input)
-  , grid_(grid)
-  , members_(members)
-  , limit_(offsetLimit(input))
+  , step_limit_(stepLimit(input))
+  , offset_limit_(offsetLimit(input))
+  , nodes_(fit(points, members))
+  , grid_(positions(), most_chord * medianSpacing(input))
   {}
 
-  bool
-  bonded(std::size_t i, std::size_t j) const
+  /** A label for each node, -1 where the surface runs to too few around it. */
+  Labels
+  components() const
   {
-    const Vector3f n = normalOf(input_, i), m = normalOf(input_, j);
-    if (!(std::abs(n.dot(m)) > same_direction))
-      return false;
-    const Vector3f between =
-        positionOf(input_.points, j) - positionOf(input_.points, i);
-    const float limit = limit_ * std::min(input_.spacings[i], input_.spacings[j]);
-    return std::abs(n.dot(between)) < limit && std::abs(m.dot(between)) < limit;
-  }
-
-  /** Members that are bonded to at least half of the points around them. */
-  std::vector<char>
-  cores() const
-  {
-    std::vector<char> result(members_.size(), 0);
+    std::vector<std::vector<std::uint32_t>> links(nodes_.size());
+    std::vector<char> is_core(nodes_.size(), 0);
     kernels::parallelForRanges(
-        members_.size(), input_.threads, [&](std::size_t begin, std::size_t end) {
-          for (std::size_t i = begin; i < end; ++i)
-            result[i] = members_[i] && isCore(i) ? 1 : 0;
+        nodes_.size(), input_.threads, [&](std::size_t begin, std::size_t end) {
+          for (std::size_t k = begin; k < end; ++k)
+            is_core[k] = findLinks(k, links[k]) ? 1 : 0;
         });
-    return result;
+    DisjointSets sets(nodes_.size());
+    for (std::size_t k = 0; k < nodes_.size(); ++k)
+      for (const std::uint32_t other : links[k])
+        if (is_core[k] && is_core[other])
+          sets.unite(static_cast<std::uint32_t>(k), other);
+    Labels labels(nodes_.size(), -1);
+    for (std::size_t k = 0; k < nodes_.size(); ++k)
+      if (is_core[k])
+        labels[k] = static_cast<std::int32_t>(sets.find(static_cast<std::uint32_t>(k)));
+    return labels;
   }
 
-  /** visit(j, squared distance) for the bonded members among some points. */
-  template <typename Visit>
-  void
-  forEachBond(std::size_t i, const std::vector<char>& among, const Visit& visit) const
+  /** The label of the nearest node with one whose surface a point is on; -1 if there is
+   * none. */
+  std::int32_t
+  labelAt(std::size_t point, const Labels& labels) const
   {
-    grid_.forEachWithin(positionOf(input_.points, i),
-                        bond_reach * input_.spacings[i],
-                        [&](std::uint32_t j, float squared) {
-                          if (j != i && among[j] && bonded(i, j))
-                            visit(j, squared);
-                        });
+    const Vector3f position = positionOf(input_.points, point);
+    const Vector3f normal = normalOf(input_, point);
+    const float d = input_.spacings[point];
+    float nearest = std::numeric_limits<float>::infinity();
+    std::int32_t label = -1;
+    grid_.forEachWithin(position, most_chord * d, [&](std::uint32_t k, float squared) {
+      if (labels[k] < 0 || !(squared < nearest) ||
+          squared > 4.0f * cell_spacings * cell_spacings * d * d)
+        return;
+      const Node& node = nodes_[k];
+      const float offset = std::abs(node.normal.dot(position - node.center));
+      if (std::abs(normal.dot(node.normal)) > same_direction && offset < offset_limit_ * d) {
+        nearest = squared;
+        label = labels[k];
+      }
+    });
+    return label;
   }
 
 private:
-  bool
-  isCore(std::size_t i) const
+  std::vector<Node>
+  fit(const PointGrid& points, const std::vector<char>& members) const
   {
-    int all = 0, bonds = 0;
-    grid_.forEachWithin(positionOf(input_.points, i),
-                        reach * input_.spacings[i],
-                        [&](std::uint32_t j, float) {
-                          if (j == i)
-                            return;
-                          ++all;
-                          bonds += members_[j] && bonded(i, j) ? 1 : 0;
-                        });
-    return bonds > 0 &&
-           static_cast<float>(bonds) >= core_share * static_cast<float>(all);
+    const auto chosen =
+        representatives(input_, members, cell_spacings * medianSpacing(input_));
+    std::vector<Node> nodes(chosen.size());
+    kernels::parallelForRanges(
+        chosen.size(), input_.threads, [&](std::size_t begin, std::size_t end) {
+          for (std::size_t k = begin; k < end; ++k)
+            nodes[k] = fitAt(chosen[k], points, members);
+        });
+    nodes.erase(std::remove_if(nodes.begin(),
+                               nodes.end(),
+                               [](const Node& node) { return node.spacing == 0.0f; }),
+                nodes.end());
+    return nodes;
+  }
+
+  /** Without a spacing if there are too few members. */
+  Node
+  fitAt(std::size_t i, const PointGrid& points, const std::vector<char>& members) const
+  {
+    const Vector3f position = positionOf(input_.points, i);
+    const Vector3f own = normalOf(input_, i);
+    Vector3f sum = Vector3f::Zero(), normals = sum;
+    int count = 0;
+    points.forEachWithin(
+        position, fit_spacings * input_.spacings[i], [&](std::uint32_t j, float) {
+          if (!members[j])
+            return;
+          sum += positionOf(input_.points, j) - position;
+          const Vector3f normal = normalOf(input_, j);
+          normals += normal.dot(own) < 0.0f ? Vector3f(-normal) : normal;
+          ++count;
+        });
+    if (count < least_points)
+      return {};
+    return {position + sum / static_cast<float>(count),
+            normals.normalized(),
+            input_.spacings[i]};
+  }
+
+  XYZView
+  positions() const
+  {
+    constexpr std::size_t stride = sizeof(Node) / sizeof(float);
+    return {nodes_.empty() ? nullptr : nodes_[0].center.data(), stride, nodes_.size()};
+  }
+
+  /** \return whether the surface runs to enough of the nodes around */
+  bool
+  findLinks(std::size_t k, std::vector<std::uint32_t>& links) const
+  {
+    const Node& node = nodes_[k];
+    const float least = least_chord * least_chord * node.spacing * node.spacing;
+    int candidates = 0;
+    grid_.forEachWithin(
+        node.center, most_chord * node.spacing, [&](std::uint32_t j, float squared) {
+          if (squared < least)
+            return;
+          ++candidates;
+          if (isSmooth(node, nodes_[j]) && hasMiddle(node, nodes_[j]))
+            links.push_back(j);
+        });
+    return !links.empty() && static_cast<float>(links.size()) >=
+                                 core_share * static_cast<float>(candidates);
+  }
+
+  /** Two points of a circle, or of a line: the chord is square to the mean normal. */
+  bool
+  isSmooth(const Node& a, const Node& b) const
+  {
+    const float cosine = a.normal.dot(b.normal);
+    if (!(std::abs(cosine) > same_surface))
+      return false;
+    const float sign = cosine < 0.0f ? -1.0f : 1.0f;
+    const float step =
+        0.5f * std::abs((a.normal + sign * b.normal).dot(b.center - a.center));
+    return step < step_limit_ * std::min(a.spacing, b.spacing);
+  }
+
+  /** There is surface between two nodes. */
+  bool
+  hasMiddle(const Node& a, const Node& b) const
+  {
+    const Vector3f middle = 0.5f * (a.center + b.center);
+    bool found = false;
+    grid_.forEachWithin(middle, middle_spacings * a.spacing, [&](std::uint32_t, float) {
+      found = true;
+    });
+    return found;
   }
 
   const InstanceInput& input_;
-  const PointGrid& grid_;
-  const std::vector<char>& members_;
-  float limit_;
+  float step_limit_;
+  float offset_limit_;
+  std::vector<Node> nodes_;
+  PointGrid grid_;
 };
-
-using Pair = std::pair<std::uint32_t, std::uint32_t>;
-
-std::vector<std::vector<Pair>>
-bondsBetween(const Bonds& bonds, const std::vector<char>& cores, unsigned threads)
-{
-  constexpr std::size_t part = 8192;
-  std::vector<std::vector<Pair>> pairs((cores.size() + part - 1) / part);
-  kernels::parallelFor(pairs.size(), threads, [&](std::size_t p) {
-    const std::size_t end = std::min(cores.size(), (p + 1) * part);
-    for (std::size_t i = p * part; i < end; ++i)
-      if (cores[i])
-        bonds.forEachBond(i, cores, [&](std::uint32_t j, float) {
-          pairs[p].emplace_back(static_cast<std::uint32_t>(i), j);
-        });
-  });
-  return pairs;
-}
-
-/** Members that are no cores take the piece of the nearest core that they are bonded
- * to. */
-void
-attachMembers(const Bonds& bonds,
-              const std::vector<char>& members,
-              const std::vector<char>& cores,
-              unsigned threads,
-              Labels& pieces)
-{
-  kernels::parallelForRanges(
-      members.size(), threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          if (!members[i] || cores[i])
-            continue;
-          float nearest = std::numeric_limits<float>::infinity();
-          bonds.forEachBond(i, cores, [&](std::uint32_t j, float squared) {
-            if (squared < nearest) {
-              nearest = squared;
-              pieces[i] = pieces[j];
-            }
-          });
-        }
-      });
-}
 
 } // namespace
 
@@ -194,22 +289,26 @@ offsetLimit(const InstanceInput& input)
   return 0.3f + 2.5f * static_cast<float>(input.noise);
 }
 
+float
+stepLimit(const InstanceInput& input)
+{
+  return 0.15f + 1.25f * static_cast<float>(input.noise);
+}
+
 Labels
 smoothPieces(const InstanceInput& input,
              const PointGrid& grid,
              const std::vector<char>& members)
 {
-  const Bonds bonds(input, grid, members);
-  const std::vector<char> cores = bonds.cores();
-  DisjointSets sets(members.size());
-  for (const auto& pairs : bondsBetween(bonds, cores, input.threads))
-    for (const auto& [i, j] : pairs)
-      sets.unite(i, j);
+  const SurfaceNodes nodes(input, grid, members);
+  const Labels labels = nodes.components();
   Labels pieces(members.size(), -1);
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    if (cores[i])
-      pieces[i] = static_cast<std::int32_t>(sets.find(static_cast<std::uint32_t>(i)));
-  attachMembers(bonds, members, cores, input.threads, pieces);
+  kernels::parallelForRanges(
+      members.size(), input.threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          if (members[i])
+            pieces[i] = nodes.labelAt(i, labels);
+      });
   sortLabels(input, 1, pieces);
   return pieces;
 }

@@ -37,13 +37,19 @@ float medianSpacing(const detail::InstanceInput& input);
 /** \brief How far a point may be off a surface, in spacings. */
 float offsetLimit(const detail::InstanceInput& input);
 
-/** \brief Pieces of surface that are smooth inside: the members that are bonded to most
- * points around them, and the members that are bonded to those.
+/** \brief How far two pieces of one surface may be apart where they meet, in spacings.
+ */
+float stepLimit(const detail::InstanceInput& input);
+
+/** \brief Pieces of surface that are smooth inside.
  *
- * Two members are bonded if they are near each other, their normals agree, and each is
- * in the tangent plane of the other. A strip narrower than the neighborhood is no
- * bridge. \param[in] members which points may be in a piece
- * \return labels from 0, in no order that matters */
+ * Some members stand for all, each with the mean position and normal of those around
+ * it. The surface runs from one to another if both are on one circle or line
+ * (co-circular: Parent and Zucker, "Trace inference, curvature consistency, and curve
+ * detection", 1989), it turns less than a crease does, and there is surface between
+ * them. Those from which it runs to enough of the others around are joined. \param[in]
+ * members which points may be in a piece \return labels from 0, the largest piece first
+ */
 Labels smoothPieces(const detail::InstanceInput& input,
                     const PointGrid& grid,
                     const std::vector<char>& members);

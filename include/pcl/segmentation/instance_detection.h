@@ -31,8 +31,8 @@ struct InstanceInput {
 
 /** \brief What counts as an instance. */
 struct InstanceLimits {
-  double high = 0.5; ///< likelihood of an instance's mean
-  double low = 0.5;  ///< likelihood of each of its points
+  double high = 0.7; ///< likelihood of a quarter of an instance's points
+  double low = 0.5;  ///< likelihood of each of them
   std::size_t min_points = 100;
 };
 
