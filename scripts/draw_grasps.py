@@ -54,7 +54,7 @@ def main():
 
     u, v = seen(points)
     figure, axes = plt.subplots(figsize=(6.4, 4.8), dpi=120)
-    axes.scatter(u, v, c=color, s=1.1, marker="s", linewidths=0)
+    axes.scatter(u, v, c=color, s=3.0, marker="s", linewidths=0)
     for grasp in reversed(result["grasps"]):
         paint = "#1a9641" if grasp["seals"] else "#d7191c"
         axes.fill(*seen(rim(grasp, radius)), facecolor=paint, alpha=0.35)

@@ -106,6 +106,26 @@ TEST(SuctionGrasps, OfAPlaneAreOnItAndPointAgainstItsNormal)
   }
 }
 
+TEST(SuctionGrasps, ClimbToTheMiddleOfASmallFace)
+{
+  Random random(914);
+  constexpr double radius = 0.02;
+  const auto count = static_cast<std::size_t>(pi * radius * radius / (0.001 * 0.001));
+  const Surface disc = sampled(count, random, [](Random& r) {
+    const double turn = r.uniform(0, 2 * pi), out = radius * std::sqrt(r.uniform());
+    return SurfacePoint{{out * std::cos(turn), out * std::sin(turn), 0}, {0, 0, 1}};
+  });
+  const Grasps grasps = graspsOn(disc);
+  ASSERT_EQ(grasps.size(), 1U) << "all starts climb to it";
+  EXPECT_TRUE(grasps[0].seals());
+  EXPECT_TRUE(grasps[0].converged);
+  EXPECT_GE(grasps[0].starts, 3U);
+  EXPECT_LT(grasps[0].position.norm(), 0.15f * cup_radius);
+  EXPECT_LT(grasps[0].moved, 0.15f * cup_radius) << "the mode was there";
+  // Where h is twice the spread of (1 - r^2 / h^2) over the disc
+  EXPECT_NEAR(grasps[0].bandwidth, 1.315 * radius, 0.03 * radius);
+}
+
 TEST(SuctionGrasps, AreRankedWithThoseThatSealFirst)
 {
   Random random(902);
@@ -172,6 +192,20 @@ TEST(SuctionGrasps, KeepAwayFromACrease)
   EXPECT_TRUE(is_level && is_upright) << "both faces are graspable";
 }
 
+TEST(SuctionGrasps, DoNotSealOverACrease)
+{
+  Random random(915);
+  Estimation estimation;
+  estimation.setInputCloud(toCloud<PointXYZ>(dihedral(1000, 90, 0.03, random)));
+  estimation.setViewPoint(0, 5, 5);
+  const Grasps grasps = graspsOf(estimation); // each face is 15 mm wide
+  ASSERT_FALSE(grasps.empty());
+  for (const SuctionGrasp& grasp : grasps) {
+    EXPECT_TRUE(has(grasp, SealProblem::Edge));
+    EXPECT_LT(grasp.edge_distance, cup_radius);
+  }
+}
+
 TEST(SuctionGrasps, BendWithinTheComplianceOnly)
 {
   Random random(906);
@@ -226,6 +260,24 @@ TEST(SuctionGrasps, KeepAwayFromWhatStandsOnTheTarget)
   }
 }
 
+TEST(SuctionGrasps, DoNotSealUnderSomethingElse)
+{
+  Random random(916);
+  Surface surface = sheet({0, 0, 0}, 0.04, 0.04, random);
+  const auto target = make_shared<Indices>();
+  for (std::size_t i = 0; i < surface.size(); ++i) {
+    target->push_back(static_cast<index_t>(i));
+  }
+  surface.append(sheet({0, 0, 0.015}, 0.04, 0.04, random));
+  Estimation estimation = seenFromAbove(toCloud<PointXYZ>(surface));
+  estimation.setIndices(target);
+  const Grasps grasps = graspsOf(estimation);
+  ASSERT_FALSE(grasps.empty());
+  for (const SuctionGrasp& grasp : grasps) {
+    EXPECT_TRUE(has(grasp, SealProblem::Obstacle));
+  }
+}
+
 TEST(SuctionGrasps, EndWhereTheTargetEnds)
 {
   Random random(908);
@@ -250,10 +302,11 @@ TEST(SuctionGrasps, DoNotSealOnARoughSurface)
   Random random(909);
   Surface smooth = sheet({0, 0, 0}, 0.1, 0.06, random);
   Surface rough;
-  for (std::size_t i = 0; i < smooth.size(); ++i) { // one half has waves of 2 mm
+  for (std::size_t i = 0; i < smooth.size();
+       ++i) { // one half has waves, less than the band
     Vector3d p = smooth.position(i);
     if (p.x() < 0.05) {
-      p.z() = 0.002 * std::sin(2 * pi * p.x() / 0.0125);
+      p.z() = 0.0009 * std::sin(2 * pi * p.x() / 0.0125);
     }
     rough.add({p, smooth.normal(i)});
   }
