@@ -9,7 +9,9 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
+#include <sys/types.h>
 #include <vector>
 
 namespace pcl_shape_test {
@@ -26,5 +28,24 @@ using Words = std::vector<std::string>;
 /** \brief Run one of the project's apps. \throws std::runtime_error if it does not
  * start */
 Outcome runApp(const std::string& app, const Words& arguments);
+
+/** \brief An app that runs beside the test, its output dropped. It is killed in the
+ * end. */
+class RunningApp {
+public:
+  RunningApp(const std::string& app, const Words& arguments);
+  ~RunningApp();
+  RunningApp(const RunningApp&) = delete;
+  RunningApp& operator=(const RunningApp&) = delete;
+
+  /** \throws std::runtime_error if the app ends before, or after a minute */
+  void waitUntil(const std::function<bool()>& condition);
+
+  /** \brief SIGKILL, and wait for the end. */
+  void kill();
+
+private:
+  pid_t process_ = -1;
+};
 
 } // namespace pcl_shape_test
