@@ -7,13 +7,13 @@
  * All rights reserved
  */
 
+#include "common/any_cloud.h"
 #include "common/app.h"
 #include "common/atomic_file.h"
 #include "common/errors.h"
 #include "common/evaluation_tasks.h"
 #include "common/filter_app.h"
 #include "common/outcomes.h"
-#include "common/pcd_reader.h"
 #include "common/pcd_writer.h"
 #include "common/report.h"
 
@@ -84,6 +84,26 @@ evaluateClasses(const TaskPoints& selected, Report& report)
   report.setNumber("", "accuracy", evaluation.accuracy);
 }
 
+/** Void is no mistake of a label, but a point less. */
+void
+evaluateKept(const TaskPoints& selected, Report& report)
+{
+  std::uint64_t kept = 0, right = 0;
+  for (const LabelPair& point : selected.points) {
+    kept += point.predicted != 0;
+    right += point.predicted != 0 && point.predicted == point.truth;
+  }
+  const auto share = [](std::uint64_t part, std::uint64_t whole) {
+    return static_cast<double>(part) / static_cast<double>(whole);
+  };
+  const double kept_share = share(kept, selected.points.size());
+  const double kept_precision = share(right, kept);
+  std::printf("kept %.4f, of these right %.4f\n", kept_share, kept_precision);
+  report.setCount("", "kept_points", kept);
+  report.setNumber("", "kept_share", kept_share);
+  report.setNumber("", "kept_precision", kept_precision);
+}
+
 void
 evaluateInstancePoints(const TaskPoints& selected, Report& report)
 {
@@ -134,9 +154,9 @@ run(const Arguments& arguments)
   report.setText("parameters", "task", task);
   report.setText("parameters", "convention", convention);
   const CloudFile predicted =
-      report.time("read", [&] { return readCloud(operands[0]); });
+      report.time("read", [&] { return readAnyCloud(operands[0]); });
   const CloudFile truth =
-      report.time("read_truth", [&] { return readCloud(operands[1]); });
+      report.time("read_truth", [&] { return readAnyCloud(operands[1]); });
   const TaskPoints selected =
       selectPoints(task,
                    convention == "paper" ? Convention::paper : Convention::strict,
@@ -156,6 +176,8 @@ run(const Arguments& arguments)
     evaluateInstancePoints(selected, report);
   else
     evaluateClasses(selected, report);
+  if (task == "label")
+    evaluateKept(selected, report);
   writeJson(arguments, toJson(arguments.app(), report));
   if (outcomes)
     outcomes->commit();

@@ -14,12 +14,15 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <optional>
 #include <unistd.h>
+#include <vector>
 
 #include <sys/stat.h>
 
@@ -29,6 +32,7 @@ namespace pcl::app {
 namespace {
 
 constexpr std::size_t max_pending = 4;
+constexpr const char* temporary_ending = ".tmp";
 
 /** Paths of the temporary files, for the signal handler. */
 std::array<std::atomic<const char*>, max_pending> pending{};
@@ -77,12 +81,27 @@ resolve(const std::string& path)
   return resolved.string();
 }
 
+/** The process whose temporary file has this name, if it is one's name. */
+std::optional<pid_t>
+processOf(const fs::path& path)
+{
+  if (path.extension() != temporary_ending || !path.stem().has_extension())
+    return std::nullopt;
+  const std::string digits = path.stem().extension().string().substr(1);
+  pid_t process = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, process);
+  return error == std::errc() && stop == end && process > 0
+             ? std::optional<pid_t>(process)
+             : std::nullopt;
+}
+
 } // namespace
 
 AtomicFile::AtomicFile(const std::string& path)
 : path_(path)
 , target_(resolve(path))
-, temporary_(target_ + '.' + std::to_string(::getpid()) + ".tmp")
+, temporary_(target_ + '.' + std::to_string(::getpid()) + temporary_ending)
 {
   replacePending(nullptr, temporary_.c_str());
   constexpr mode_t by_umask = 0666;
@@ -135,6 +154,24 @@ void
 requireWritable(const std::string& path)
 {
   const AtomicFile probe(path);
+}
+
+void
+removeOrphans(const std::string& directory)
+{
+  std::error_code error;
+  std::vector<fs::path> orphans;
+  for (auto entry = fs::recursive_directory_iterator(directory, error);
+       !error && entry != fs::recursive_directory_iterator();
+       entry.increment(error)) {
+    const auto process = processOf(entry->path());
+    if (process && ::kill(*process, 0) != 0 && errno == ESRCH)
+      orphans.push_back(entry->path());
+    if (entry.depth() > 0)
+      entry.disable_recursion_pending();
+  }
+  for (const fs::path& orphan : orphans)
+    fs::remove(orphan, error);
 }
 
 void

@@ -151,6 +151,28 @@ unknownPredictions(const Task& task, const CloudFile& cloud, const Labels& label
   return unknown;
 }
 
+/** Planar 1, curved 2, edge 3 of a truth that has surface and edge instead of label;
+ * what is hard to tell by hand is left out: near a crease but no edge, silhouettes. */
+Labels
+labelsOfScene(const CloudFile& truth)
+{
+  constexpr std::uint32_t is_edge = 1;
+  const Labels surfaces = labelsOf(truth, "surface");
+  Labels labels = labelsOf(truth, "edge");
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    labels[i] = labels[i] == is_edge ? crease
+                : labels[i] == 0     ? strictSurface(surfaces[i]).value_or(unknown_label)
+                                     : unknown_label;
+  return labels;
+}
+
+bool
+isScene(const CloudFile& truth)
+{
+  return !findField(truth, "label") && findField(truth, "surface") &&
+         findField(truth, "edge");
+}
+
 /** Every label that the truth has. */
 std::vector<ClassScore>
 classesOf(const std::vector<LabelPair>& points)
@@ -184,7 +206,9 @@ selectPoints(const std::string& task_name,
   const Task task = taskOf(task_name, convention);
   requireSameSize(predicted, truth);
   const auto coordinates = pointsOf(truth);
-  const Labels truths = labelsOf(truth, task.truth_field);
+  const bool of_scene = task_name == "label" && isScene(truth);
+  const Labels truths =
+      of_scene ? labelsOfScene(truth) : labelsOf(truth, task.truth_field);
   const Labels predictions = labelsOf(predicted, task.predicted_field);
   const std::vector<bool> unknown = unknownPredictions(task, predicted, predictions);
 
@@ -201,7 +225,11 @@ selectPoints(const std::string& task_name,
     throw InputError(
         truth.path + ": field '" + task.truth_field +
         "' has no point to evaluate: allowed is a cloud with at least one");
-  selected.classes = task_name == "label" ? classesOf(selected.points) : task.classes;
+  selected.classes = task.classes;
+  if (of_scene)
+    selected.classes = {{"planar", planar, {}}, {"curved", curved, {}}, {"edge", crease, {}}};
+  else if (task_name == "label")
+    selected.classes = classesOf(selected.points);
   return selected;
 }
 

@@ -173,19 +173,23 @@ runFilter(const Arguments& arguments, const Filter& filter)
 }
 
 std::vector<std::string>
-cloudsIn(const std::string& directory)
+cloudsIn(const std::string& directory, const std::vector<std::string>& endings)
 {
+  std::string names;
+  for (const std::string& ending : endings)
+    names += (names.empty() ? "" : " or ") + ending;
   std::error_code error;
   std::vector<std::string> clouds;
   for (const auto& entry : fs::directory_iterator(directory, error))
-    if (entry.path().extension() == ".pcd")
+    if (std::count(endings.begin(), endings.end(), entry.path().extension()) > 0)
       clouds.push_back(entry.path().string());
   if (error)
     throw InputError(directory + ": cannot be listed: " + error.message() +
-                     "; allowed is a directory with .pcd files");
+                     "; allowed is a directory with " + names + " files");
   if (clouds.empty())
     throw InputError(directory +
-                     ": has no .pcd file: allowed is a directory with at least one");
+                     ": has no " + names +
+                     " file: allowed is a directory with at least one");
   std::sort(clouds.begin(), clouds.end());
   return clouds;
 }

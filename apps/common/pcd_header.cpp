@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -24,8 +23,6 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-constexpr std::uint64_t most_points = std::uint64_t{1} << 28;
-constexpr std::uint64_t most_bytes = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint64_t most_count = 1u << 20;
 
 /** The lines of a header by their keyword. */

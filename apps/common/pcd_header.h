@@ -12,9 +12,14 @@
 #include "cloud_file.h"
 #include "pcd_types.h"
 
+#include <limits>
 #include <string_view>
 
 namespace pcl::app {
+
+/** \brief What is read of one cloud at most. */
+constexpr std::uint64_t most_points = std::uint64_t{1} << 28;
+constexpr std::uint64_t most_bytes = std::numeric_limits<std::uint32_t>::max();
 
 /** \brief A PCD header that is consistent in itself. */
 struct PCDHeader {

@@ -13,13 +13,9 @@
 #include "lzf.h"
 #include "pcd_header.h"
 #include "pcd_values.h"
+#include "read_file.h"
 
-#include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-
-namespace fs = std::filesystem;
 
 namespace pcl::app {
 namespace {
@@ -28,29 +24,6 @@ std::string
 badFile(const std::string& path, const std::string& what, const std::string& allowed)
 {
   return path + ": " + what + ": allowed is " + allowed;
-}
-
-std::string
-readFile(const std::string& path)
-{
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status))
-    throw InputError(
-        badFile(path, error ? error.message() : "no such file", "a PCD file"));
-  if (!fs::is_regular_file(status))
-    throw InputError(
-        badFile(path,
-                fs::is_directory(status) ? "is a directory" : "is not a regular file",
-                "a PCD file"));
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream)
-    throw InputError(badFile(path, std::strerror(errno), "a readable PCD file"));
-  std::string contents(fs::file_size(path), '\0');
-  stream.read(contents.data(), static_cast<std::streamsize>(contents.size()));
-  if (!stream)
-    throw InputError(badFile(path, "reading failed", "a readable PCD file"));
-  return contents;
 }
 
 std::string
@@ -114,48 +87,6 @@ readRow(const CloudFile& cloud,
     }
 }
 
-void
-readAscii(CloudFile& cloud, std::string_view body)
-{
-  std::size_t columns = 0;
-  for (const auto& field : cloud.blob.fields)
-    columns += field.count;
-  const std::uint64_t least = std::uint64_t{cloud.size()} * columns * 2 - 1;
-  if (body.size() < least)
-    throw InputError(truncated(cloud, least, body.size()));
-  cloud.blob.data.resize(cloud.size() * cloud.blob.point_step);
-  std::size_t row = 0;
-  while (!body.empty()) {
-    const std::vector<std::string_view> words = splitWords(takeLine(body));
-    if (words.empty())
-      continue;
-    if (row == cloud.size())
-      throw InputError(badFile(
-          cloud.path, "more rows than POINTS", std::to_string(cloud.size()) + " rows"));
-    if (words.size() != columns)
-      throw InputError(badFile(cloud.path,
-                               "point " + std::to_string(row) + " has " +
-                                   std::to_string(words.size()) + " columns",
-                               std::to_string(columns) + " by FIELDS and COUNT"));
-    readRow(cloud, words, row, cloud.blob.data.data() + row * cloud.blob.point_step);
-    ++row;
-  }
-  if (row < cloud.size())
-    throw InputError(badFile(cloud.path,
-                             "truncated: " + std::to_string(row) + " rows",
-                             std::to_string(cloud.size()) + " by POINTS"));
-}
-
-void
-readBinary(CloudFile& cloud, std::string_view body)
-{
-  const std::size_t expected = cloud.size() * cloud.blob.point_step;
-  if (body.size() < expected)
-    throw InputError(truncated(cloud, expected, body.size()));
-  cloud.blob.data.assign(body.begin(),
-                         body.begin() + static_cast<std::ptrdiff_t>(expected));
-}
-
 /** The columns of a compressed body, one field after the other, to points. */
 void
 interleave(CloudFile& cloud, const std::vector<std::uint8_t>& columns)
@@ -204,24 +135,71 @@ readCompressed(CloudFile& cloud, std::string_view body)
 
 } // namespace
 
-CloudFile
-readCloud(const std::string& path)
+void
+readAsciiPoints(CloudFile& cloud, std::string_view body)
 {
-  const std::string file = readFile(path);
+  std::size_t columns = 0;
+  for (const auto& field : cloud.blob.fields)
+    columns += field.count;
+  const std::uint64_t least = std::uint64_t{cloud.size()} * columns * 2 - 1;
+  if (body.size() < least)
+    throw InputError(truncated(cloud, least, body.size()));
+  cloud.blob.data.resize(cloud.size() * cloud.blob.point_step);
+  std::size_t row = 0;
+  while (!body.empty()) {
+    const std::vector<std::string_view> words = splitWords(takeLine(body));
+    if (words.empty())
+      continue;
+    if (row == cloud.size())
+      throw InputError(badFile(
+          cloud.path, "more rows than POINTS", std::to_string(cloud.size()) + " rows"));
+    if (words.size() != columns)
+      throw InputError(badFile(cloud.path,
+                               "point " + std::to_string(row) + " has " +
+                                   std::to_string(words.size()) + " columns",
+                               std::to_string(columns) + " by FIELDS and COUNT"));
+    readRow(cloud, words, row, cloud.blob.data.data() + row * cloud.blob.point_step);
+    ++row;
+  }
+  if (row < cloud.size())
+    throw InputError(badFile(cloud.path,
+                             "truncated: " + std::to_string(row) + " rows",
+                             std::to_string(cloud.size()) + " by POINTS"));
+}
+
+void
+readBinaryPoints(CloudFile& cloud, std::string_view body)
+{
+  const std::size_t expected = cloud.size() * cloud.blob.point_step;
+  if (body.size() < expected)
+    throw InputError(truncated(cloud, expected, body.size()));
+  cloud.blob.data.assign(body.begin(),
+                         body.begin() + static_cast<std::ptrdiff_t>(expected));
+}
+
+CloudFile
+decodePcd(const std::string& path, std::string_view file)
+{
   PCDHeader header = parseHeader(path, file);
-  const std::string_view body = std::string_view(file).substr(header.body);
+  const std::string_view body = file.substr(header.body);
   switch (header.format) {
   case PCDFormat::ascii:
-    readAscii(header.cloud, body);
+    readAsciiPoints(header.cloud, body);
     break;
   case PCDFormat::binary:
-    readBinary(header.cloud, body);
+    readBinaryPoints(header.cloud, body);
     break;
   case PCDFormat::binary_compressed:
     readCompressed(header.cloud, body);
     break;
   }
   return std::move(header.cloud);
+}
+
+CloudFile
+readCloud(const std::string& path)
+{
+  return decodePcd(path, readFile(path, "a PCD file"));
 }
 
 } // namespace pcl::app

@@ -11,6 +11,8 @@
 
 #include "cloud_file.h"
 
+#include <string_view>
+
 namespace pcl::app {
 
 /** \brief Read a PCD file, strictly: everything is checked against the size of the file
@@ -18,5 +20,14 @@ namespace pcl::app {
  * accepts others.)
  * \throws InputError that names the path, what is wrong, and what is allowed */
 CloudFile readCloud(const std::string& path);
+
+/** \brief The same of a file that was read already. */
+CloudFile decodePcd(const std::string& path, std::string_view file);
+
+/** \brief Fill a cloud whose fields and size are known: one row of text a point. */
+void readAsciiPoints(CloudFile& cloud, std::string_view body);
+
+/** \brief The same from packed bytes, little-endian. */
+void readBinaryPoints(CloudFile& cloud, std::string_view body);
 
 } // namespace pcl::app

@@ -12,6 +12,7 @@
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/segmentation/impl/shape_back_projection.hpp>
 #include <pcl/segmentation/impl/shape_edge_detection.hpp>
+#include <pcl/segmentation/impl/shape_labeling.hpp>
 
 namespace pcl::detail {
 
@@ -39,4 +40,6 @@ PCL_INSTANTIATE_PRODUCT(ShapeDetection, (PCL_SHAPE_POINT_TYPES)(PCL_SHAPE_NORMAL
 PCL_INSTANTIATE_PRODUCT(ShapeBackProjection,
                         (PCL_SHAPE_POINT_TYPES)(PCL_SHAPE_NORMAL_TYPES))
 PCL_INSTANTIATE_PRODUCT(ShapeEdgeDetection,
+                        (PCL_SHAPE_POINT_TYPES)(PCL_SHAPE_NORMAL_TYPES))
+PCL_INSTANTIATE_PRODUCT(ShapeLabeling,
                         (PCL_SHAPE_POINT_TYPES)(PCL_SHAPE_NORMAL_TYPES))

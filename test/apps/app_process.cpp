@@ -10,11 +10,14 @@
 #include "app_process.h"
 
 #include <array>
+#include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <spawn.h>
 #include <stdexcept>
+#include <thread>
 #include <unistd.h>
 
 #include <sys/wait.h>
@@ -107,6 +110,40 @@ Outcome
 runApp(const std::string& app, const Words& arguments)
 {
   return runProgram(pathOf(app), arguments);
+}
+
+RunningApp::RunningApp(const std::string& app, const Words& arguments)
+{
+  const Capture dropped;
+  process_ = spawn(pathOf(app), arguments, dropped.descriptor(), dropped.descriptor());
+}
+
+RunningApp::~RunningApp() { kill(); }
+
+void
+RunningApp::waitUntil(const std::function<bool()>& condition)
+{
+  constexpr int most_polls = 60'000;
+  for (int poll = 0; poll < most_polls; ++poll) {
+    if (condition())
+      return;
+    if (waitpid(process_, nullptr, WNOHANG) != 0) {
+      process_ = -1;
+      throw std::runtime_error("the app ended before what was waited for");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  throw std::runtime_error("what was waited for did not happen within a minute");
+}
+
+void
+RunningApp::kill()
+{
+  if (process_ < 0)
+    return;
+  ::kill(process_, SIGKILL);
+  waitpid(process_, nullptr, 0);
+  process_ = -1;
 }
 
 } // namespace pcl_shape_test

@@ -9,8 +9,11 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
+
+#include <sys/types.h>
 
 namespace pcl_shape_test {
 
@@ -32,5 +35,24 @@ std::string pathOf(const std::string& app);
 
 /** \brief Run any program. */
 Outcome runProgram(const std::string& path, const Words& arguments);
+
+/** \brief An app that runs beside the test, its output dropped. It is killed in the
+ * end. */
+class RunningApp {
+public:
+  RunningApp(const std::string& app, const Words& arguments);
+  ~RunningApp();
+  RunningApp(const RunningApp&) = delete;
+  RunningApp& operator=(const RunningApp&) = delete;
+
+  /** \throws std::runtime_error if the app ends before, or after a minute */
+  void waitUntil(const std::function<bool()>& condition);
+
+  /** \brief SIGKILL, and wait for the end. */
+  void kill();
+
+private:
+  pid_t process_ = -1;
+};
 
 } // namespace pcl_shape_test

@@ -13,7 +13,8 @@
 
 namespace pcl {
 
-/** \brief All that is known about the surfaces of a cloud, one entry for each index.
+/** \brief All that is known about the surfaces of a cloud, one entry for each index;
+ * creases are those of the whole cloud.
  * \ingroup segmentation */
 struct Surfaces {
   std::vector<std::vector<float>> likelihoods; ///< of every class; NaN unknown
@@ -21,6 +22,7 @@ struct Surfaces {
   pcl::PointCloud<pcl::Normal> normals;        ///< towards the origin; NaN unknown
   std::vector<float> spacings;                 ///< of the points there, metres
   double noise = 0.0;                          ///< of the cloud, in spacings
+  std::vector<CreasePoint> creases;
 };
 
 /** \brief Classify points by back-projecting shape histograms.

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace pcl {
 
@@ -117,6 +118,7 @@ ShapeBackProjection<PointT, PointNT>::classify(Surfaces& surfaces)
   constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
   surfaces.likelihoods.resize(classes);
   surfaces.noise = edges.noise;
+  surfaces.creases = std::move(edges.creases);
   surfaces.normals.header = this->input_->header;
   for (const std::int32_t point : this->surfacePoints(edges.spacings)) {
     const bool known = point >= 0;

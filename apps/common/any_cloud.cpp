@@ -1,0 +1,45 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "any_cloud.h"
+
+#include "kitti_file.h"
+#include "pcd_reader.h"
+#include "ply_reader.h"
+#include "read_file.h"
+
+#include <filesystem>
+
+namespace pcl::app {
+
+const std::vector<std::string>&
+cloudEndings()
+{
+  static const std::vector<std::string> endings{".pcd", ".ply", ".bin"};
+  return endings;
+}
+
+CloudFile
+decodeAnyCloud(const std::string& path, std::string_view file)
+{
+  const std::string ending = std::filesystem::path(path).extension();
+  if (ending == ".ply")
+    return decodePly(path, file);
+  if (ending == ".bin")
+    return decodeVelodyne(path, file);
+  return decodePcd(path, file);
+}
+
+CloudFile
+readAnyCloud(const std::string& path)
+{
+  return decodeAnyCloud(path, readFile(path, "a PCD, PLY or KITTI .bin file"));
+}
+
+} // namespace pcl::app

@@ -1,0 +1,25 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "arguments.h"
+
+#include <string>
+
+namespace pcl::app {
+
+/** \brief Label every cloud of a directory into another, with a manifest there. What the
+ * manifest lists is not done again. Progress goes to standard error.
+ * \return the exit status: files that fail don't stop the others */
+int labelDirectory(const Arguments& arguments,
+                   const std::string& input,
+                   const std::string& output);
+
+} // namespace pcl::app

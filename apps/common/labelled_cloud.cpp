@@ -1,0 +1,149 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "labelled_cloud.h"
+
+#include "errors.h"
+#include "filter_app.h"
+#include "kitti_file.h"
+#include "model_file.h"
+#include "pcd_writer.h"
+#include "ply_writer.h"
+
+#include <pcl/segmentation/shape_labeling.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace pcl::app {
+namespace {
+
+using Labeling = pcl::ShapeLabeling<pcl::PointXYZ>;
+
+Labeling
+labelingOf(const LabelSettings& settings)
+{
+  Labeling labeling;
+  labeling.setConfidence(settings.confidence);
+  labeling.setNumberOfThreads(settings.threads);
+  if (settings.model)
+    labeling.setModel(*settings.model);
+  return labeling;
+}
+
+void
+reportLabels(const PointLabels& labels,
+             const std::vector<std::string>& names,
+             Report& report)
+{
+  std::vector<std::uint64_t> counts(names.size(), 0);
+  for (const std::uint32_t label : labels.labels)
+    ++counts[label];
+  for (std::size_t label = 0; label < names.size(); ++label)
+    report.setCount("counts", names[label], counts[label]);
+  const double sum =
+      std::accumulate(labels.confidence.begin(), labels.confidence.end(), 0.0);
+  report.setNumber(
+      "", "mean_confidence", sum / static_cast<double>(labels.confidence.size()));
+}
+
+/** Names of classes become keys of JSON and YAML, beside void and edge. */
+void
+requireNames(const pcl::ShapeModel& model, const std::string& path)
+{
+  for (const auto& of : model.classes()) {
+    const std::string& name = of.name;
+    const bool is_plain =
+        std::all_of(name.begin(), name.end(), [](unsigned char c) {
+          return c > ' ' && c <= '~' && c != '"' && c != '\\';
+        });
+    if (!is_plain || name == "void" || name == pcl::detail::edge_class)
+      throw InputError(path + ": class '" + name +
+                       "': allowed are names in ASCII without blanks and quotes, other "
+                       "than void and edge");
+  }
+}
+
+} // namespace
+
+LabelSettings
+labelSettings(const Arguments& arguments)
+{
+  LabelSettings settings;
+  settings.threads = arguments.threads();
+  settings.confidence =
+      arguments.number("confidence", probability).value_or(settings.confidence);
+  if (!arguments.has("model"))
+    return settings;
+  const std::string path = arguments.text("model");
+  settings.model = loadModel(path);
+  requireNames(*settings.model, path);
+  if (settings.model->parameters().radius_mode != AdaptiveRadius::DENSITY ||
+      settings.model->classes().size() < 2)
+    throw InputError(path + ": has " + std::to_string(settings.model->classes().size()) +
+                     " classes: allowed is a model of several, made with -scale density");
+  return settings;
+}
+
+std::vector<std::string>
+labelNames(const LabelSettings& settings)
+{
+  std::vector<std::string> names{"void"};
+  for (const std::string& name : labelingOf(settings).getClasses())
+    names.push_back(name);
+  return names;
+}
+
+std::vector<std::uint32_t>
+labelCloud(CloudFile& cloud, const LabelSettings& settings, Report& report)
+{
+  const auto points = pointsOf(cloud);
+  reportPoints(*points, report);
+  report.setNumber("parameters", "confidence", settings.confidence);
+  report.setCount("parameters", "threads", settings.threads);
+  Labeling labeling = labelingOf(settings);
+  labeling.setInputCloud(points);
+  PointLabels labels;
+  report.time("label", [&] { labeling.label(labels); });
+  if (labels.labels.size() != cloud.size())
+    throw InputError(cloud.path + ": refused for the reason given above");
+  reportLabels(labels, labelNames(settings), report);
+  setField(cloud, "label", labels.labels);
+  setField(cloud, "confidence", labels.confidence);
+  return std::move(labels.labels);
+}
+
+const std::vector<std::string>&
+labelFormats()
+{
+  static const std::vector<std::string> formats{"pcd", "ply", "kitti"};
+  return formats;
+}
+
+std::vector<std::string>
+outputNames(const std::string& format, const std::string& stem)
+{
+  if (format == "kitti")
+    return {"velodyne/" + stem + ".bin", "labels/" + stem + ".label"};
+  return {stem + '.' + format};
+}
+
+std::vector<std::string>
+encodeLabelled(const std::string& format,
+               const CloudFile& cloud,
+               const std::vector<std::uint32_t>& labels)
+{
+  if (format == "kitti")
+    return {encodeVelodyne(cloud), encodeLabels(labels)};
+  if (format == "ply")
+    return {encodePly(cloud)};
+  return {encodeCloud(cloud, PCDFormat::binary_compressed)};
+}
+
+} // namespace pcl::app

@@ -1,0 +1,30 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "cloud_file.h"
+
+#include <string>
+#include <vector>
+
+namespace pcl::app {
+
+/** \brief The bytes of a binary little-endian PLY file with one element, vertex.
+ *
+ * A field becomes a property of the same name and type, one of several values
+ * name_0, name_1 ..., and a packed colour red, green, blue (and alpha). The viewpoint
+ * is a comment, the layout of an organized cloud obj_info, as pcl::PLYWriter's. */
+std::string encodePly(const CloudFile& cloud);
+
+/** \brief The names of the fields that encodePly() leaves out: PLY has no 64-bit
+ * integers. */
+std::vector<std::string> fieldsWithoutPly(const CloudFile& cloud);
+
+} // namespace pcl::app

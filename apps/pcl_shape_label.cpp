@@ -1,0 +1,103 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "common/any_cloud.h"
+#include "common/app.h"
+#include "common/errors.h"
+#include "common/filter_app.h"
+#include "common/label_directory.h"
+#include "common/labelled_cloud.h"
+
+#include <filesystem>
+
+namespace {
+
+using namespace pcl::app;
+namespace fs = std::filesystem;
+
+/** The format that -format or the ending of the output says. */
+std::string
+formatOfFile(const Arguments& arguments, const std::string& output)
+{
+  if (!arguments.has("format"))
+    return fs::path(output).extension() == ".ply" ? "ply" : "pcd";
+  const std::string format = arguments.choice("format", labelFormats());
+  if (format == "kitti")
+    throw UsageError("-format 'kitti' of a single file: allowed is pcd or ply, or a "
+                     "directory of clouds");
+  return format;
+}
+
+int
+labelFile(const Arguments& arguments)
+{
+  const auto& operands = arguments.operands(2);
+  if (arguments.has("overwrite"))
+    throw UsageError("-overwrite of a single file: allowed is a directory of clouds");
+  const LabelSettings settings = labelSettings(arguments);
+  const std::string format = formatOfFile(arguments, operands[1]);
+  checkJsonPath(arguments, operands);
+  AtomicFile output(operands[1]);
+  Report report;
+  report.setText("", "input", operands[0]);
+  report.setText("", "output", operands[1]);
+  CloudFile cloud = report.time("read", [&] { return readAnyCloud(operands[0]); });
+  const std::vector<std::uint32_t> labels = labelCloud(cloud, settings, report);
+  report.time("write", [&] {
+    output.write(encodeLabelled(format, cloud, labels).front());
+  });
+  commitWithJson(arguments, toJson(arguments.app(), report), output);
+  printSummary(operands[0], report);
+  return 0;
+}
+
+int
+run(const Arguments& arguments)
+{
+  if (arguments.has("input_dir") || arguments.has("output_dir")) {
+    if (!arguments.has("input_dir") || !arguments.has("output_dir"))
+      throw UsageError("-input_dir '" + arguments.text("input_dir") +
+                       "' and -output_dir '" + arguments.text("output_dir") +
+                       "': allowed is both or neither");
+    arguments.operands(0);
+    return labelDirectory(
+        arguments, arguments.text("input_dir"), arguments.text("output_dir"));
+  }
+  const auto& operands = arguments.operands(2);
+  return fs::is_directory(operands[0])
+             ? labelDirectory(arguments, operands[0], operands[1])
+             : labelFile(arguments);
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  CommandLine command_line(
+      "pcl_shape_label",
+      "in.pcd|DIR out.pcd|OUTDIR",
+      "Label clouds for training: add the fields label (0 void, 1 planar, 2 curved, 3 "
+      "edge) and\nconfidence. From a directory, with a manifest; a second run does what "
+      "is missing.\nInput may be PCD, PLY or KITTI's .bin.");
+  command_line
+      .option("confidence",
+              "C",
+              "probability of being right from which a label is kept (0.9)")
+      .option("format",
+              "F",
+              "pcd (default), ply, or kitti: velodyne/*.bin, labels/*.label, "
+              "classes.yaml")
+      .option("model", "F", "a model of other surfaces, made with -scale density")
+      .flag("overwrite", "of a directory: label everything anew")
+      .option("input_dir", "D", "a directory of clouds, instead of DIR ...")
+      .option("output_dir", "D", "... and OUTDIR");
+  addCommonOptions(command_line);
+  return runApp(command_line, argc, argv, run);
+}
