@@ -24,7 +24,10 @@ using namespace segmentation;
 constexpr float noises = 5.0f; // from the plane to where a point is not on it
 // The planes of patches far away are less certain: half a degree.
 constexpr float tilt = 0.01f;
-constexpr float highest_step = 10.0f; // what stands up is looked at so many steps high
+
+constexpr float good_error = 0.5f;
+constexpr float foot_error = 0.4f;   // two noises: ground that reaches a wall
+constexpr float worst_error = 1.42f; // the likelihood is 0 from the root of 2 on
 
 /** A point and the ground surface that explains it best. */
 struct Explained {
@@ -38,17 +41,20 @@ explain(const GroundCells& cells,
         const GroundPatches& all,
         const NearGround& near,
         std::size_t point,
-        float tolerance)
+        float tolerance,
+        float highest)
 {
+  const float x = cells.x[point], y = cells.y[point], z = cells.z[point];
   Explained best;
   for (std::size_t k = 0; k < near.count; ++k) {
     const GroundPatch& patch = all.patches[static_cast<std::size_t>(near.patches[k])];
-    const float x = cells.x[point], y = cells.y[point];
-    const float above = patch.above(x, y, cells.z[point]);
+    const float above = patch.above(x, y, z);
     const float distance = std::abs(x - patch.x) + std::abs(y - patch.y);
     const float error = std::abs(above) / (tolerance + tilt * distance);
     if (error < best.error)
       best = {error, above, patch.planar};
+    if (best.error < good_error || above > highest)
+      break; // no need to look, no hope
   }
   return best;
 }
@@ -109,7 +115,8 @@ public:
     for (std::size_t i = cells_.begins[cell];
          near.count > 0 && i < cells_.begins[cell + 1];
          ++i) {
-      const Explained by = explain(cells_, all_, near, i, tolerance_);
+      const Explained by =
+          explain(cells_, all_, near, i, tolerance_, highest_steps * max_step_);
       if (by.error < worst_error)
         likelihoods_[cells_.positions[i]] = by.planar * std::exp2(-by.error * by.error);
       else if (isUpright(by.above))
@@ -131,6 +138,8 @@ public:
          ++i) {
       float& likelihood = likelihoods_[cells_.positions[i]];
       if (likelihood > 0.0f &&
+          explain(cells_, all_, near, i, tolerance_, highest_steps * max_step_).error >
+              foot_error &&
           isBeneath(
               i, all_.patches[static_cast<std::size_t>(near.patches[0])], first, last))
         likelihood = 0.0f;
@@ -138,12 +147,10 @@ public:
   }
 
 private:
-  static constexpr float worst_error = 4.0f; // 2^-16 is left of the likelihood
-
   bool
   isUpright(float above) const
   {
-    return above > max_step_ && above < highest_step * max_step_;
+    return above > max_step_ && above < highest_steps * max_step_;
   }
 
   /** The next cell of the line if it is directly beside, else the cell itself. */
@@ -166,14 +173,14 @@ private:
             std::size_t last) const
   {
     const float x = cells_.x[point], y = cells_.y[point];
-    const float reach = tolerance_ * tolerance_;
+    const float reach = 0.25f * max_step_ * max_step_;
     int found = 0;
     for (std::size_t i = cells_.begins[first]; i < cells_.begins[last + 1]; ++i) {
       const float dx = cells_.x[i] - x, dy = cells_.y[i] - y;
       const float above = base.above(cells_.x[i], cells_.y[i], cells_.z[i]);
       found |= static_cast<int>(dx * dx + dy * dy < reach) &
                static_cast<int>(above > max_step_) &
-               static_cast<int>(above < highest_step * max_step_);
+               static_cast<int>(above < highest_steps * max_step_);
     }
     return found != 0;
   }

@@ -63,16 +63,36 @@ continues(const GroundPatch& a, const GroundPatch& b, float max_step)
   return std::abs(a.above(b.x, b.y, b.z)) <= max_step + bend * distance;
 }
 
-std::vector<char>
-levelPatches(const GroundPatches& all, float max_slope)
+/** Whether points stand up from a patch: the lowest points of a wall are no ground. */
+bool
+carriesSomething(const GroundCells& cells,
+                 const GroundPatch& patch,
+                 std::size_t cell,
+                 float max_step)
 {
-  const float most = std::tan(max_slope) * std::tan(max_slope);
+  int found = 0;
+  for (std::size_t i = cells.begins[cell]; i < cells.begins[cell + 1]; ++i) {
+    const float above = patch.above(cells.x[i], cells.y[i], cells.z[i]);
+    found |= static_cast<int>(above > max_step) &
+             static_cast<int>(above < highest_steps * max_step);
+  }
+  return found != 0;
+}
+
+std::vector<char>
+levelPatches(const GroundCells& cells,
+             const GroundPatches& all,
+             const GroundParameters& parameters,
+             unsigned threads)
+{
+  const float most = std::tan(parameters.max_slope) * std::tan(parameters.max_slope);
   std::vector<char> level(all.patches.size());
-  for (std::size_t i = 0; i < level.size(); ++i) {
+  forEachCell(cells, threads, [&](std::size_t i) {
     const GroundPatch& p = all.patches[i];
     level[i] = p.planar >= least_planar &&
-               p.slope_x * p.slope_x + p.slope_y * p.slope_y <= most;
-  }
+               p.slope_x * p.slope_x + p.slope_y * p.slope_y <= most &&
+               !carriesSomething(cells, p, i, parameters.max_step);
+  });
   return level;
 }
 
@@ -110,32 +130,93 @@ connect(const GroundPatches& all, const std::vector<char>& level, float max_step
   return sets;
 }
 
+/** The marked patch of a line that is nearest to a bin, within reach. */
+std::int32_t
+markedInLine(const GroundCells& cells,
+             const std::vector<char>& marks,
+             std::size_t line,
+             std::uint32_t bin)
+{
+  std::int32_t best = no_patch;
+  std::uint32_t least = most_bins_beside + 1;
+  const auto first = cells.bins.begin() + cells.lines[line];
+  const auto last = cells.bins.begin() + cells.lines[line + 1];
+  const std::uint32_t low = bin < most_bins_beside ? 0 : bin - most_bins_beside;
+  for (auto at = std::lower_bound(first, last, low);
+       at != last && *at <= bin + most_bins_beside;
+       ++at) {
+    const auto i = static_cast<std::size_t>(at - cells.bins.begin());
+    const std::uint32_t apart = *at < bin ? bin - *at : *at - bin;
+    if (marks[i] && apart < least) {
+      least = apart;
+      best = static_cast<std::int32_t>(i);
+    }
+  }
+  return best;
+}
+
+/** The nearest marked patch on lines to one side. */
+std::int32_t
+markedAside(const GroundCells& cells,
+            const std::vector<char>& marks,
+            std::size_t line,
+            std::uint32_t bin,
+            bool to_left)
+{
+  const std::size_t lines = cells.lineCount();
+  for (int hop = 0; hop < most_hops; ++hop) {
+    if (!cells.around && line == (to_left ? lines - 1 : 0))
+      break;
+    line = (line + (to_left ? 1 : lines - 1)) % lines;
+    const std::int32_t found = markedInLine(cells, marks, line, bin);
+    if (found != no_patch)
+      return found;
+  }
+  return no_patch;
+}
+
+/** Patches that are level and not ground, yet: what set they are in. */
+struct Rest {
+  std::size_t patch, line, set;
+};
+
 struct Votes {
   std::size_t patches = 0, low = 0, high = 0;
 };
 
-/** Whether patches beside the main ground are at the height of it, by vote. */
-std::vector<Votes>
-voteForLow(const GroundPatches& all,
-           const std::vector<std::size_t>& set_of,
-           const std::vector<char>& ground,
-           float max_step)
+/** Add the sets that are at the height of the ground nearest to them, by vote.
+ * \return whether there were any */
+bool
+addLowSets(const GroundCells& cells,
+           const GroundPatches& all,
+           float max_step,
+           std::vector<Rest>& rest,
+           std::vector<char>& ground)
 {
-  std::vector<Votes> votes(set_of.size());
-  for (std::size_t i = 0; i < set_of.size(); ++i) {
-    if (set_of[i] == set_of.size() || ground[i])
-      continue;
-    Votes& of_set = votes[set_of[i]];
-    ++of_set.patches;
-    for (const PatchSide side : {Inner, Outer}) {
-      const std::int32_t found = nextMarked(all, ground, i, side, most_hops);
+  std::vector<Votes> votes(ground.size());
+  for (const auto& [patch, line, set] : rest) {
+    ++votes[set].patches;
+    const std::uint32_t bin = cells.bins[patch];
+    for (const std::int32_t found : {nextMarked(all, ground, patch, Inner, most_hops),
+                                     nextMarked(all, ground, patch, Outer, most_hops),
+                                     markedAside(cells, ground, line, bin, false),
+                                     markedAside(cells, ground, line, bin, true)}) {
       if (found == no_patch)
         continue;
       const GroundPatch& base = all.patches[static_cast<std::size_t>(found)];
-      ++(continues(base, all.patches[i], max_step) ? of_set.low : of_set.high);
+      ++(continues(base, all.patches[patch], max_step) ? votes[set].low
+                                                       : votes[set].high);
     }
   }
-  return votes;
+  const auto isLow = [&](const Rest& one) {
+    const Votes& of_set = votes[one.set];
+    return of_set.patches >= least_patches && of_set.low > of_set.high;
+  };
+  for (const Rest& one : rest)
+    ground[one.patch] = isLow(one);
+  const std::size_t before = rest.size();
+  rest.erase(std::remove_if(rest.begin(), rest.end(), isLow), rest.end());
+  return rest.size() < before;
 }
 
 void
@@ -171,7 +252,7 @@ connectedGround(const GroundCells& cells,
                 GroundPatches& all)
 {
   const std::size_t size = all.patches.size();
-  const std::vector<char> level = levelPatches(all, parameters.max_slope);
+  const std::vector<char> level = levelPatches(cells, all, parameters, threads);
   Sets sets = connect(all, level, parameters.max_step);
   std::vector<std::size_t> set_of(size, size), sizes(size, 0);
   for (std::size_t i = 0; i < size; ++i)
@@ -182,14 +263,15 @@ connectedGround(const GroundCells& cells,
   if (largest == sizes.end() || *largest < least_patches)
     return ground;
   const auto main = static_cast<std::size_t>(largest - sizes.begin());
-  for (std::size_t i = 0; i < size; ++i)
-    ground[i] = set_of[i] == main;
-  const std::vector<Votes> votes = voteForLow(all, set_of, ground, parameters.max_step);
-  for (std::size_t i = 0; i < size; ++i) {
-    if (set_of[i] == size || ground[i])
-      continue;
-    const Votes& of_set = votes[set_of[i]];
-    ground[i] = of_set.patches >= least_patches && of_set.low > of_set.high;
+  std::vector<Rest> rest;
+  for (std::size_t line = 0; line < cells.lineCount(); ++line) {
+    for (std::size_t i = cells.lines[line]; i < cells.lines[line + 1]; ++i) {
+      ground[i] = set_of[i] == main;
+      if (level[i] && !ground[i])
+        rest.push_back({i, line, set_of[i]});
+    }
+  }
+  while (addLowSets(cells, all, parameters.max_step, rest, ground)) {
   }
   std::vector<GroundPatch> fitted = all.patches;
   forEachCell(cells, threads, [&](std::size_t i) {

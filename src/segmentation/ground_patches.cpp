@@ -11,13 +11,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace pcl::segmentation {
 namespace {
 
 // A patch may continue as far away as its own range: 16 cells of 4 % around a laser.
 constexpr std::uint32_t most_bins_apart = 16;
-constexpr std::uint32_t most_bins_beside = 4;
 // Points nearer to a line than 1/100 of their distances do not tell a plane.
 constexpr float least_determinant = 1e-4f;
 constexpr float paper_bin = 0.157f; // 9 degrees: of 10 bins over 90
@@ -93,6 +94,61 @@ findNeighbors(const GroundCells& cells,
     findBeside(cells, line, (line + 1) % lines, Left, neighbors);
 }
 
+/** How steep the way from a patch to another one is. */
+float
+steepness(const GroundPatch& from, const GroundPatch& to)
+{
+  return std::abs(to.low - from.low) /
+         std::max(std::hypot(to.x - from.x, to.y - from.y),
+                  std::numeric_limits<float>::min());
+}
+
+/** Of the neighbors on opposite sides the one that is reached less steeply: where the
+ * surface ends on one side, the other one still tells its slope. */
+const GroundPatch*
+levelOne(const std::vector<GroundPatch>& low,
+         const GroundPatch& patch,
+         std::int32_t one,
+         std::int32_t other)
+{
+  const auto at = [&](std::int32_t i) {
+    return i == no_patch ? nullptr : &low[static_cast<std::size_t>(i)];
+  };
+  const GroundPatch *a = at(one), *b = at(other);
+  if (!a || !b)
+    return a ? a : b;
+  return steepness(patch, *a) <= steepness(patch, *b) ? a : b;
+}
+
+/** A plane through the patch and a neighbor in each of both directions, then one that
+ * fits to all neighbors that it passes nearby. */
+bool
+fitRobustly(const std::vector<GroundPatch>& low,
+            const PatchNeighbors& neighbors,
+            float near,
+            GroundPatch& patch)
+{
+  const GroundPatch* const along =
+      levelOne(low, patch, neighbors[Inner], neighbors[Outer]);
+  const GroundPatch* const across =
+      levelOne(low, patch, neighbors[Right], neighbors[Left]);
+  if (!along || !across)
+    return false;
+  std::array<const GroundPatch*, 4> others{along, across};
+  if (!fitPlane(patch, others.data(), 2, 0.0f))
+    return false;
+  std::size_t count = 0;
+  for (const std::int32_t neighbor : neighbors) {
+    if (neighbor == no_patch)
+      continue;
+    const GroundPatch& other = low[static_cast<std::size_t>(neighbor)];
+    if (std::abs(patch.above(other.x, other.y, other.low)) < near)
+      others[count++] = &other;
+  }
+  fitPlane(patch, others.data(), count, 0.0f);
+  return true;
+}
+
 struct Normal {
   float x, y, z;
 };
@@ -105,27 +161,31 @@ normalOf(const GroundPatch& patch)
   return {-patch.slope_x * z, -patch.slope_y * z, z};
 }
 
-/** The likelihood of a plane by the angles between its normal and its neighbors'.
- * Chords stand for the angles: below 30 degrees they differ by a hundredth. */
+/** The likelihood of a plane by the angles between its normal and its neighbors', of
+ * which the larger half is left out: a surface may end there. Chords stand for the
+ * angles: below 30 degrees they differ by a hundredth. */
 float
 planarLikelihood(const GroundPatches& all,
                  const std::vector<char>& has_plane,
                  std::size_t patch)
 {
   const Normal n = normalOf(all.patches[patch]);
-  float sum = 0.0f;
-  int count = 0;
+  std::array<float, 4> angles{};
+  std::size_t count = 0;
   for (const std::int32_t other : all.neighbors[patch]) {
     if (other == no_patch || !has_plane[static_cast<std::size_t>(other)])
       continue;
     const Normal m = normalOf(all.patches[static_cast<std::size_t>(other)]);
-    sum += std::sqrt((n.x - m.x) * (n.x - m.x) + (n.y - m.y) * (n.y - m.y) +
-                     (n.z - m.z) * (n.z - m.z));
-    ++count;
+    angles[count++] = std::sqrt((n.x - m.x) * (n.x - m.x) + (n.y - m.y) * (n.y - m.y) +
+                                (n.z - m.z) * (n.z - m.z));
   }
   if (count == 0)
     return 0.0f;
-  const float bins = sum / (static_cast<float>(count) * paper_bin);
+  std::sort(angles.begin(), angles.begin() + static_cast<std::ptrdiff_t>(count));
+  const std::size_t half = (count + 1) / 2;
+  const float mean = std::accumulate(angles.begin(), angles.begin() + half, 0.0f) /
+                     static_cast<float>(half);
+  const float bins = mean / paper_bin;
   return 1.0f / (1.0f + bins * bins);
 }
 
@@ -181,13 +241,8 @@ groundPatches(const GroundCells& cells,
     findNeighbors(cells, line, all.neighbors);
   });
   forEachCell(cells, threads, [&](std::size_t i) {
-    std::array<const GroundPatch*, 4> others{};
-    std::size_t count = 0;
-    for (const std::int32_t other : all.neighbors[i])
-      if (other != no_patch)
-        others[count++] = &low[static_cast<std::size_t>(other)];
     all.patches[i] = low[i];
-    has_plane[i] = fitPlane(all.patches[i], others.data(), count, 0.0f);
+    has_plane[i] = fitRobustly(low, all.neighbors[i], thickness, all.patches[i]);
   });
   forEachCell(cells, threads, [&](std::size_t i) {
     all.patches[i].planar = has_plane[i] ? planarLikelihood(all, has_plane, i) : 0.0f;

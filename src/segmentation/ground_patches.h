@@ -21,6 +21,9 @@ namespace pcl::segmentation {
 
 constexpr std::int32_t no_patch = -1;
 
+/** \brief Patches on lines beside each other are neighbors if they are so near. */
+constexpr std::uint32_t most_bins_beside = 4;
+
 /** \brief The lowest surface in a cell, and a plane through it and its neighbors. */
 struct GroundPatch {
   float x = 0.0f, y = 0.0f, low = 0.0f; ///< the middle of its own points
