@@ -55,13 +55,13 @@ corrugated(float x, float)
   return 1.0f + 0.009f * std::sin(6.2831853f * x / 0.076f);
 }
 
-/** A dome, part of a ball of 0.2 m in radius. */
+/** A dome, part of a ball of 0.25 m in radius. */
 float
 dome(float x, float y)
 {
   const float right = x - 0.15f;
   const float up = y - 0.15f;
-  return 1.2f - std::sqrt(0.04f - right * right - up * up);
+  return 1.25f - std::sqrt(0.0625f - right * right - up * up);
 }
 // [surfaces]
 
