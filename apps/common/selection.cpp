@@ -106,7 +106,7 @@ selectedPoints(const CloudFile& file,
   std::optional<Box> box;
   if (arguments.has("box"))
     box = boxOf(arguments);
-  const auto selected = pcl::make_shared<pcl::Indices>();
+  auto selected = pcl::make_shared<pcl::Indices>();
   for (std::size_t i = 0; i < points.size(); ++i)
     if (pcl::isFinite(points[i]) && (labels.empty() || labels[i] == label) &&
         (!box || box->contains(points[i])))

@@ -20,7 +20,7 @@ namespace {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-// doc/method.md has the reason of each number.
+// doc/grasps.md has the reason of each number.
 constexpr float half_width = 3.0f;     // of the image, in radii, beside margin and hole
 constexpr float most_clearance = 2.0f; // in radii
 constexpr float free_way = 2.0f;       // before the surface, in radii
@@ -111,7 +111,7 @@ CupMap::measure()
   std::vector<char> is_hole;
   is_hole.reserve(to_surface.size());
   for (const float cells : to_surface)
-    is_hole.push_back(cells * cell_ > hole_);
+    is_hole.push_back(cells * cell_ > hole_ ? 1 : 0);
   border_ = distancesTo(is_hole, side_);
   edge_ = distancesTo(is_edge_, side_);
   obstacle_ = distancesTo(is_obstacle_, side_);

@@ -20,7 +20,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-// doc/method.md has the reason of each number.
+// doc/grasps.md has the reason of each number.
 constexpr int most_moves = 20;
 constexpr float enough_clearance = 2.0f;  // in radii
 constexpr float same_direction = 0.7071f; // cosine of 45 degrees

@@ -24,11 +24,12 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-// doc/method.md has the reason of each number.
+// doc/grasps.md has the reason of each number.
 constexpr float most_bandwidth = 3.0f;    // in least ones
 constexpr float spreads = 2.0f;           // standard deviations in a bandwidth
 constexpr float same_direction = 0.7071f; // cosine of 45 degrees
-constexpr float still = 0.01f; // of a move, in least bandwidths, and of a bandwidth
+constexpr float still_move = 0.05f;       // in least bandwidths
+constexpr float still_bandwidth = 0.02f;  // of the bandwidth
 constexpr std::uint32_t most_iterations = 100;
 constexpr float likely = 0.5f;
 constexpr float start_cell = 2.0f; // in least bandwidths
@@ -36,13 +37,25 @@ constexpr float same_mode = 0.5f;  // in least bandwidths
 
 /** What is in a window, weighted. */
 struct Window {
-  double weight = 0.0, kernel = 0.0;
+  double weight = 0.0;
   Vector3d offset = Vector3d::Zero(), normal = Vector3d::Zero();
   double squares = 0.0;
 };
 
+/** The area that a point stands for is as the square of the distance to its 12th
+ * neighbor, of which the spacing is the softened root (see AdaptiveRadius). */
+double
+areaOf(const TargetSurface::Point& point, float least)
+{
+  const double spacing = point.spacing / least;
+  return spacing * spacing * spacing * spacing;
+}
+
 Window
-look(const TargetSurface& surface, const std::vector<float>& weights, const Mode& mode)
+look(const TargetSurface& surface,
+     const std::vector<float>& weights,
+     float least,
+     const Mode& mode)
 {
   Window window;
   const double h2 = static_cast<double>(mode.bandwidth) * mode.bandwidth;
@@ -51,7 +64,7 @@ look(const TargetSurface& surface, const std::vector<float>& weights, const Mode
         const auto& point = surface.points()[i];
         if (!(weights[i] > 0.0f) || point.normal.dot(mode.normal) < same_direction)
           return;
-        const double weight = weights[i] * (1.0 - squared / h2);
+        const double weight = weights[i] * areaOf(point, least) * (1.0 - squared / h2);
         window.weight += weight;
         window.offset += weight * (point.position - mode.position).cast<double>();
         window.normal += weight * point.normal.cast<double>();
@@ -68,7 +81,7 @@ shift(const TargetSurface& surface,
       float least,
       Mode& mode)
 {
-  const Window window = look(surface, weights, mode);
+  const Window window = look(surface, weights, least, mode);
   if (!(window.weight > 0.0))
     return false;
   const Vector3d mean = window.offset / window.weight;
@@ -81,8 +94,8 @@ shift(const TargetSurface& surface,
       std::clamp(spreads * static_cast<float>(std::sqrt(std::max(variance, 0.0))),
                  least,
                  most_bandwidth * least);
-  return mean.norm() < still * least &&
-         std::abs(mode.bandwidth - before) < still * before;
+  return mean.norm() < still_move * least &&
+         std::abs(mode.bandwidth - before) < still_bandwidth * before;
 }
 
 /** The mean of the likely points in each cell of space that face the same way. */

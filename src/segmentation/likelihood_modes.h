@@ -17,8 +17,8 @@ namespace pcl::segmentation {
 struct Mode {
   Eigen::Vector3f position = Eigen::Vector3f::Zero();
   Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< mean of the window, unit
-  float density = 0.0f;                             ///< of the likelihood there, 1/m^2
-  float bandwidth = 0.0f;                           ///< metres
+  float density = 0.0f;   ///< of the likelihood there, to compare modes
+  float bandwidth = 0.0f; ///< metres
   std::uint32_t starts = 1;
   std::uint32_t iterations = 0;
   bool converged = false;

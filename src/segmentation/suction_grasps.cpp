@@ -21,10 +21,9 @@ namespace {
 
 using namespace segmentation;
 using detail::GraspSurface;
-using detail::GraspTarget;
 using Eigen::Vector3f;
 
-// doc/method.md has the reason of each number.
+// doc/grasps.md has the reason of each number.
 constexpr float surroundings = 8.0f; // that matter around a target, in cup radii
 constexpr double least_radius = 0.5; // in spacings
 

@@ -20,7 +20,7 @@ using Eigen::Vector3f;
 using Moments = Eigen::Matrix<double, 6, 6>;
 using Terms = Eigen::Matrix<double, 6, 1>;
 
-// doc/method.md has the reason of each number.
+// doc/grasps.md has the reason of each number.
 constexpr float fit_radius = 1.5f;        // in cup radii
 constexpr float same_direction = 0.7071f; // cosine of 45 degrees
 constexpr std::size_t least_points = 12;  // twice the unknowns

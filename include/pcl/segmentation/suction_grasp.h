@@ -97,7 +97,7 @@ PCL_SHAPE_EXPORTS std::string problemOfCup(const SuctionCup& cup);
 PCL_SHAPE_EXPORTS std::string problemOfCup(const SuctionCup& cup,
                                            const GraspTarget& target);
 
-/** \brief Places for a cup, the best first. See doc/method.md for the steps. */
+/** \brief Places for a cup, the best first. See doc/grasps.md for the steps. */
 PCL_SHAPE_EXPORTS std::vector<SuctionGrasp>
 findGrasps(const GraspTarget& target,
            const std::vector<GraspSurface>& surfaces,
