@@ -122,8 +122,9 @@ TEST(SuctionGrasps, ClimbToTheMiddleOfASmallFace)
   EXPECT_GE(grasps[0].starts, 3U);
   EXPECT_LT(grasps[0].position.norm(), 0.15f * cup_radius);
   EXPECT_LT(grasps[0].moved, 0.15f * cup_radius) << "the mode was there";
-  // Where h is twice the spread of (1 - r^2 / h^2) over the disc
-  EXPECT_NEAR(grasps[0].bandwidth, 1.315 * radius, 0.03 * radius);
+  // Where h is twice the spread of (1 - r^2 / h^2) over the disc; a little more, as
+  // points at the rim, with neighbors on one side only, count for more area
+  EXPECT_NEAR(grasps[0].bandwidth, 1.315 * radius, 0.06 * radius);
 }
 
 TEST(SuctionGrasps, AreRankedWithThoseThatSealFirst)
@@ -345,6 +346,35 @@ TEST(SuctionGrasps, DoNotDependOnThreadsOrderOrUnknownPoints)
   EXPECT_TRUE(areSame(one, graspsOf(estimation)));
 }
 
+TEST(SuctionGrasps, UseSurfacesThatAreKnown)
+{
+  Random random(917);
+  const Cloud::Ptr cloud = toCloud<PointXYZ>(sheet({0, 0, 0}, 0.08, 0.06, random));
+  const auto target = make_shared<Indices>();
+  for (std::size_t i = 0; i < cloud->size(); ++i) {
+    if ((*cloud)[i].x < 0.04f) {
+      target->push_back(static_cast<index_t>(i));
+    }
+  }
+  Estimation estimation = seenFromAbove(cloud);
+  estimation.setIndices(target);
+  const Grasps grasps = graspsOf(estimation);
+  ShapeBackProjection<PointXYZ> back_projection;
+  back_projection.setInputCloud(cloud);
+  const auto surfaces = make_shared<Surfaces>();
+  back_projection.classify(*surfaces);
+  estimation.setInputSurfaces(surfaces);
+  EXPECT_FALSE(grasps.empty());
+  EXPECT_TRUE(areSame(grasps, graspsOf(estimation)));
+
+  const auto curved = make_shared<Surfaces>(*surfaces);
+  std::swap(curved->likelihoods[0], curved->likelihoods[1]);
+  estimation.setInputSurfaces(curved);
+  const Grasps others = graspsOf(estimation);
+  ASSERT_FALSE(others.empty());
+  EXPECT_EQ(others[0].surface, 2U) << "they are used";
+}
+
 TEST(SuctionGrasps, ScaleWithTheCloud)
 {
   Random random(911);
@@ -396,6 +426,9 @@ TEST(SuctionGrasps, RefuseWhatCannotBeUsed)
   });
   refused("too sparse", [](Estimation& e) { e.setCupRadius(1e-4); });
   refused("compliance", [](Estimation& e) { e.setCompliance(1.5); });
+  refused("index 5000", [](Estimation& e) { e.setIndices(indicesOf({0, 5000})); });
+  refused("surfaces",
+          [](Estimation& e) { e.setInputSurfaces(make_shared<const Surfaces>()); });
   refused("no input cloud", [](Estimation& e) { e.setInputCloud(nullptr); });
 }
 

@@ -32,7 +32,8 @@ namespace pcl {
  *
  * Errors (those of ShapeBackProjection; a cup radius that is not positive and finite,
  * or for which the points are too sparse: below half the median spacing; a compliance
- * out of [0, 1]) are reported by PCL_ERROR and give no grasps.
+ * out of [0, 1]; surfaces of another number than the input's points) are reported by
+ * PCL_ERROR and give no grasps.
  *
  * A. Kumar, L. Behera, K. S. Venkatesh: Shape Back-Projection In 3D Scenes.
  * \ingroup segmentation
@@ -101,6 +102,15 @@ public:
     view_point_ = Eigen::Vector3f(x, y, z);
   }
 
+  /** \brief What ShapeBackProjection::classify() gave for all points of the input, in
+   * default mode with the default model: to look at several targets in one scene
+   * without doing it again. Optional. */
+  void
+  setInputSurfaces(const shared_ptr<const Surfaces>& surfaces)
+  {
+    given_surfaces_ = surfaces;
+  }
+
   /** \brief Find neighbors with this instead of pcl::NeighborhoodSweep. */
   void
   setSearchMethod(const SearchPtr& search)
@@ -123,6 +133,10 @@ public:
 private:
   std::string findProblem() const;
 
+  /** \brief Surfaces of all points of the input; null after an error, which was
+   * reported. */
+  shared_ptr<const Surfaces> classified() const;
+
   detail::GraspTarget targetOf(const Surfaces& surfaces) const;
 
   std::vector<detail::GraspSurface> lookedFor(const Surfaces& surfaces) const;
@@ -133,6 +147,7 @@ private:
   Surface surface_ = ANY;
   std::size_t most_grasps_ = 0;
   std::optional<Eigen::Vector3f> view_point_;
+  shared_ptr<const Surfaces> given_surfaces_;
   SearchPtr search_;
   unsigned threads_ = 0;
 };
