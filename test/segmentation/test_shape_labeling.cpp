@@ -10,6 +10,7 @@
 #include "detection_scenes.h"
 #include "support/errors.h"
 
+#include <pcl/common/point_tests.h>
 #include <pcl/segmentation/shape_labeling.h>
 
 #include <gtest/gtest.h>
@@ -205,7 +206,7 @@ TEST_F(OneScene, ThreadsDoNotMatter)
 
 TEST_F(OneScene, NeitherDoesTheUnitOfLength)
 {
-  const auto large = make_shared<Cloud>(*cloud_);
+  const auto large = pcl::make_shared<Cloud>(*cloud_);
   for (PointXYZ& point : *large) {
     point.getVector3fMap() *= 1024.0f;
   }
@@ -214,7 +215,7 @@ TEST_F(OneScene, NeitherDoesTheUnitOfLength)
 
 TEST_F(OneScene, OrderHardlyMatters)
 {
-  const auto reversed = make_shared<Cloud>(*cloud_);
+  const auto reversed = pcl::make_shared<Cloud>(*cloud_);
   std::reverse(reversed->begin(), reversed->end());
   PointLabels labels = labelsOf(reversed);
   std::reverse(labels.labels.begin(), labels.labels.end());
@@ -227,7 +228,7 @@ TEST_F(OneScene, OrderHardlyMatters)
 
 TEST_F(OneScene, IndicesPickLabels)
 {
-  const auto indices = make_shared<Indices>(Indices{40000, 17, 40000, 52345});
+  const auto indices = pcl::make_shared<Indices>(Indices{40000, 17, 40000, 52345});
   ShapeLabeling<PointXYZ> labeling;
   labeling.setInputCloud(cloud_);
   labeling.setIndices(indices);
@@ -285,11 +286,11 @@ TEST_F(OneScene, BadSettingsAreRefused)
     EXPECT_NE(error.find("[pcl::ShapeLabeling::label]"), std::string::npos) << error;
   };
   expect([](Labeling& l) { l.setInputCloud(nullptr); }, "setInputCloud");
-  expect([](Labeling& l) { l.setInputCloud(make_shared<Cloud>()); }, "0 points");
+  expect([](Labeling& l) { l.setInputCloud(pcl::make_shared<Cloud>()); }, "0 points");
   expect([](Labeling& l) { l.setConfidence(1.5); }, "0 to 1 is allowed");
   expect([](Labeling& l) { l.setConfidence(std::numeric_limits<double>::quiet_NaN()); },
          "0 to 1 is allowed");
-  expect([](Labeling& l) { l.setIndices(make_shared<Indices>(1, 1 << 20)); },
+  expect([](Labeling& l) { l.setIndices(pcl::make_shared<Indices>(1, 1 << 20)); },
          std::to_string(1 << 20));
   expect([](Labeling& l) { l.setModel(ShapeModel::idealPlane(INADParameters())); },
          "several classes");
@@ -298,7 +299,7 @@ TEST_F(OneScene, BadSettingsAreRefused)
 
 TEST(ShapeLabeling, AFewPointsAreVoid)
 {
-  const auto cloud = make_shared<Cloud>();
+  const auto cloud = pcl::make_shared<Cloud>();
   cloud->push_back(PointXYZ(0, 0, 1));
   cloud->push_back(PointXYZ(1, 0, 1));
   EXPECT_EQ(labelsOf(cloud).labels, (Labels{0, 0}));
