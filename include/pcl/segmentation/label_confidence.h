@@ -43,8 +43,8 @@ struct LabelInput {
  * edge point; how little there is of an edge around; how evenly the neighbors lie
  * around the point; the share of them with the same label. Of an edge: places around,
  * near and wider, that votes for a crease agree on (logarithms); how much the normals
- * turn (logarithm); how far the neighbors' mean is off the point; by how much the
- * surface turns there (radians). See doc/labels.md. */
+ * turn (logarithm); how far the neighbors' mean is off the point; the radius that
+ * normals are averaged over (logarithm). See doc/labels.md. */
 using LabelFeatures = std::array<float, 5>;
 
 /** \brief The likeliest label of each point, and what speaks for it. */
