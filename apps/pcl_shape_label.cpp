@@ -49,9 +49,8 @@ labelFile(const Arguments& arguments)
   report.setText("", "output", operands[1]);
   CloudFile cloud = report.time("read", [&] { return readAnyCloud(operands[0]); });
   const std::vector<std::uint32_t> labels = labelCloud(cloud, settings, report);
-  report.time("write", [&] {
-    output.write(encodeLabelled(format, cloud, labels).front());
-  });
+  report.time("write",
+              [&] { output.write(encodeLabelled(format, cloud, labels).front()); });
   commitWithJson(arguments, toJson(arguments.app(), report), output);
   printSummary(operands[0], report);
   return 0;
@@ -84,7 +83,8 @@ main(int argc, char** argv)
       "pcl_shape_label",
       "in.pcd|DIR out.pcd|OUTDIR",
       "Label clouds for training: add the fields label (0 void, 1 planar, 2 curved, 3 "
-      "edge) and\nconfidence. From a directory, with a manifest; a second run does what "
+      "edge) and\nconfidence. From a directory, with a manifest; a second run does "
+      "what "
       "is missing.\nInput may be PCD, PLY or KITTI's .bin.");
   command_line
       .option("confidence",

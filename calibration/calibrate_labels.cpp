@@ -19,17 +19,20 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <iterator>
+#include <tuple>
 #include <vector>
 
 // Fits the confidence of labels to generated scenes by logistic regression, and writes
-// src/segmentation/label_weights.h to standard output. Seeds from 400001 on are used for
-// nothing else. How well the confidence then fits goes to standard error.
+// src/segmentation/label_weights.h to standard output. Seeds from 400001 on are used
+// for nothing else. How well the confidence then fits goes to standard error.
 namespace {
 
 using namespace pcl;
 
 constexpr std::size_t classes = 3; // planar, curved, edge
-constexpr Eigen::Index terms = 5;  // a constant, four features
+constexpr std::size_t features = std::tuple_size<detail::LabelFeatures>::value;
+constexpr Eigen::Index terms = 1 + features; // a constant is the first
 using Terms = Eigen::Matrix<double, terms, 1>;
 
 struct Example {
@@ -45,9 +48,9 @@ truthAt(const scene::Scene& scene, std::size_t i)
 {
   if (scene.edge[i] == scene::EdgeCrease)
     return classes;
-  const bool is_surface = scene.edge[i] == scene::EdgeNot &&
-                          (scene.surface[i] == scene::SurfacePlanar ||
-                           scene.surface[i] == scene::SurfaceCurved);
+  const bool is_surface =
+      scene.edge[i] == scene::EdgeNot && (scene.surface[i] == scene::SurfacePlanar ||
+                                          scene.surface[i] == scene::SurfaceCurved);
   return is_surface ? scene.surface[i] : 0;
 }
 
@@ -84,7 +87,7 @@ addScene(const scene::Scene& scene, std::vector<Examples>& examples)
       continue;
     Terms values;
     values[0] = 1.0;
-    for (std::size_t f = 0; f < 4; ++f)
+    for (std::size_t f = 0; f < features; ++f)
       values[static_cast<Eigen::Index>(f) + 1] = evidence.features[i][f];
     examples[label - 1].push_back({values, label == truth[i] ? 1.0 : 0.0});
   }
@@ -168,13 +171,10 @@ printReliability(const char* name, const Examples& examples, const Terms& weight
 void
 printWeights(const char* name, const Terms& weights)
 {
-  std::printf("constexpr LabelWeights %s_weights{%.4g, {%.4g, %.4g, %.4g, %.4g}};\n",
-              name,
-              weights[0],
-              weights[1],
-              weights[2],
-              weights[3],
-              weights[4]);
+  std::printf("constexpr LabelWeights %s_weights{%.4g, {", name, weights[0]);
+  for (Eigen::Index f = 1; f < terms; ++f)
+    std::printf(f == 1 ? "%.4g" : ", %.4g", weights[f]);
+  std::printf("}};\n");
 }
 
 std::vector<scene::Scene>
@@ -193,9 +193,10 @@ scenesOf(std::uint64_t seed)
     options.white_sigma = sigma;
     scenes.push_back(scene::generateScene(options));
   }
-  for (const double sigma : {0.0, 0.0, 0.0002, 0.0004}) {
+  for (const double sigma : {0.0, 0.0, 0.0001, 0.0002, 0.0004}) {
     scene::SampleOptions options;
     options.seed = seed++;
+    options.objects = 8;
     options.sigma = sigma;
     scenes.push_back(scene::sampleScene(options));
   }

@@ -41,8 +41,8 @@ private:
 /** \brief \throws InputError if a file cannot be written at the path */
 void requireWritable(const std::string& path);
 
-/** \brief Remove the temporary files in a directory, and in the directories there, whose
- * process was killed. */
+/** \brief Remove the temporary files in a directory, and in the directories there,
+ * whose process was killed. */
 void removeOrphans(const std::string& directory);
 
 /** \brief On SIGINT, SIGTERM and SIGHUP remove the temporary file, then end as usual.

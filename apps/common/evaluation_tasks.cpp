@@ -161,8 +161,8 @@ labelsOfScene(const CloudFile& truth)
   Labels labels = labelsOf(truth, "edge");
   for (std::size_t i = 0; i < labels.size(); ++i)
     labels[i] = labels[i] == is_edge ? crease
-                : labels[i] == 0     ? strictSurface(surfaces[i]).value_or(unknown_label)
-                                     : unknown_label;
+                : labels[i] == 0 ? strictSurface(surfaces[i]).value_or(unknown_label)
+                                 : unknown_label;
   return labels;
 }
 
@@ -227,7 +227,8 @@ selectPoints(const std::string& task_name,
         "' has no point to evaluate: allowed is a cloud with at least one");
   selected.classes = task.classes;
   if (of_scene)
-    selected.classes = {{"planar", planar, {}}, {"curved", curved, {}}, {"edge", crease, {}}};
+    selected.classes = {
+        {"planar", planar, {}}, {"curved", curved, {}}, {"edge", crease, {}}};
   else if (task_name == "label")
     selected.classes = classesOf(selected.points);
   return selected;

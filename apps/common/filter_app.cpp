@@ -187,8 +187,7 @@ cloudsIn(const std::string& directory, const std::vector<std::string>& endings)
     throw InputError(directory + ": cannot be listed: " + error.message() +
                      "; allowed is a directory with " + names + " files");
   if (clouds.empty())
-    throw InputError(directory +
-                     ": has no " + names +
+    throw InputError(directory + ": has no " + names +
                      " file: allowed is a directory with at least one");
   std::sort(clouds.begin(), clouds.end());
   return clouds;

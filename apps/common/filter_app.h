@@ -41,8 +41,8 @@ void addCommonOptions(CommandLine& command_line);
  * \return the exit status: in a directory, files that fail don't stop the others */
 int runFilter(const Arguments& arguments, const Filter& filter);
 
-/** \brief The files of a directory with one of these endings, sorted. \throws InputError
- * if there is none */
+/** \brief The files of a directory with one of these endings, sorted. \throws
+ * InputError if there is none */
 std::vector<std::string> cloudsIn(const std::string& directory,
                                   const std::vector<std::string>& endings = {".pcd"});
 

@@ -54,7 +54,10 @@ colorOf(std::size_t label)
 
 template <typename ValueOf>
 void
-appendMap(const char* key, std::size_t labels, std::string& text, const ValueOf& valueOf)
+appendMap(const char* key,
+          std::size_t labels,
+          std::string& text,
+          const ValueOf& valueOf)
 {
   text += std::string(key) + ":\n";
   for (std::size_t label = 0; label < labels; ++label)
@@ -93,11 +96,10 @@ decodeVelodyne(const std::string& path, std::string_view file)
 std::string
 encodeVelodyne(const CloudFile& cloud)
 {
-  const std::array<std::vector<float>, values_per_point> columns{
-      floatsOf(cloud, "x"),
-      floatsOf(cloud, "y"),
-      floatsOf(cloud, "z"),
-      intensitiesOf(cloud)};
+  const std::array<std::vector<float>, values_per_point> columns{floatsOf(cloud, "x"),
+                                                                 floatsOf(cloud, "y"),
+                                                                 floatsOf(cloud, "z"),
+                                                                 intensitiesOf(cloud)};
   std::string bytes(point_bytes * cloud.size(), '\0');
   for (std::size_t i = 0; i < cloud.size(); ++i)
     for (std::size_t c = 0; c < columns.size(); ++c)

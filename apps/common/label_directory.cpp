@@ -53,8 +53,9 @@ makeDirectory(const fs::path& directory)
   std::error_code error;
   fs::create_directory(directory, error);
   if (!fs::is_directory(directory))
-    throw InputError(directory.string() + ": cannot be made a directory: " +
-                     error.message() + "; allowed is a directory, or a new name in one");
+    throw InputError(directory.string() +
+                     ": cannot be made a directory: " + error.message() +
+                     "; allowed is a directory, or a new name in one");
 }
 
 Json
@@ -147,8 +148,7 @@ bool
 DirectoryRun::label(const std::string& input)
 {
   const std::string name = fs::path(input).filename();
-  const std::vector<std::string> outputs =
-      outputNames(format_, fs::path(input).stem());
+  const std::vector<std::string> outputs = outputNames(format_, fs::path(input).stem());
   Report report;
   report.setText("", "input", input);
   report.setText("", "output", fs::path(output_) / outputs.front());

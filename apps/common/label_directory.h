@@ -15,9 +15,9 @@
 
 namespace pcl::app {
 
-/** \brief Label every cloud of a directory into another, with a manifest there. What the
- * manifest lists is not done again. Progress goes to standard error.
- * \return the exit status: files that fail don't stop the others */
+/** \brief Label every cloud of a directory into another, with a manifest there. What
+ * the manifest lists is not done again. Progress goes to standard error. \return the
+ * exit status: files that fail don't stop the others */
 int labelDirectory(const Arguments& arguments,
                    const std::string& input,
                    const std::string& output);

@@ -111,9 +111,8 @@ LabelManifest::resume()
 bool
 LabelManifest::isDone(const std::string& input, std::string_view contents) const
 {
-  const auto file = std::find_if(files_.begin(), files_.end(), [&](const Json& f) {
-    return f["input"] == input;
-  });
+  const auto file = std::find_if(
+      files_.begin(), files_.end(), [&](const Json& f) { return f["input"] == input; });
   if (file == files_.end() || (*file)["checksum"] != checksumOf(contents))
     return false;
   const Json& outputs = (*file)["outputs"];

@@ -59,10 +59,9 @@ requireNames(const pcl::ShapeModel& model, const std::string& path)
 {
   for (const auto& of : model.classes()) {
     const std::string& name = of.name;
-    const bool is_plain =
-        std::all_of(name.begin(), name.end(), [](unsigned char c) {
-          return c > ' ' && c <= '~' && c != '"' && c != '\\';
-        });
+    const bool is_plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+      return c > ' ' && c <= '~' && c != '"' && c != '\\';
+    });
     if (!is_plain || name == "void" || name == pcl::detail::edge_class)
       throw InputError(path + ": class '" + name +
                        "': allowed are names in ASCII without blanks and quotes, other "
@@ -86,8 +85,9 @@ labelSettings(const Arguments& arguments)
   requireNames(*settings.model, path);
   if (settings.model->parameters().radius_mode != AdaptiveRadius::DENSITY ||
       settings.model->classes().size() < 2)
-    throw InputError(path + ": has " + std::to_string(settings.model->classes().size()) +
-                     " classes: allowed is a model of several, made with -scale density");
+    throw InputError(
+        path + ": has " + std::to_string(settings.model->classes().size()) +
+        " classes: allowed is a model of several, made with -scale density");
   return settings;
 }
 

@@ -43,9 +43,10 @@ labelCloud(CloudFile& cloud, const LabelSettings& settings, Report& report);
 /** \brief The names of what can be written: pcd, ply, kitti. */
 const std::vector<std::string>& labelFormats();
 
-
-/** \brief The names of the files of a cloud. \param[in] stem its name, without ending */
-std::vector<std::string> outputNames(const std::string& format, const std::string& stem);
+/** \brief The names of the files of a cloud. \param[in] stem its name, without ending
+ */
+std::vector<std::string> outputNames(const std::string& format,
+                                     const std::string& stem);
 
 /** \brief The contents of the files that outputNames() names. */
 std::vector<std::string> encodeLabelled(const std::string& format,

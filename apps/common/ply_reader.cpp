@@ -28,14 +28,22 @@ datatypeOfProperty(std::string_view type)
 {
   using Field = pcl::PCLPointField;
   static const std::map<std::string_view, std::uint8_t> types{
-      {"char", Field::INT8},      {"int8", Field::INT8},
-      {"uchar", Field::UINT8},    {"uint8", Field::UINT8},
-      {"short", Field::INT16},    {"int16", Field::INT16},
-      {"ushort", Field::UINT16},  {"uint16", Field::UINT16},
-      {"int", Field::INT32},      {"int32", Field::INT32},
-      {"uint", Field::UINT32},    {"uint32", Field::UINT32},
-      {"float", Field::FLOAT32},  {"float32", Field::FLOAT32},
-      {"double", Field::FLOAT64}, {"float64", Field::FLOAT64}};
+      {"char", Field::INT8},
+      {"int8", Field::INT8},
+      {"uchar", Field::UINT8},
+      {"uint8", Field::UINT8},
+      {"short", Field::INT16},
+      {"int16", Field::INT16},
+      {"ushort", Field::UINT16},
+      {"uint16", Field::UINT16},
+      {"int", Field::INT32},
+      {"int32", Field::INT32},
+      {"uint", Field::UINT32},
+      {"uint32", Field::UINT32},
+      {"float", Field::FLOAT32},
+      {"float32", Field::FLOAT32},
+      {"double", Field::FLOAT64},
+      {"float64", Field::FLOAT64}};
   const auto found = types.find(type);
   return found == types.end() ? std::nullopt
                               : std::optional<std::uint8_t>(found->second);
@@ -85,7 +93,8 @@ private:
   void
   readFormat(const Words& words)
   {
-    if (words.size() != 3 || (words[1] != "ascii" && words[1] != "binary_little_endian"))
+    if (words.size() != 3 ||
+        (words[1] != "ascii" && words[1] != "binary_little_endian"))
       fail("format " + quoted(words.size() > 1 ? words[1] : ""),
            "ascii 1.0 or binary_little_endian 1.0");
     has_format_ = true;
@@ -176,8 +185,7 @@ Header::finish()
     fail("element vertex " + std::to_string(points_) + " of " +
              std::to_string(cloud_.blob.point_step) + " bytes",
          "less than 4 GiB: divide the cloud into tiles");
-  const bool is_organized =
-      rows_ > 1 && std::uint64_t{columns_} * rows_ == points_;
+  const bool is_organized = rows_ > 1 && std::uint64_t{columns_} * rows_ == points_;
   cloud_.blob.width = is_organized ? columns_ : static_cast<std::uint32_t>(points_);
   cloud_.blob.height = is_organized ? rows_ : 1;
   cloud_.blob.row_step = cloud_.blob.width * cloud_.blob.point_step;

@@ -29,7 +29,8 @@ bytesOf(const std::string& file)
 } // namespace
 
 Progress::Progress(std::string app, const std::vector<std::string>& files)
-: app_(std::move(app)), files_(files.size())
+: app_(std::move(app))
+, files_(files.size())
 {
   for (const std::string& file : files)
     bytes_left_ += bytesOf(file);

@@ -16,8 +16,8 @@
 
 namespace pcl::app {
 
-/** \brief Says on standard error which of many files is being processed, and how long the
- * others will take, as far as time goes with bytes. */
+/** \brief Says on standard error which of many files is being processed, and how long
+ * the others will take, as far as time goes with bytes. */
 class Progress {
 public:
   Progress(std::string app, const std::vector<std::string>& files);

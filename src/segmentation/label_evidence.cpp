@@ -34,8 +34,7 @@ constexpr float smallest_turn = 0.05f;                // of normals, about 4 deg
 float
 logOdds(float likelihood)
 {
-  return std::clamp(
-      std::log(likelihood / (1.0f - likelihood)), least_edge, most_edge);
+  return std::clamp(std::log(likelihood / (1.0f - likelihood)), least_edge, most_edge);
 }
 
 XYZView
@@ -50,14 +49,23 @@ float
 medianOf(const std::vector<float>& spacings)
 {
   std::vector<float> known;
-  std::copy_if(spacings.begin(), spacings.end(), std::back_inserter(known), [](float s) {
-    return std::isfinite(s);
-  });
+  std::copy_if(spacings.begin(),
+               spacings.end(),
+               std::back_inserter(known),
+               [](float s) { return std::isfinite(s); });
   if (known.empty())
     return 1.0f;
   const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
   std::nth_element(known.begin(), middle, known.end());
   return *middle;
+}
+
+/** Of the normals, in spacings, which grows with the noise. */
+float
+logNormalRadius(double noise)
+{
+  const INADParameters edges = ShapeModel::defaultEdges().parameters();
+  return static_cast<float>(std::log(withNoise(edges, noise).normal_radius));
 }
 
 class Evidence {
@@ -68,6 +76,7 @@ public:
   , grid_(input.points, 2.0f * medianOf(input.surfaces.spacings))
   , creases_(positionsOf(input.surfaces.creases),
              2.0f * medianOf(input.surfaces.spacings))
+  , log_normal_radius_(logNormalRadius(input.surfaces.noise))
   {
     for (std::size_t i = 0; i < input.points.size; ++i)
       labels_.push_back(labelAt(i));
@@ -93,7 +102,7 @@ private:
     float edge = least_edge;              ///< the most, log odds
     double turn = 0.0;                    ///< sum of 1 - |cosine| of normals
     Eigen::Vector3d offset = Eigen::Vector3d::Zero(); ///< sum, metres
-    double known = 0.0, points = 0.0;
+    double points = 0.0, known = 0.0, surfaces = 0.0, same = 0.0;
   };
 
   float
@@ -150,23 +159,24 @@ private:
     const Vector3f center = positionOf(input_.points, i);
     const Vector3f normal = normalAt(i);
     const float spacing = input_.surfaces.spacings[i];
-    grid_.forEachWithin(
-        center, reach * spacing, [&](std::uint32_t j, float squared) {
-          around.points += 1.0;
-          around.offset += (positionOf(input_.points, j) - center).cast<double>();
-          if (labels_[j] == 0)
-            return;
-          around.known += 1.0;
-          around.turn += 1.0 - std::abs(normal.dot(normalAt(j)));
-          around.edge = std::max(
-              around.edge, logOdds(input_.surfaces.edge_likelihood[j]));
-          if (isEdge(j) != isEdge(i))
-            around.squared_border =
-                std::min(around.squared_border, squared / (spacing * spacing));
-        });
+    grid_.forEachWithin(center, reach * spacing, [&](std::uint32_t j, float squared) {
+      around.points += 1.0;
+      around.offset += (positionOf(input_.points, j) - center).cast<double>();
+      if (labels_[j] == 0)
+        return;
+      around.known += 1.0;
+      around.turn += 1.0 - std::abs(normal.dot(normalAt(j)));
+      around.edge = std::max(around.edge, logOdds(input_.surfaces.edge_likelihood[j]));
+      around.surfaces += isEdge(j) ? 0.0 : 1.0;
+      around.same += labels_[j] == labels_[i] ? 1.0 : 0.0;
+      if (isEdge(j) != isEdge(i))
+        around.squared_border =
+            std::min(around.squared_border, squared / (spacing * spacing));
+    });
     return around;
   }
 
+  /** Logarithm of 1 + the crease points around. */
   float
   logCreases(std::size_t i, float spacings) const
   {
@@ -188,9 +198,13 @@ private:
       return {logCreases(i, near_crease),
               logCreases(i, wide_crease),
               std::log(std::sqrt(turn) + smallest_turn),
-              offset};
-    return {
-        marginAt(i), std::sqrt(around.squared_border), -around.edge, -offset};
+              offset,
+              log_normal_radius_};
+    return {marginAt(i),
+            std::sqrt(around.squared_border),
+            -around.edge,
+            -offset,
+            static_cast<float>(around.same / around.surfaces)};
   }
 
   const LabelInput& input_;
@@ -198,6 +212,7 @@ private:
   std::vector<std::uint32_t> labels_;
   PointGrid grid_;
   PointGrid creases_;
+  float log_normal_radius_;
 };
 
 } // namespace

@@ -18,11 +18,11 @@ namespace pcl::segmentation {
 /** The confidence of a label is 1 / (1 + exp(-(constant + features · weights))). */
 struct LabelWeights {
   double constant;
-  std::array<double, 4> features;
+  std::array<double, 5> features;
 };
 
-constexpr LabelWeights planar_weights{0.5573, {0.4652, 1.39, 0.08977, 2.386}};
-constexpr LabelWeights curved_weights{-1.762, {1.492, 0.1903, 0.2262, 2.23}};
-constexpr LabelWeights edge_weights{-0.2943, {0.4299, 0.9094, 3.658, 2.545}};
+constexpr LabelWeights planar_weights{0.2008, {0.3361, 1.428, 0.1347, 2.491, 1.008}};
+constexpr LabelWeights curved_weights{-1.223, {1.563, 0.08196, 0.02973, 2.791, 0}};
+constexpr LabelWeights edge_weights{-4.027, {0.5143, 1.04, 2.048, 3.323, 0}};
 
 } // namespace pcl::segmentation

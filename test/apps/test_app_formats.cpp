@@ -8,7 +8,6 @@
  */
 
 #include "app_test.h"
-
 #include "common/any_cloud.h"
 #include "common/errors.h"
 #include "common/kitti_file.h"
@@ -126,10 +125,11 @@ TEST_F(Formats, PlyLeavesOutWhatItCannotHold)
 
 TEST_F(Formats, FacesAfterTheVerticesAreLeftOut)
 {
-  const std::string header =
-      "ply\r\nformat ascii 1.0\r\ncomment by hand\r\nelement vertex 2\r\nproperty float "
-      "x\nproperty float y\nproperty float32 z\nelement face 1\nproperty list uchar int "
-      "vertex_indices\nend_header\n";
+  const std::string header = "ply\r\nformat ascii 1.0\r\ncomment by hand\r\nelement "
+                             "vertex 2\r\nproperty float "
+                             "x\nproperty float y\nproperty float32 z\nelement face "
+                             "1\nproperty list uchar int "
+                             "vertex_indices\nend_header\n";
   const CloudFile cloud = decodePly("a.ply", header + "0 1 2\n3 4 5\n3 0 1 0\n");
   EXPECT_EQ(floatsOf(cloud, "z"), (std::vector<float>{2.0f, 5.0f}));
 }
@@ -177,8 +177,7 @@ TEST_F(Formats, BadPlyIsRefused)
 
 TEST_F(Formats, VelodyneScansReadBackAsTheyWere)
 {
-  const CloudFile in =
-      cloud("x intensity y z", "F F F F", {"0 0.5 1 2", "3 0.25 4 5"});
+  const CloudFile in = cloud("x intensity y z", "F F F F", {"0 0.5 1 2", "3 0.25 4 5"});
   const std::string bytes = encodeVelodyne(in);
   ASSERT_EQ(bytes.size(), 32u);
   float fourth = 0.0f;
@@ -205,8 +204,10 @@ TEST_F(Formats, KittiClassesHaveTheKeysOfSemanticKitti)
             std::string::npos);
   EXPECT_NE(yaml.find("content:\n  0: 0.25\n  1: 0.75\n"), std::string::npos);
   EXPECT_NE(yaml.find("learning_ignore:\n  0: True\n  1: False\n"), std::string::npos);
-  for (const char* key :
-       {"color_map:", "learning_map:", "learning_map_inv:", "split:\n  train:\n    - 0"})
+  for (const char* key : {"color_map:",
+                          "learning_map:",
+                          "learning_map_inv:",
+                          "split:\n  train:\n    - 0"})
     EXPECT_NE(yaml.find('\n' + std::string(key)), std::string::npos) << key;
 }
 

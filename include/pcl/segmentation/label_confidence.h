@@ -37,14 +37,15 @@ struct LabelInput {
   unsigned threads = 0;
 };
 
-/** \brief Four numbers that speak for a label, the larger the more.
+/** \brief Numbers that speak for a label, the larger the more.
  *
  * Of a surface: logarithm of its posterior over the next best; distance to the nearest
- * edge point; how little there is of an edge around; how evenly the neighbors lie around
- * the point. Of an edge: places around, near and wider, that votes for a crease agree on
- * (logarithms); how much the normals turn (logarithm); how far the neighbors' mean is
- * off the point. \ref doc/labels.md */
-using LabelFeatures = std::array<float, 4>;
+ * edge point; how little there is of an edge around; how evenly the neighbors lie
+ * around the point; the share of them with the same label. Of an edge: places around,
+ * near and wider, that votes for a crease agree on (logarithms); how much the normals
+ * turn (logarithm); how far the neighbors' mean is off the point; the radius that
+ * normals are averaged over (logarithm). See doc/labels.md. */
+using LabelFeatures = std::array<float, 5>;
 
 /** \brief The likeliest label of each point, and what speaks for it. */
 struct LabelEvidence {
