@@ -19,9 +19,9 @@ namespace {
 constexpr float least_planar = 0.5f;
 constexpr int hops = 3;       // over cells that are no ground: a kerb, a pole
 constexpr int most_hops = 24; // to the ground before and behind what hides it
-// By how much ground may leave its own plane, per metre: 30 m away a metre, as on a
-// crest with a radius of 450 m.
-constexpr float bend = 0.03f;
+// By how much ground may leave its own plane, per metre: 0.4 m at 20 m, as on a crest
+// with a radius of 500 m.
+constexpr float bend = 0.02f;
 constexpr std::size_t least_patches = 4; // of ground that stands alone
 // The height of a patch is known to 1 cm, ground turns by 3 degrees: (0.01 / 0.05)^2.
 constexpr float prior_weight = 0.04f;
@@ -63,36 +63,16 @@ continues(const GroundPatch& a, const GroundPatch& b, float max_step)
   return std::abs(a.above(b.x, b.y, b.z)) <= max_step + bend * distance;
 }
 
-/** Whether points stand up from a patch: the lowest points of a wall are no ground. */
-bool
-carriesSomething(const GroundCells& cells,
-                 const GroundPatch& patch,
-                 std::size_t cell,
-                 float max_step)
-{
-  int found = 0;
-  for (std::size_t i = cells.begins[cell]; i < cells.begins[cell + 1]; ++i) {
-    const float above = patch.above(cells.x[i], cells.y[i], cells.z[i]);
-    found |= static_cast<int>(above > max_step) &
-             static_cast<int>(above < highest_steps * max_step);
-  }
-  return found != 0;
-}
-
 std::vector<char>
-levelPatches(const GroundCells& cells,
-             const GroundPatches& all,
-             const GroundParameters& parameters,
-             unsigned threads)
+levelPatches(const GroundPatches& all, float max_slope)
 {
-  const float most = std::tan(parameters.max_slope) * std::tan(parameters.max_slope);
+  const float most = std::tan(max_slope) * std::tan(max_slope);
   std::vector<char> level(all.patches.size());
-  forEachCell(cells, threads, [&](std::size_t i) {
+  for (std::size_t i = 0; i < level.size(); ++i) {
     const GroundPatch& p = all.patches[i];
     level[i] = p.planar >= least_planar &&
-               p.slope_x * p.slope_x + p.slope_y * p.slope_y <= most &&
-               !carriesSomething(cells, p, i, parameters.max_step);
-  });
+               p.slope_x * p.slope_x + p.slope_y * p.slope_y <= most;
+  }
   return level;
 }
 
@@ -122,7 +102,7 @@ connect(const GroundPatches& all, const std::vector<char>& level, float max_step
       if (found == no_patch)
         continue;
       const auto j = static_cast<std::size_t>(found);
-      if (continues(all.patches[i], all.patches[j], max_step) ||
+      if (continues(all.patches[i], all.patches[j], max_step) &&
           continues(all.patches[j], all.patches[i], max_step))
         sets.merge(i, j);
     }
@@ -252,7 +232,7 @@ connectedGround(const GroundCells& cells,
                 GroundPatches& all)
 {
   const std::size_t size = all.patches.size();
-  const std::vector<char> level = levelPatches(cells, all, parameters, threads);
+  const std::vector<char> level = levelPatches(all, parameters.max_slope);
   Sets sets = connect(all, level, parameters.max_step);
   std::vector<std::size_t> set_of(size, size), sizes(size, 0);
   for (std::size_t i = 0; i < size; ++i)

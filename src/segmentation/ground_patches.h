@@ -46,12 +46,14 @@ using PatchNeighbors = std::array<std::int32_t, 4>;
 enum PatchSide : std::size_t { Inner = 0, Outer = 1, Right = 2, Left = 3 };
 
 struct GroundPatches {
-  std::vector<GroundPatch> patches; ///< one a cell
+  std::vector<GroundPatch> patches; ///< one a cell; not planar where there is none
   std::vector<PatchNeighbors> neighbors;
 };
 
-/** \brief The planarity of the lowest surface, cell by cell. */
+/** \brief The planarity of the lowest surface, cell by cell. \param[in] feet see
+ * feetOf() */
 GroundPatches groundPatches(const GroundCells& cells,
+                            const std::vector<char>& feet,
                             const GroundParameters& parameters,
                             unsigned threads);
 
