@@ -26,7 +26,7 @@ constexpr float noises = 5.0f; // from the plane to where a point is not on it
 // The planes of patches far away are less certain: half a degree.
 constexpr float tilt = 0.01f;
 
-constexpr float foot_share = 0.3f; // of the tolerance: ground that reaches a wall
+constexpr float foot_share = 0.15f; // of the tolerance: ground that reaches a wall
 
 /** The likelihood of a point on the ground surface that explains it best. */
 float

@@ -9,6 +9,8 @@
 
 #include "ground_growth.h"
 
+#include "coarse_ground.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -19,9 +21,9 @@ namespace {
 constexpr float least_planar = 0.5f;
 constexpr int hops = 3;       // over cells that are no ground: a kerb, a pole
 constexpr int most_hops = 24; // to the ground before and behind what hides it
-// By how much ground may leave its own plane, per metre: 0.4 m at 20 m, as on a crest
-// with a radius of 500 m.
-constexpr float bend = 0.02f;
+// By how much ground may leave its own plane, per metre: 0.6 m at 20 m, as on a crest
+// with a radius of 330 m.
+constexpr float bend = 0.03f;
 constexpr std::size_t least_patches = 4; // of ground that stands alone
 // The height of a patch is known to 1 cm, ground turns by 3 degrees: (0.01 / 0.05)^2.
 constexpr float prior_weight = 0.04f;
@@ -118,12 +120,12 @@ markedInLine(const GroundCells& cells,
              std::uint32_t bin)
 {
   std::int32_t best = no_patch;
-  std::uint32_t least = most_bins_beside + 1;
+  std::uint32_t least = most_bins_apart + 1;
   const auto first = cells.bins.begin() + cells.lines[line];
   const auto last = cells.bins.begin() + cells.lines[line + 1];
-  const std::uint32_t low = bin < most_bins_beside ? 0 : bin - most_bins_beside;
+  const std::uint32_t low = bin < most_bins_apart ? 0 : bin - most_bins_apart;
   for (auto at = std::lower_bound(first, last, low);
-       at != last && *at <= bin + most_bins_beside;
+       at != last && *at <= bin + most_bins_apart;
        ++at) {
     const auto i = static_cast<std::size_t>(at - cells.bins.begin());
     const std::uint32_t apart = *at < bin ? bin - *at : *at - bin;
@@ -199,6 +201,36 @@ addLowSets(const GroundCells& cells,
   return rest.size() < before;
 }
 
+/** Around a laser: a ring climbs the side of a car as gently as ground rises, and one
+ * ring alone does not tell. What is not near the ground in the large is left out; sets
+ * that are near it, most of their patches, are ground. */
+void
+levelOut(const GroundCells& cells,
+         const GroundPatches& all,
+         float max_step,
+         std::vector<Rest>& rest,
+         std::vector<char>& ground)
+{
+  const CoarseGround coarse(cells, all, ground, max_step);
+  for (std::size_t i = 0; i < ground.size(); ++i)
+    ground[i] = ground[i] && coarse.isNear(i);
+  std::vector<Votes> votes(ground.size());
+  for (const Rest& one : rest)
+    ++(coarse.isNear(one.patch) ? votes[one.set].low : votes[one.set].high);
+  const auto isGround = [&](const Rest& one) {
+    const Votes& of_set = votes[one.set];
+    return of_set.low >= least_patches && of_set.low > of_set.high;
+  };
+  for (const Rest& one : rest)
+    ground[one.patch] = isGround(one) && coarse.isNear(one.patch);
+  rest.erase(std::remove_if(rest.begin(),
+                            rest.end(),
+                            [&](const Rest& one) {
+                              return isGround(one) || !coarse.isNear(one.patch);
+                            }),
+             rest.end());
+}
+
 void
 fitToGround(const GroundPatches& all,
             const std::vector<char>& ground,
@@ -251,6 +283,8 @@ connectedGround(const GroundCells& cells,
         rest.push_back({i, line, set_of[i]});
     }
   }
+  if (cells.around)
+    levelOut(cells, all, parameters.max_step, rest, ground);
   while (addLowSets(cells, all, parameters.max_step, rest, ground)) {
   }
   std::vector<GroundPatch> fitted = all.patches;

@@ -18,8 +18,6 @@
 namespace pcl::segmentation {
 namespace {
 
-// A patch may continue as far away as its own range: 16 cells of 4 % around a laser.
-constexpr std::uint32_t most_bins_apart = 16;
 // Points nearer to a line than 1/100 of their distances do not tell a plane.
 constexpr float least_determinant = 1e-4f;
 // A surface is as thick: above the noise, below a low kerb.

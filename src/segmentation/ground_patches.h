@@ -21,6 +21,10 @@ namespace pcl::segmentation {
 
 constexpr std::int32_t no_patch = -1;
 
+/** \brief A surface may continue as far away as its own range: 16 cells of 4 % around a
+ * laser. */
+constexpr std::uint32_t most_bins_apart = 16;
+
 /** \brief Patches on lines beside each other are neighbors if they are so near. */
 constexpr std::uint32_t most_bins_beside = 4;
 
