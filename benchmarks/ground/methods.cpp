@@ -122,10 +122,9 @@ morphologicalMethod()
 {
   Method method{"ProgressiveMorphologicalFilter", {}};
   for (const double cell : {0.5, 1.0})
-    for (const double slope : {0.1, 0.3})
-      for (const double initial : {0.1, 0.2})
-        for (const double most : {0.2, 0.5})
-          method.settings.push_back(morphologicalSetting(cell, slope, initial, most));
+    for (const double initial : {0.1, 0.2})
+      for (const double most : {0.2, 0.5})
+        method.settings.push_back(morphologicalSetting(cell, 0.3, initial, most));
   return method;
 }
 

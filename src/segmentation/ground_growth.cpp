@@ -9,6 +9,8 @@
 
 #include "ground_growth.h"
 
+#include "coarse_ground.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -19,8 +21,8 @@ namespace {
 constexpr float least_planar = 0.5f;
 constexpr int hops = 3;       // over cells that are no ground: a kerb, a pole
 constexpr int most_hops = 24; // to the ground before and behind what hides it
-// By how much ground may leave its own plane, per metre: 30 m away a metre, as on a
-// crest with a radius of 450 m.
+// By how much ground may leave its own plane, per metre: 0.6 m at 20 m, as on a crest
+// with a radius of 330 m.
 constexpr float bend = 0.03f;
 constexpr std::size_t least_patches = 4; // of ground that stands alone
 // The height of a patch is known to 1 cm, ground turns by 3 degrees: (0.01 / 0.05)^2.
@@ -63,36 +65,16 @@ continues(const GroundPatch& a, const GroundPatch& b, float max_step)
   return std::abs(a.above(b.x, b.y, b.z)) <= max_step + bend * distance;
 }
 
-/** Whether points stand up from a patch: the lowest points of a wall are no ground. */
-bool
-carriesSomething(const GroundCells& cells,
-                 const GroundPatch& patch,
-                 std::size_t cell,
-                 float max_step)
-{
-  int found = 0;
-  for (std::size_t i = cells.begins[cell]; i < cells.begins[cell + 1]; ++i) {
-    const float above = patch.above(cells.x[i], cells.y[i], cells.z[i]);
-    found |= static_cast<int>(above > max_step) &
-             static_cast<int>(above < highest_steps * max_step);
-  }
-  return found != 0;
-}
-
 std::vector<char>
-levelPatches(const GroundCells& cells,
-             const GroundPatches& all,
-             const GroundParameters& parameters,
-             unsigned threads)
+levelPatches(const GroundPatches& all, float max_slope)
 {
-  const float most = std::tan(parameters.max_slope) * std::tan(parameters.max_slope);
+  const float most = std::tan(max_slope) * std::tan(max_slope);
   std::vector<char> level(all.patches.size());
-  forEachCell(cells, threads, [&](std::size_t i) {
+  for (std::size_t i = 0; i < level.size(); ++i) {
     const GroundPatch& p = all.patches[i];
     level[i] = p.planar >= least_planar &&
-               p.slope_x * p.slope_x + p.slope_y * p.slope_y <= most &&
-               !carriesSomething(cells, p, i, parameters.max_step);
-  });
+               p.slope_x * p.slope_x + p.slope_y * p.slope_y <= most;
+  }
   return level;
 }
 
@@ -122,7 +104,7 @@ connect(const GroundPatches& all, const std::vector<char>& level, float max_step
       if (found == no_patch)
         continue;
       const auto j = static_cast<std::size_t>(found);
-      if (continues(all.patches[i], all.patches[j], max_step) ||
+      if (continues(all.patches[i], all.patches[j], max_step) &&
           continues(all.patches[j], all.patches[i], max_step))
         sets.merge(i, j);
     }
@@ -138,12 +120,12 @@ markedInLine(const GroundCells& cells,
              std::uint32_t bin)
 {
   std::int32_t best = no_patch;
-  std::uint32_t least = most_bins_beside + 1;
+  std::uint32_t least = most_bins_apart + 1;
   const auto first = cells.bins.begin() + cells.lines[line];
   const auto last = cells.bins.begin() + cells.lines[line + 1];
-  const std::uint32_t low = bin < most_bins_beside ? 0 : bin - most_bins_beside;
+  const std::uint32_t low = bin < most_bins_apart ? 0 : bin - most_bins_apart;
   for (auto at = std::lower_bound(first, last, low);
-       at != last && *at <= bin + most_bins_beside;
+       at != last && *at <= bin + most_bins_apart;
        ++at) {
     const auto i = static_cast<std::size_t>(at - cells.bins.begin());
     const std::uint32_t apart = *at < bin ? bin - *at : *at - bin;
@@ -219,6 +201,36 @@ addLowSets(const GroundCells& cells,
   return rest.size() < before;
 }
 
+/** Around a laser: a ring climbs the side of a car as gently as ground rises, and one
+ * ring alone does not tell. What is not near the ground in the large is left out; sets
+ * that are near it, most of their patches, are ground. */
+void
+levelOut(const GroundCells& cells,
+         const GroundPatches& all,
+         float max_step,
+         std::vector<Rest>& rest,
+         std::vector<char>& ground)
+{
+  const CoarseGround coarse(cells, all, ground, max_step);
+  for (std::size_t i = 0; i < ground.size(); ++i)
+    ground[i] = ground[i] && coarse.isNear(i);
+  std::vector<Votes> votes(ground.size());
+  for (const Rest& one : rest)
+    ++(coarse.isNear(one.patch) ? votes[one.set].low : votes[one.set].high);
+  const auto isGround = [&](const Rest& one) {
+    const Votes& of_set = votes[one.set];
+    return of_set.low >= least_patches && of_set.low > of_set.high;
+  };
+  for (const Rest& one : rest)
+    ground[one.patch] = isGround(one) && coarse.isNear(one.patch);
+  rest.erase(std::remove_if(rest.begin(),
+                            rest.end(),
+                            [&](const Rest& one) {
+                              return isGround(one) || !coarse.isNear(one.patch);
+                            }),
+             rest.end());
+}
+
 void
 fitToGround(const GroundPatches& all,
             const std::vector<char>& ground,
@@ -252,7 +264,7 @@ connectedGround(const GroundCells& cells,
                 GroundPatches& all)
 {
   const std::size_t size = all.patches.size();
-  const std::vector<char> level = levelPatches(cells, all, parameters, threads);
+  const std::vector<char> level = levelPatches(all, parameters.max_slope);
   Sets sets = connect(all, level, parameters.max_step);
   std::vector<std::size_t> set_of(size, size), sizes(size, 0);
   for (std::size_t i = 0; i < size; ++i)
@@ -271,6 +283,8 @@ connectedGround(const GroundCells& cells,
         rest.push_back({i, line, set_of[i]});
     }
   }
+  if (cells.around)
+    levelOut(cells, all, parameters.max_step, rest, ground);
   while (addLowSets(cells, all, parameters.max_step, rest, ground)) {
   }
   std::vector<GroundPatch> fitted = all.patches;

@@ -13,10 +13,6 @@
 
 namespace pcl::segmentation {
 
-/** \brief So many steps high is looked at what stands on the ground; what is higher may
- * hang over it. */
-constexpr float highest_steps = 10.0f;
-
 /** \brief Which patches are ground: level enough, planar, and connected over steps that
  * ground may have; and the others like them that are as low and several.
  *

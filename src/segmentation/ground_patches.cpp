@@ -13,23 +13,36 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace pcl::segmentation {
 namespace {
 
-// A patch may continue as far away as its own range: 16 cells of 4 % around a laser.
-constexpr std::uint32_t most_bins_apart = 16;
 // Points nearer to a line than 1/100 of their distances do not tell a plane.
 constexpr float least_determinant = 1e-4f;
+// A surface is as thick: above the noise, below a low kerb.
+constexpr float thickness_steps = 0.25f;
+constexpr float turn = 0.01f;       // that a plane may be off, per metre
 constexpr float paper_bin = 0.157f; // 9 degrees: of 10 bins over 90
 
-/** The mean of the points near the lowest one. Sums are of whole numbers: the order of
- * the points does not matter. */
-GroundPatch
-lowestSurface(const GroundCells& cells, std::size_t cell, float thickness)
+/** The mean of the points near the lowest one that carries nothing, if there is one not
+ * far above the bottom of the cell. Sums are of whole numbers: the order of the points
+ * does not matter. */
+std::optional<GroundPatch>
+lowestSurface(const GroundCells& cells,
+              const std::vector<char>& feet,
+              std::size_t cell,
+              float max_step)
 {
   const std::size_t begin = cells.begins[cell], end = cells.begins[cell + 1];
-  const float low = *std::min_element(&cells.z[begin], &cells.z[begin] + (end - begin));
+  constexpr float none = std::numeric_limits<float>::infinity();
+  float bottom = none, low = none;
+  for (std::size_t i = begin; i < end; ++i) {
+    bottom = std::min(bottom, cells.z[i]);
+    low = feet[i] ? low : std::min(low, cells.z[i]);
+  }
+  if (!(low - bottom < max_step))
+    return std::nullopt;
   const float unit = cells.extent / (1 << 24), units = 1.0f / unit;
   const auto whole = [units](float value) {
     constexpr float most = 1LL << 40; // of a point that is far beyond all others
@@ -37,7 +50,7 @@ lowestSurface(const GroundCells& cells, std::size_t cell, float thickness)
   };
   std::int64_t count = 0, x = 0, y = 0, z = 0;
   for (std::size_t i = begin; i < end; ++i) {
-    if (cells.z[i] - low < thickness) {
+    if (!feet[i] && cells.z[i] - low < thickness_steps * max_step) {
       ++count;
       x += whole(cells.x[i]);
       y += whole(cells.y[i]);
@@ -52,46 +65,78 @@ lowestSurface(const GroundCells& cells, std::size_t cell, float thickness)
   return patch;
 }
 
-/** The cell of a line nearest to each cell of another one, if it is near enough. */
+/** The cells that have a surface, line by line. */
+struct Surfaces {
+  std::vector<std::size_t> cells;
+  std::vector<std::size_t> lines; ///< the first one of each line, and end
+
+  Surfaces(const GroundCells& all, const std::vector<char>& has_surface)
+  {
+    for (std::size_t line = 0; line < all.lineCount(); ++line) {
+      lines.push_back(cells.size());
+      for (std::size_t i = all.lines[line]; i < all.lines[line + 1]; ++i)
+        if (has_surface[i])
+          cells.push_back(i);
+    }
+    lines.push_back(cells.size());
+  }
+};
+
+std::uint32_t
+binsApart(const GroundCells& cells, std::size_t a, std::size_t b)
+{
+  return cells.bins[a] < cells.bins[b] ? cells.bins[b] - cells.bins[a]
+                                       : cells.bins[a] - cells.bins[b];
+}
+
+/** For each cell of a line the surface of another line that is nearest, if it is near.
+ */
 void
 findBeside(const GroundCells& cells,
+           const Surfaces& surfaces,
            std::size_t line,
            std::size_t other,
            PatchSide side,
            std::vector<PatchNeighbors>& neighbors)
 {
-  const std::size_t end = cells.lines[other + 1];
-  std::size_t at = cells.lines[other];
-  const auto apart = [&](std::size_t a, std::size_t b) {
-    return cells.bins[a] < cells.bins[b] ? cells.bins[b] - cells.bins[a]
-                                         : cells.bins[a] - cells.bins[b];
+  const std::size_t end = surfaces.lines[other + 1];
+  std::size_t at = surfaces.lines[other];
+  const auto apart = [&](std::size_t surface, std::size_t cell) {
+    return binsApart(cells, surfaces.cells[surface], cell);
   };
   for (std::size_t i = cells.lines[line]; i < cells.lines[line + 1] && at < end; ++i) {
     while (at + 1 < end && apart(at + 1, i) < apart(at, i))
       ++at;
     if (apart(at, i) <= most_bins_beside)
-      neighbors[i][side] = static_cast<std::int32_t>(at);
+      neighbors[i][side] = static_cast<std::int32_t>(surfaces.cells[at]);
   }
 }
 
 void
 findNeighbors(const GroundCells& cells,
+              const Surfaces& surfaces,
               std::size_t line,
               std::vector<PatchNeighbors>& neighbors)
 {
-  const std::size_t lines = cells.lineCount();
+  const std::size_t lines = cells.lineCount(), end = surfaces.lines[line + 1];
+  std::size_t next = surfaces.lines[line]; // the first surface behind the cell
+  const auto link = [&](std::size_t cell, std::size_t surface, PatchSide side) {
+    if (binsApart(cells, surfaces.cells[surface], cell) <= most_bins_apart)
+      neighbors[cell][side] = static_cast<std::int32_t>(surfaces.cells[surface]);
+  };
   for (std::size_t i = cells.lines[line]; i < cells.lines[line + 1]; ++i) {
     neighbors[i] = {no_patch, no_patch, no_patch, no_patch};
-    if (i > cells.lines[line] && cells.bins[i] - cells.bins[i - 1] <= most_bins_apart)
-      neighbors[i][Inner] = static_cast<std::int32_t>(i - 1);
-    if (i + 1 < cells.lines[line + 1] &&
-        cells.bins[i + 1] - cells.bins[i] <= most_bins_apart)
-      neighbors[i][Outer] = static_cast<std::int32_t>(i + 1);
+    if (next > surfaces.lines[line])
+      link(i, next - 1, Inner);
+    if (next < end && surfaces.cells[next] == i)
+      ++next;
+    if (next < end)
+      link(i, next, Outer);
   }
   if (line > 0 || cells.around)
-    findBeside(cells, line, (line + lines - 1) % lines, Right, neighbors);
+    findBeside(cells, surfaces, line, (line + lines - 1) % lines, Right, neighbors);
   if (line + 1 < lines || cells.around)
-    findBeside(cells, line, (line + 1) % lines, Left, neighbors);
+    findBeside(cells, surfaces, line, (line + 1) % lines, Left, neighbors);
 }
 
 /** How steep the way from a patch to another one is. */
@@ -142,7 +187,8 @@ fitRobustly(const std::vector<GroundPatch>& low,
     if (neighbor == no_patch)
       continue;
     const GroundPatch& other = low[static_cast<std::size_t>(neighbor)];
-    if (std::abs(patch.above(other.x, other.y, other.low)) < near)
+    const float distance = std::abs(other.x - patch.x) + std::abs(other.y - patch.y);
+    if (std::abs(patch.above(other.x, other.y, other.low)) < near + turn * distance)
       others[count++] = &other;
   }
   fitPlane(patch, others.data(), count, 0.0f);
@@ -225,6 +271,7 @@ fitPlane(GroundPatch& patch,
 
 GroundPatches
 groundPatches(const GroundCells& cells,
+              const std::vector<char>& feet,
               const GroundParameters& parameters,
               unsigned threads)
 {
@@ -232,17 +279,22 @@ groundPatches(const GroundCells& cells,
   all.patches.resize(cells.size());
   all.neighbors.resize(cells.size());
   std::vector<GroundPatch> low(cells.size());
-  std::vector<char> has_plane(cells.size());
-  const float thickness = 0.5f * parameters.max_step;
+  std::vector<char> has_surface(cells.size()), has_plane(cells.size());
   forEachCell(cells, threads, [&](std::size_t i) {
-    low[i] = lowestSurface(cells, i, thickness);
+    const auto found = lowestSurface(cells, feet, i, parameters.max_step);
+    has_surface[i] = found.has_value();
+    low[i] = found.value_or(GroundPatch());
   });
+  const Surfaces surfaces(cells, has_surface);
   kernels::parallelFor(cells.lineCount(), threads, [&](std::size_t line) {
-    findNeighbors(cells, line, all.neighbors);
+    findNeighbors(cells, surfaces, line, all.neighbors);
   });
   forEachCell(cells, threads, [&](std::size_t i) {
     all.patches[i] = low[i];
-    has_plane[i] = fitRobustly(low, all.neighbors[i], thickness, all.patches[i]);
+    has_plane[i] = has_surface[i] && fitRobustly(low,
+                                                 all.neighbors[i],
+                                                 thickness_steps * parameters.max_step,
+                                                 all.patches[i]);
   });
   forEachCell(cells, threads, [&](std::size_t i) {
     all.patches[i].planar = has_plane[i] ? planarLikelihood(all, has_plane, i) : 0.0f;

@@ -21,6 +21,10 @@ namespace pcl::segmentation {
 
 constexpr std::int32_t no_patch = -1;
 
+/** \brief A surface may continue as far away as its own range: 16 cells of 4 % around a
+ * laser. */
+constexpr std::uint32_t most_bins_apart = 16;
+
 /** \brief Patches on lines beside each other are neighbors if they are so near. */
 constexpr std::uint32_t most_bins_beside = 4;
 
@@ -46,12 +50,14 @@ using PatchNeighbors = std::array<std::int32_t, 4>;
 enum PatchSide : std::size_t { Inner = 0, Outer = 1, Right = 2, Left = 3 };
 
 struct GroundPatches {
-  std::vector<GroundPatch> patches; ///< one a cell
+  std::vector<GroundPatch> patches; ///< one a cell; not planar where there is none
   std::vector<PatchNeighbors> neighbors;
 };
 
-/** \brief The planarity of the lowest surface, cell by cell. */
+/** \brief The planarity of the lowest surface, cell by cell. \param[in] feet see
+ * feetOf() */
 GroundPatches groundPatches(const GroundCells& cells,
+                            const std::vector<char>& feet,
                             const GroundParameters& parameters,
                             unsigned threads);
 

@@ -273,7 +273,9 @@ TEST(GroundSegmentation, FewPointsAndPointsAtOnePlace)
 {
   for (const std::size_t size : {1U, 2U, 5U, 1000U}) {
     const auto cloud = make_shared<Cloud>();
-    cloud->resize(size, PointXYZ(1.0f, 2.0f, 3.0f));
+    cloud->points.assign(size, PointXYZ(1.0f, 2.0f, 3.0f));
+    cloud->width = static_cast<std::uint32_t>(size);
+    cloud->height = 1;
     const std::vector<float> likelihoods = likelihoodsOf(cloud);
     ASSERT_EQ(likelihoods.size(), size);
     EXPECT_EQ(std::count(likelihoods.begin(), likelihoods.end(), 0.0f),
