@@ -15,6 +15,7 @@ namespace pcl_shape_test {
 namespace {
 
 constexpr int side = 40;
+constexpr int half = 20;
 
 } // namespace
 
@@ -36,8 +37,8 @@ ViewerTest::square(const std::string& fields,
   for (int j = 0; j < side; ++j)
     for (int i = 0; i < side; ++i) {
       const std::size_t place = static_cast<std::size_t>(i) * values.size() / side;
-      rows.push_back(std::to_string(0.005 * (i - side / 2)) + ' ' +
-                     std::to_string(0.005 * (j - side / 2)) + " 1 " + values[place]);
+      rows.push_back(std::to_string(0.005 * (i - half)) + ' ' +
+                     std::to_string(0.005 * (j - half)) + " 1 " + values[place]);
     }
   return file("square.pcd", asciiCloud("x y z " + fields, "F F F " + types, rows));
 }

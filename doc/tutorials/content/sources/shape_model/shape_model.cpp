@@ -97,7 +97,7 @@ sample(const Height& height, const char* file_name)
 Cloud::Ptr
 threeSheets(std::vector<std::size_t>& ends)
 {
-  const auto cloud = pcl::make_shared<Cloud>();
+  auto cloud = pcl::make_shared<Cloud>();
   addSurface(*cloud, 0.0f, 0.3f, flat);
   ends.push_back(cloud->size());
   addSurface(*cloud, 0.4f, 0.3f, corrugated);
