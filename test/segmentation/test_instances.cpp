@@ -8,6 +8,7 @@
  */
 
 #include "instance_scenes.h"
+#include "support/errors.h"
 
 #include <pcl/common/io.h>
 
