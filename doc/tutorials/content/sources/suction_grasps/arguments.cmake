@@ -1,0 +1,1 @@
+set(TUTORIAL_ARGUMENTS ${TUTORIAL_SCENE} 1) # the object
