@@ -50,7 +50,7 @@ protected:
 
 TEST_F(AppGround, FindsTheGroundOfAStreet)
 {
-  const std::string in = street();
+  const std::string in = street("401", "64");
   expectSuccess(runApp(app, {in, path("out.pcd"), "-json", path("json")}));
   // Its own truth was replaced by what was found.
   EXPECT_GE(f1(path("out.pcd"), in), 0.97);

@@ -176,14 +176,15 @@ TEST_P(Streets, UpMayBeAnyDirectionAndTheSensorAnywhere)
   EXPECT_GE(f1(likelihoods, scan.ground), 0.97);
 }
 
-TEST_P(Streets, ATiltedSensorFindsTheSame)
+TEST(GroundSegmentation, ATiltedSensorFindsTheSame)
 {
-  const scene::LidarScan scan = street(323, GetParam());
+  const scene::LidarScan scan = street(323, 64);
   const Cloud::Ptr cloud = cloudOf(scan);
+  const double level = f1(likelihoodsOf(cloud), scan.ground);
   const Eigen::AngleAxisf tilt(0.1f, Eigen::Vector3f(1.0f, 1.0f, 0.0f).normalized());
   for (PointXYZ& p : *cloud)
     p.getVector3fMap() = tilt * p.getVector3fMap();
-  EXPECT_GE(f1(likelihoodsOf(cloud), scan.ground), 0.97);
+  EXPECT_NEAR(f1(likelihoodsOf(cloud), scan.ground), level, 0.01);
 }
 
 INSTANTIATE_TEST_SUITE_P(Beams, Streets, testing::Values(64U, 16U));
@@ -264,9 +265,10 @@ TEST(GroundSegmentation, FarOutliersDoNotSpoilIt)
 {
   const scene::LidarScan scan = street(324, 16);
   const Cloud::Ptr cloud = cloudOf(scan);
+  const double without = f1(likelihoodsOf(cloud), scan.ground);
   for (const float far : {1e6f, -1e9f, 3e15f})
     cloud->emplace_back(far, -far, far);
-  EXPECT_GE(f1(likelihoodsOf(cloud), scan.ground), 0.97);
+  EXPECT_NEAR(f1(likelihoodsOf(cloud), scan.ground), without, 0.002);
 }
 
 TEST(GroundSegmentation, FewPointsAndPointsAtOnePlace)

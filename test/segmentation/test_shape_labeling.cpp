@@ -103,20 +103,6 @@ TEST(ShapeLabeling, KeepsRightLabelsOfCameraScenes)
   all.expectGood();
 }
 
-TEST(ShapeLabeling, KeepsRightLabelsOfSampledSurfaces)
-{
-  Quality all;
-  for (const double sigma : {0.0, 0.0002}) {
-    scene::SampleOptions options;
-    options.seed = 75;
-    options.objects = 8;
-    options.sigma = sigma;
-    const scene::Scene scene = scene::sampleScene(options);
-    all.add(truthOf(scene), labelsOf(cloudOf(scene)));
-  }
-  all.expectGood();
-}
-
 TEST(ShapeLabeling, ConfidenceIsTheShareOfRightLabels)
 {
   std::array<double, 5> limits{0.0, 0.7, 0.9, 0.97, 1.01};
