@@ -47,7 +47,7 @@ def main():
     axes[-1, 0].set_xlabel("x (m), forward")
     marks = [pyplot.Line2D([], [], marker="o", linestyle="", color=COLOURS[label], label=text)
              for label, text in ((1, "ground"), (0, "not ground"))]
-    figure.legend(handles=marks, loc="outside upper center", ncols=2)
+    figure.legend(handles=marks, loc="upper center", ncols=2)
     figure.savefig(sys.argv[-1], dpi=110)
 
 
