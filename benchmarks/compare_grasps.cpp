@@ -105,7 +105,7 @@ parseArguments(int argc, char** argv, Arguments& a)
 Cloud::Ptr
 cloudOf(const scene::GraspScene& scene)
 {
-  const auto cloud = pcl::make_shared<Cloud>();
+  auto cloud = pcl::make_shared<Cloud>();
   for (std::size_t i = 0; i < scene.object.size(); ++i) {
     cloud->emplace_back(scene.xyz[3 * i], scene.xyz[3 * i + 1], scene.xyz[3 * i + 2]);
   }
