@@ -171,7 +171,9 @@ main(int argc, char** argv)
           "curved (default), planar, a class of -model, or object: whole objects on "
           "a support")
       .option("model", "F", "a model file instead of the default model")
-      .option("high", "T", "likelihood that a quarter of an instance's points must have (0.7)")
+      .option("high",
+              "T",
+              "likelihood that a quarter of an instance's points must have (0.7)")
       .option("low", "T", "likelihood of each of its points (0.5)")
       .option("min_points", "N", "leave smaller instances out (100)")
       .option("primitive",

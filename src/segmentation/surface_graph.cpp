@@ -158,7 +158,8 @@ public:
         return;
       const Node& node = nodes_[k];
       const float offset = std::abs(node.normal.dot(position - node.center));
-      if (std::abs(normal.dot(node.normal)) > same_direction && offset < offset_limit_ * d) {
+      if (std::abs(normal.dot(node.normal)) > same_direction &&
+          offset < offset_limit_ * d) {
         nearest = squared;
         label = labels[k];
       }
