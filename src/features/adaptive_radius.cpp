@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace pcl::detail {
 namespace {
@@ -42,14 +43,21 @@ quantile(std::vector<float> values, double share)
   return *middle;
 }
 
-/** A number that is the same wherever the point stands in the cloud. */
+/** A number that is the same wherever the point stands in the cloud, and in units that
+ * are a power of two times others: from the significands, and the exponents but for what
+ * the coordinates have in common. */
 std::uint32_t
 hashOf(const float* point)
 {
+  int common = std::numeric_limits<int>::min();
+  for (int i = 0; i < 3; ++i)
+    if (point[i] != 0.0f)
+      common = std::max(common, std::ilogb(point[i]));
   std::uint32_t hash = 0x811c9dc5U; // FNV-1a, a word at a time, then mixed
   for (int i = 0; i < 3; ++i) {
+    const float free_of_unit = point[i] == 0.0f ? 0.0f : std::scalbn(point[i], -common);
     std::uint32_t bits = 0;
-    std::memcpy(&bits, point + i, sizeof bits);
+    std::memcpy(&bits, &free_of_unit, sizeof bits);
     hash = (hash ^ bits) * 0x01000193U;
     hash ^= hash >> 15;
   }
