@@ -44,8 +44,8 @@ quantile(std::vector<float> values, double share)
 }
 
 /** A number that is the same wherever the point stands in the cloud, and in units that
- * are a power of two times others: from the significands, and the exponents but for what
- * the coordinates have in common. */
+ * are a power of two times others: from the significands, and the exponents but for
+ * what the coordinates have in common. */
 std::uint32_t
 hashOf(const float* point)
 {
