@@ -74,7 +74,7 @@ checkClass(const Settings& settings)
 Settings
 settingsOf(const Arguments& arguments)
 {
-  constexpr double default_high = 0.7, default_low = 0.5;
+  constexpr double default_high = 0.6, default_low = 0.5;
   constexpr std::uint64_t default_points = 100;
   Settings settings;
   settings.of_class = arguments.text("class", "curved");
@@ -173,7 +173,7 @@ main(int argc, char** argv)
       .option("model", "F", "a model file instead of the default model")
       .option("high",
               "T",
-              "likelihood that a quarter of an instance's points must have (0.7)")
+              "likelihood that a quarter of an instance's points must have (0.6)")
       .option("low", "T", "likelihood of each of its points (0.5)")
       .option("min_points", "N", "leave smaller instances out (100)")
       .option("primitive",

@@ -10,6 +10,7 @@
 #include "face_contacts.h"
 
 #include "../kernels/parallel.h"
+#include "primitive_model.h"
 
 #include <algorithm>
 #include <array>
@@ -37,6 +38,12 @@ struct Meeting {
   float spacing;
 };
 
+/** What the border of two faces is like at a place. */
+struct Bend {
+  float convexity = 0.0f; ///< -1 to 1
+  float gap = 0.0f; ///< between the two surfaces there, 1: as much as noise may make
+};
+
 /** A face near a place. */
 struct Side {
   Vector3f center = Vector3f::Zero();
@@ -49,10 +56,12 @@ public:
   Contacts(const InstanceInput& input,
            const PointGrid& grid,
            const Labels& faces,
+           const std::vector<Face>& properties,
            const Labels& grown)
   : input_(input)
   , grid_(grid)
   , faces_(faces)
+  , properties_(properties)
   , grown_(grown)
   , cell_(medianSpacing(input))
   , step_(stepLimit(input))
@@ -89,8 +98,8 @@ public:
 
   /** Above 0 if the border is convex or no border at all, below if concave or a step,
    * 0 if that cannot be told. */
-  float
-  convexityAt(const Meeting& meeting) const
+  Bend
+  bendAt(const Meeting& meeting) const
   {
     Side a, b;
     const Vector3f position = Eigen::Map<const Vector3f>(meeting.position.data());
@@ -104,12 +113,23 @@ public:
         add(j, position, b);
     });
     if (a.points < least_points || b.points < least_points)
-      return 0.0f;
+      return {};
     a.center /= static_cast<float>(a.points);
     b.center /= static_cast<float>(b.points);
     a.normal.normalize();
     b.normal.normalize();
-    return convexity(a, b, meeting.spacing);
+    const Face& first = properties_[static_cast<std::size_t>(meeting.first)];
+    const Face& second = properties_[static_cast<std::size_t>(meeting.second)];
+    if (first.surface.type == PrimitiveType::None ||
+        second.surface.type == PrimitiveType::None)
+      return {convexity(a, b, meeting.spacing)};
+    const Vector3f foot_a = continueTo(first, position, a);
+    const Vector3f foot_b = continueTo(second, position, b);
+    const float sine = a.normal.cross(b.normal).norm();
+    const float limit = step_ + reach * sine;
+    const float gap = (foot_a - foot_b).norm() / meeting.spacing;
+    const bool is_flat = a.normal.dot(b.normal) > flat_cosine;
+    return {is_flat ? 1.0f : opening(a, b), gap / limit};
   }
 
 private:
@@ -149,19 +169,37 @@ private:
   convexity(const Side& a, const Side& b, float spacing) const
   {
     const Vector3f between = a.center - b.center;
-    const float distance = between.norm();
     const float cosine = a.normal.dot(b.normal);
     if (cosine > flat_cosine) {
       const float step = 0.5f * std::abs((a.normal + b.normal).dot(between));
       return step < step_ * spacing ? 1.0f : -1.0f;
     }
-    const float opening = (a.normal - b.normal).dot(between) / distance;
+    return opening(a, b);
+  }
+
+  static float
+  opening(const Side& a, const Side& b)
+  {
+    const Vector3f between = a.center - b.center;
+    const float opening = (a.normal - b.normal).dot(between) / between.norm();
     return std::clamp(opening / flat_sine, -1.0f, 1.0f);
+  }
+
+  /** The place on a face's surface, continued, nearest to a meeting; the side's normal
+   * becomes the one there. */
+  static Vector3f
+  continueTo(const Face& face, const Vector3f& position, Side& side)
+  {
+    const Vector3f local = position - face.origin;
+    const Vector3f normal = normalOf(face.surface, local);
+    side.normal = normal.dot(side.normal) < 0.0f ? Vector3f(-normal) : normal;
+    return footOn(face.surface, local) + (face.origin - position);
   }
 
   const InstanceInput& input_;
   const PointGrid& grid_;
   const Labels& faces_;
+  const std::vector<Face>& properties_;
   const Labels& grown_;
   float cell_;
   float step_;
@@ -173,24 +211,35 @@ std::vector<FaceContact>
 faceContacts(const InstanceInput& input,
              const PointGrid& grid,
              const Labels& faces,
+             const std::vector<Face>& properties,
              const Labels& grown)
 {
-  const Contacts contacts(input, grid, faces, grown);
+  const Contacts contacts(input, grid, faces, properties, grown);
   const std::vector<Meeting> meetings = contacts.meetings();
-  std::vector<float> convexity(meetings.size());
+  std::vector<Bend> bends(meetings.size());
   kernels::parallelForRanges(
       meetings.size(), input.threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)
-          convexity[k] = contacts.convexityAt(meetings[k]);
+          bends[k] = contacts.bendAt(meetings[k]);
       });
   std::vector<FaceContact> result;
-  for (std::size_t k = 0; k < meetings.size(); ++k) {
-    const Meeting& m = meetings[k];
-    if (result.empty() || result.back().first != m.first ||
-        result.back().second != m.second)
-      result.push_back({m.first, m.second, 0.0f, 0.0f});
-    result.back().convex += std::max(0.0f, convexity[k]);
-    result.back().concave += std::max(0.0f, -convexity[k]);
+  for (std::size_t begin = 0, end = 0; begin < meetings.size(); begin = end) {
+    FaceContact contact{meetings[begin].first, meetings[begin].second};
+    std::vector<float> gaps;
+    for (; end < meetings.size() && meetings[end].first == contact.first &&
+           meetings[end].second == contact.second;
+         ++end) {
+      contact.convex += std::max(0.0f, bends[end].convexity);
+      contact.concave += std::max(0.0f, -bends[end].convexity);
+      gaps.push_back(bends[end].gap);
+    }
+    const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
+    std::nth_element(gaps.begin(), middle, gaps.end());
+    if (*middle > 1.0f) {
+      contact.concave += contact.convex;
+      contact.convex = 0.0f;
+    }
+    result.push_back(contact);
   }
   return result;
 }

@@ -9,7 +9,7 @@
 
 #pragma once
 
-#include "surface_graph.h"
+#include "face_surfaces.h"
 
 namespace pcl::segmentation {
 
@@ -18,6 +18,7 @@ struct FaceContact {
   std::int32_t first = 0;  ///< label of a face
   std::int32_t second = 0; ///< a larger one
   float convex = 0.0f;     ///< length where they are one body
+  float gap = 0.0f;        ///< DEV
   float concave = 0.0f;    ///< length where one stands on or before the other
 };
 
@@ -29,6 +30,7 @@ struct FaceContact {
 std::vector<FaceContact> faceContacts(const detail::InstanceInput& input,
                                       const PointGrid& grid,
                                       const Labels& faces,
+                                      const std::vector<Face>& properties,
                                       const Labels& grown);
 
 } // namespace pcl::segmentation

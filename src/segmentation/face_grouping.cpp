@@ -21,10 +21,15 @@ namespace {
 // doc/instances.md has the reason of each number.
 constexpr double planar_threshold = 0.5;
 constexpr double least_area_share = 0.25; // of the largest face's
+constexpr float least_side = 1.0f;        // of the width of a group
+constexpr double least_rim = 0.1;         // of the width of a side of a body
 constexpr double in_plane_share = 0.8;    // of a face's points
 
+/** Others stand on a face, or lie before it: it is no side of a body. */
 bool
-carries(std::size_t face, const std::vector<FaceContact>& contacts)
+carries(std::size_t face,
+        const std::vector<Face>& faces,
+        const std::vector<FaceContact>& contacts)
 {
   float convex = 0.0f, concave = 0.0f;
   for (const FaceContact& contact : contacts) {
@@ -35,7 +40,13 @@ carries(std::size_t face, const std::vector<FaceContact>& contacts)
     convex += contact.convex;
     concave += contact.concave;
   }
-  return concave > 2.0f * convex;
+  if (concave > 2.0f * convex)
+    return true;
+  double others = 0.0;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    others += f == face ? 0.0 : faces[f].area;
+  const double area = faces[face].area;
+  return others > 0.0 && area > others && convex < least_rim * std::sqrt(area);
 }
 
 /** A plane by least squares. */
@@ -91,14 +102,16 @@ pointsIn(const Plane& plane,
 /** Weights between groups; positive ones want to be joined. */
 class SignedGraph {
 public:
-  SignedGraph(std::size_t size,
+  SignedGraph(const std::vector<Face>& faces,
               const std::vector<char>& left_out,
               const std::vector<FaceContact>& contacts)
-  : weights_(size)
-  , group_(size)
+  : weights_(faces.size())
+  , group_(faces.size())
   {
-    for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t i = 0; i < faces.size(); ++i) {
       group_[i] = left_out[i] ? -1 : static_cast<std::int32_t>(i);
+      widths_.push_back(static_cast<float>(std::sqrt(faces[i].area)));
+    }
     for (const FaceContact& contact : contacts)
       if (group_[static_cast<std::size_t>(contact.first)] >= 0 &&
           group_[static_cast<std::size_t>(contact.second)] >= 0)
@@ -138,9 +151,16 @@ private:
     Edge best;
     for (std::size_t i = 0; i < weights_.size(); ++i)
       for (const auto& [other, weight] : weights_[i])
-        if (weight > best.weight)
+        if (weight > best.weight && !isNeck(i, static_cast<std::size_t>(other), weight))
           best = {weight, static_cast<std::int32_t>(i), other};
     return best;
+  }
+
+  /** Faces of one body share a side; bodies that touch may share less. */
+  bool
+  isNeck(std::size_t a, std::size_t b, float weight) const
+  {
+    return weight < least_side * std::min(widths_[a], widths_[b]);
   }
 
   void
@@ -153,33 +173,17 @@ private:
       add(kept, other, weight);
     }
     of(gone).clear();
+    float& width = widths_[static_cast<std::size_t>(kept)];
+    width = std::hypot(width, widths_[static_cast<std::size_t>(gone)]);
     std::replace(group_.begin(), group_.end(), gone, kept);
   }
 
   std::vector<std::map<std::int32_t, float>> weights_;
+  std::vector<float> widths_; ///< of groups, in spacings
   Labels group_;
 };
 
 } // namespace
-
-std::vector<Face>
-facesOf(const detail::InstanceInput& input, const Labels& labels)
-{
-  const std::int32_t most = *std::max_element(labels.begin(), labels.end());
-  std::vector<Face> faces(static_cast<std::size_t>(most + 1));
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (labels[i] < 0)
-      continue;
-    Face& face = faces[static_cast<std::size_t>(labels[i])];
-    const double d = input.spacings[i];
-    face.area += d * d;
-    face.planar += std::isnan(input.likelihood[i]) ? 0.0 : input.likelihood[i];
-    ++face.points;
-  }
-  for (Face& face : faces)
-    face.planar /= static_cast<double>(face.points);
-  return faces;
-}
 
 std::vector<char>
 supportsAmong(const detail::InstanceInput& input,
@@ -195,7 +199,7 @@ supportsAmong(const detail::InstanceInput& input,
   for (std::size_t s = 0; s < faces.size(); ++s) {
     const bool is_large = faces[s].area >= least_area_share * largest;
     if (is_support[s] || faces[s].planar <= planar_threshold || !is_large ||
-        !carries(s, contacts))
+        !carries(s, faces, contacts))
       continue;
     const Plane plane = planeOf(input, labels, static_cast<std::int32_t>(s));
     const std::vector<std::size_t> in_plane =
@@ -210,7 +214,7 @@ supportsAmong(const detail::InstanceInput& input,
 }
 
 Labels
-groupFaces(std::size_t faces,
+groupFaces(const std::vector<Face>& faces,
            const std::vector<char>& left_out,
            const std::vector<FaceContact>& contacts)
 {

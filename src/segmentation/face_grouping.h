@@ -13,18 +13,6 @@
 
 namespace pcl::segmentation {
 
-/** \brief What is known about a face as a whole. */
-struct Face {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< unit, the mean
-  double area = 0.0;                                ///< sum of the squared spacings
-  double spacing = 0.0;                             ///< the mean, metres
-  double planar = 0.0;                              ///< mean likelihood
-  std::size_t points = 0;
-};
-
-std::vector<Face> facesOf(const detail::InstanceInput& input, const Labels& labels);
-
 /** \brief Which faces are of a support: planar, not much smaller than the largest such
  * face, with others on them; and pieces that lie in the same plane. */
 std::vector<char> supportsAmong(const detail::InstanceInput& input,
@@ -37,7 +25,7 @@ std::vector<char> supportsAmong(const detail::InstanceInput& input,
  * longer than its concave one (greedy additive edge contraction; Keuper et al.,
  * "Efficient Decomposition of Image and Mesh Graphs by Lifted Multicuts", 2015).
  * \return a group for each face; faces that are left out have none, -1 */
-Labels groupFaces(std::size_t faces,
+Labels groupFaces(const std::vector<Face>& faces,
                   const std::vector<char>& left_out,
                   const std::vector<FaceContact>& contacts);
 

@@ -94,10 +94,11 @@ findObjects(const InstanceInput& input, const InstanceLimits& limits)
   growLabels(input, grid, {open, true}, grown);
   growLabels(input, grid, {open, false}, grown);
 
-  const std::vector<FaceContact> contacts = faceContacts(input, grid, faces, grown);
   const std::vector<Face> properties = facesOf(input, faces);
+  const std::vector<FaceContact> contacts =
+      faceContacts(input, grid, faces, properties, grown);
   const std::vector<char> supports = supportsAmong(input, faces, properties, contacts);
-  const Labels groups = groupFaces(properties.size(), supports, contacts);
+  const Labels groups = groupFaces(properties, supports, contacts);
   for (std::int32_t& label : grown)
     if (label >= 0)
       label = groups[static_cast<std::size_t>(label)];

@@ -7,59 +7,25 @@
  * All rights reserved
  */
 
-#include "surface_graph.h"
-
-#include <pcl/console/print.h>
-#include <pcl/point_types.h>
-#include <pcl/sample_consensus/ransac.h>
-#include <pcl/sample_consensus/sac_model_cylinder.h>
-#include <pcl/sample_consensus/sac_model_plane.h>
-#include <pcl/sample_consensus/sac_model_sphere.h>
-#include <pcl/segmentation/shape_primitive.h>
+#include "primitive_model.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 namespace pcl::detail {
 namespace {
 
 using Eigen::Vector3f;
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-using Normals = pcl::PointCloud<pcl::Normal>;
-using Model = pcl::SampleConsensusModel<pcl::PointXYZ>;
+using segmentation::fitTo;
+using segmentation::PrimitiveSample;
 
 // doc/instances.md has the reason of each number.
 constexpr std::size_t least_points = 20;
 constexpr std::size_t most_points = 2000;
-constexpr int most_iterations = 500;
-constexpr double normal_weight = 0.1;
-constexpr int refinements = 2;
 constexpr float simpler = 1.2f;
 
-/** PCL reports samples that it rejects as errors; they are none. */
-class Quiet {
-public:
-  Quiet() : level_(pcl::console::getVerbosityLevel())
-  {
-    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
-  }
-
-  ~Quiet() { pcl::console::setVerbosityLevel(level_); }
-
-  Quiet(const Quiet&) = delete;
-  Quiet& operator=(const Quiet&) = delete;
-
-private:
-  pcl::console::VERBOSITY_LEVEL level_;
-};
-
-struct Sample {
-  Cloud::Ptr points = pcl::make_shared<Cloud>();
-  Normals::Ptr normals = pcl::make_shared<Normals>();
+struct Sample : PrimitiveSample {
   Vector3f origin = Vector3f::Zero(); ///< of the points, for the numbers' sake
-  double tolerance = 0.0;             ///< metres
-  double extent = 0.0;                ///< metres
 };
 
 /** The order of the points must not matter to what RANSAC draws. */
@@ -90,7 +56,6 @@ sampleOf(const InstanceInput& input, const std::vector<std::uint32_t>& members)
   Sample sample;
   const std::size_t step = (members.size() + most_points - 1) / most_points;
   sample.origin = segmentation::positionOf(input.points, members[members.size() / 2]);
-  Eigen::Array3f low = Eigen::Array3f::Zero(), high = low;
   double spacings = 0.0;
   for (std::size_t k = 0; k < members.size(); k += step) {
     const Vector3f n = segmentation::normalOf(input, members[k]);
@@ -100,64 +65,13 @@ sampleOf(const InstanceInput& input, const std::vector<std::uint32_t>& members)
         segmentation::positionOf(input.points, members[k]) - sample.origin;
     sample.points->push_back({p.x(), p.y(), p.z()});
     sample.normals->push_back({n.x(), n.y(), n.z()});
-    low = low.min(p.array());
-    high = high.max(p.array());
     spacings += input.spacings[members[k]];
   }
-  sample.extent = (high - low).matrix().norm();
   sample.tolerance =
       segmentation::offsetLimit(input) * spacings /
       static_cast<double>(std::max<std::size_t>(1, sample.points->size()));
+  sample.first_tolerance = sample.tolerance;
   return sample;
-}
-
-Model::Ptr
-modelOf(const Sample& sample, PrimitiveType type)
-{
-  if (type == PrimitiveType::Plane)
-    return pcl::make_shared<pcl::SampleConsensusModelPlane<pcl::PointXYZ>>(
-        sample.points);
-  Model::Ptr model;
-  if (type == PrimitiveType::Sphere) {
-    model =
-        pcl::make_shared<pcl::SampleConsensusModelSphere<pcl::PointXYZ>>(sample.points);
-  }
-  else {
-    const auto cylinder =
-        pcl::make_shared<pcl::SampleConsensusModelCylinder<pcl::PointXYZ, pcl::Normal>>(
-            sample.points);
-    cylinder->setInputNormals(sample.normals);
-    cylinder->setNormalDistanceWeight(normal_weight);
-    model = cylinder;
-  }
-  model->setRadiusLimits(0.0, sample.extent);
-  return model;
-}
-
-float
-distanceTo(const ShapePrimitive& primitive, const Vector3f& point)
-{
-  const std::vector<float>& c = primitive.coefficients;
-  const Vector3f first(c[0], c[1], c[2]);
-  switch (primitive.type) {
-  case PrimitiveType::Plane:
-    return std::abs(first.dot(point) + c[3]);
-  case PrimitiveType::Sphere:
-    return std::abs((point - first).norm() - c[3]);
-  default:
-    return std::abs((point - first).cross(Vector3f(c[3], c[4], c[5])).norm() - c[6]);
-  }
-}
-
-float
-residualOf(const ShapePrimitive& primitive, const Cloud& points)
-{
-  double sum = 0.0;
-  for (const pcl::PointXYZ& point : points) {
-    const double distance = distanceTo(primitive, point.getVector3fMap());
-    sum += distance * distance;
-  }
-  return static_cast<float>(std::sqrt(sum / static_cast<double>(points.size())));
 }
 
 /** From the sample's origin to the cloud's; directions become unit, and the point of an
@@ -174,60 +88,13 @@ moveToCloud(const Vector3f& origin, ShapePrimitive& primitive)
   first += origin;
 }
 
-void
-normalize(ShapePrimitive& primitive)
-{
-  std::vector<float>& c = primitive.coefficients;
-  Eigen::Map<Vector3f> first(c.data());
-  if (primitive.type == PrimitiveType::Plane) {
-    const float length = first.norm();
-    first /= length;
-    c[3] /= length;
-  }
-  else if (primitive.type == PrimitiveType::Cylinder) {
-    Eigen::Map<Vector3f> axis(&c[3]);
-    axis.normalize();
-    first -= axis.dot(first) * axis;
-    c[6] = std::abs(c[6]);
-  }
-}
-
-ShapePrimitive
-fit(const Sample& sample, PrimitiveType type)
-{
-  const Model::Ptr model = modelOf(sample, type);
-  pcl::RandomSampleConsensus<pcl::PointXYZ> ransac(model, sample.tolerance);
-  ransac.setMaxIterations(most_iterations);
-  ShapePrimitive primitive;
-  if (!ransac.computeModel(0))
-    return primitive;
-  Eigen::VectorXf coefficients;
-  pcl::Indices inliers;
-  ransac.getModelCoefficients(coefficients);
-  ransac.getInliers(inliers);
-  for (int round = 0; round < refinements; ++round) {
-    Eigen::VectorXf refined;
-    model->optimizeModelCoefficients(inliers, coefficients, refined);
-    if (!refined.allFinite())
-      break;
-    coefficients = refined;
-    model->selectWithinDistance(coefficients, sample.tolerance, inliers);
-  }
-  primitive.type = type;
-  primitive.coefficients.assign(coefficients.data(),
-                                coefficients.data() + coefficients.size());
-  normalize(primitive);
-  primitive.residual = residualOf(primitive, *sample.points);
-  return primitive;
-}
-
 /** The plane, unless another is clearly better: a large sphere is nearly one. */
 ShapePrimitive
 bestOf(const Sample& sample)
 {
-  ShapePrimitive best = fit(sample, PrimitiveType::Plane);
+  ShapePrimitive best = fitTo(sample, PrimitiveType::Plane);
   for (const PrimitiveType type : {PrimitiveType::Sphere, PrimitiveType::Cylinder}) {
-    ShapePrimitive other = fit(sample, type);
+    ShapePrimitive other = fitTo(sample, type);
     if (other.type != PrimitiveType::None &&
         (best.type == PrimitiveType::None || simpler * other.residual < best.residual))
       best = std::move(other);
@@ -249,9 +116,9 @@ fitPrimitive(const InstanceInput& input,
   const Sample sample = sampleOf(input, members);
   if (sample.points->size() < least_points || !(sample.tolerance > 0.0))
     return {};
-  const Quiet quiet;
+  const segmentation::Quiet quiet;
   ShapePrimitive primitive =
-      type == PrimitiveType::Auto ? bestOf(sample) : fit(sample, type);
+      type == PrimitiveType::Auto ? bestOf(sample) : fitTo(sample, type);
   if (primitive.type != PrimitiveType::None)
     moveToCloud(sample.origin, primitive);
   return primitive;

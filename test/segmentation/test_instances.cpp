@@ -10,8 +10,6 @@
 #include "instance_scenes.h"
 #include "support/errors.h"
 
-#include <pcl/common/io.h>
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,24 +22,41 @@ using namespace pcl;
 using namespace pcl::test;
 using scene::Shape;
 
-scene::Scene
-smallScene(const std::vector<Shape>& shapes, unsigned objects = 3)
+scene::SceneOptions
+optionsOf(const std::vector<Shape>& shapes, unsigned objects)
 {
   scene::SceneOptions options;
   options.seed = 31;
   options.objects = objects;
+  options.shapes = shapes;
+  return options;
+}
+
+scene::Scene
+smallScene(const std::vector<Shape>& shapes, unsigned objects = 3)
+{
+  scene::SceneOptions options = optionsOf(shapes, objects);
   options.width = 320;
   options.height = 240;
-  options.shapes = shapes;
   return scene::generateScene(options);
+}
+
+scene::Scene
+fullScene(const std::vector<Shape>& shapes)
+{
+  return scene::generateScene(optionsOf(shapes, 3));
 }
 
 /** \brief The same points in another order: order[k] is the old place of point k. */
 Cloud::Ptr
 reordered(const Cloud& cloud, const Indices& order)
 {
+  // Not copyPointCloud(): it leaves the order as it is when all points are asked for.
   const auto result = make_shared<Cloud>();
-  copyPointCloud(cloud, order, *result);
+  for (const index_t i : order) {
+    result->push_back(cloud[i]);
+  }
+  result->is_dense = cloud.is_dense;
   return result;
 }
 
@@ -59,12 +74,26 @@ shuffled(std::size_t size)
 
 class Instances : public testing::TestWithParam<const char*> {};
 
-TEST_P(Instances, DoNotDependOnThreads)
+TEST_P(Instances, DoNotDependOnThreadsOrOrderOrUnit)
 {
   const Cloud::Ptr cloud = cloudOf(smallScene({}, 6));
   const Labels labels = instancesOf(cloud, GetParam(), 1);
   ASSERT_GE(*std::max_element(labels.begin(), labels.end()), 2U);
   EXPECT_EQ(labels, instancesOf(cloud, GetParam(), 3));
+
+  const Indices order = shuffled(cloud->size());
+  const Labels of_order = instancesOf(reordered(*cloud, order), GetParam());
+  std::size_t same = 0;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    same += labels[static_cast<std::size_t>(order[k])] == of_order[k] ? 1 : 0;
+  }
+  EXPECT_GE(same, cloud->size() - cloud->size() / 1000);
+
+  const auto large = make_shared<Cloud>(*cloud);
+  for (PointXYZ& point : *large) {
+    point.getVector3fMap() *= 1024.0f;
+  }
+  EXPECT_EQ(labels, instancesOf(large, GetParam()));
 }
 
 TEST_P(Instances, AreOfTheGivenIndicesOnly)
@@ -120,6 +149,23 @@ TEST(Instances, AreSortedAndDisjointAndLargeEnough)
   }
   for (const PointIndices& instance : large) {
     EXPECT_GE(instance.indices.size(), 1000U);
+  }
+}
+
+TEST(Instances, ObjectsAreSortedByShape)
+{
+  const std::vector<ShapeInstance> boxes =
+      describedIn(cloudOf(fullScene({Shape::Box})), "object");
+  ASSERT_EQ(3U, boxes.size());
+  for (const ShapeInstance& box : boxes) {
+    EXPECT_GE(box.shares.at(0), 0.9f) << "planar";
+    EXPECT_NEAR(1.0f, box.shares[0] + box.shares[1], 1e-6f);
+  }
+  const std::vector<ShapeInstance> balls =
+      describedIn(cloudOf(fullScene({Shape::Sphere})), "object");
+  ASSERT_EQ(3U, balls.size());
+  for (const ShapeInstance& ball : balls) {
+    EXPECT_GE(ball.shares.at(1), 0.9f) << "curved";
   }
 }
 

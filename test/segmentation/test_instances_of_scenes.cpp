@@ -70,20 +70,20 @@ faces(const scene::Scene& scene)
   return compare(truth, instancesOf(cloudOf(scene), "planar"), evaluated);
 }
 
-TEST(InstancesOfScenes, CylindersAreFoundInSparseScenes)
+TEST(InstancesOfScenes, CylindersAreFound)
 {
   Found sum;
-  for (const unsigned objects : {1U, 2U, 3U}) {
-    sum += curvedSides(sceneOf(400 + objects, objects, {Shape::Cylinder}));
+  for (const unsigned objects : {1U, 4U, 8U, 12U}) {
+    sum += curvedSides(sceneOf(700 + objects, objects, {Shape::Cylinder}));
   }
   EXPECT_GE(sum.share(), least_share) << sum.found << " of " << sum.instances;
 }
 
-TEST(InstancesOfScenes, BoxesAreFoundAsWholeObjectsInSparseScenes)
+TEST(InstancesOfScenes, BoxesAreFoundAsWholeObjects)
 {
   Found sum;
-  for (const unsigned count : {1U, 2U, 3U}) {
-    sum += objects(sceneOf(500 + count, count, {Shape::Box}));
+  for (const unsigned count : {1U, 4U, 8U, 12U}) {
+    sum += objects(sceneOf(800 + count, count, {Shape::Box}));
   }
   EXPECT_GE(sum.share(), least_share) << sum.found << " of " << sum.instances;
 }

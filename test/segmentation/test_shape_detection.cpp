@@ -267,6 +267,20 @@ TYPED_TEST(ShapeDetectionTest, Indices)
   expectSome();
 }
 
+TYPED_TEST(ShapeDetectionTest, AllIndicesInAnotherOrder)
+{
+  const auto all = this->likelihoods();
+  const auto backwards = make_shared<Indices>();
+  for (std::size_t i = this->cloud_->size(); i > 0; --i) {
+    backwards->push_back(static_cast<index_t>(i - 1));
+  }
+  const std::vector<float> expected(all[0].rbegin(), all[0].rend());
+  this->detection_.setIndices(backwards);
+  EXPECT_GE(this->shareOfEqual(expected, this->likelihoods()[0]), 1.0);
+  this->detection_.setInputINAD(this->estimatedINAD());
+  EXPECT_GE(this->shareOfEqual(expected, this->likelihoods()[0]), 0.999);
+}
+
 TYPED_TEST(ShapeDetectionTest, SearchSurface)
 {
   const auto expected = this->likelihoods();

@@ -31,7 +31,7 @@ struct InstanceInput {
 
 /** \brief What counts as an instance. */
 struct InstanceLimits {
-  double high = 0.7; ///< likelihood of a quarter of an instance's points
+  double high = 0.6; ///< likelihood of a quarter of an instance's points
   double low = 0.5;  ///< likelihood of each of them
   std::size_t min_points = 100;
 };

@@ -80,7 +80,7 @@ public:
   }
 
   /** \brief The likelihoods of hysteresis, not used for objects. \param[in] high of
-   * some points of an instance (0.7) \param[in] low of every point (0.5) */
+   * some points of an instance (0.6) \param[in] low of every point (0.5) */
   void
   setThresholds(double high, double low)
   {

@@ -9,7 +9,6 @@
 
 #pragma once
 
-#include <pcl/common/io.h>
 #include <pcl/console/print.h>
 #include <pcl/segmentation/shape_detection.h>
 #include <pcl/features/impl/inad.hpp>
@@ -147,7 +146,12 @@ void
 ShapeDetection<PointT, PointNT>::computeINAD(pcl::PointCloud<INAD>& inad) const
 {
   if (inad_) {
-    pcl::copyPointCloud(*inad_, *this->indices_, inad);
+    // Not copyPointCloud(): of as many indices as points it does not look at the order.
+    inad.clear();
+    inad.reserve(this->indices_->size());
+    for (const index_t index : *this->indices_) {
+      inad.push_back((*inad_)[index]);
+    }
     return;
   }
   const INADParameters parameters = getParameters();

@@ -1,0 +1,68 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "surface_graph.h"
+
+#include <pcl/console/print.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/segmentation/shape_primitive.h>
+
+namespace pcl::segmentation {
+
+/** \brief Some points of a surface, to fit an equation to. */
+struct PrimitiveSample {
+  using Points = pcl::PointCloud<pcl::PointXYZ>;
+  using Normals = pcl::PointCloud<pcl::Normal>;
+
+  Points::Ptr points = pcl::make_shared<Points>();
+  Normals::Ptr normals = pcl::make_shared<Normals>();
+  double tolerance = 0.0;       ///< how far a point may be off the surface, metres
+  double first_tolerance = 0.0; ///< and off one through few points, but for a plane
+};
+
+/** \brief While there is one, PCL is silent. PCL reports samples that it rejects as
+ * errors; they are none. The level is the process's: keep one around parallel calls. */
+class Quiet {
+public:
+  Quiet() : level_(pcl::console::getVerbosityLevel())
+  {
+    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
+  }
+
+  ~Quiet() { pcl::console::setVerbosityLevel(level_); }
+
+  Quiet(const Quiet&) = delete;
+  Quiet& operator=(const Quiet&) = delete;
+
+private:
+  pcl::console::VERBOSITY_LEVEL level_;
+};
+
+/** \brief The plane, cylinder or sphere that most points are on (RANSAC with a fixed
+ * seed), refined by least squares. Its type is None if there is none; the residual is
+ * that of all points. */
+ShapePrimitive fitTo(const PrimitiveSample& sample, PrimitiveType type);
+
+/** \brief Fit a primitive to the points anew by least squares. */
+void refine(const PrimitiveSample& sample, ShapePrimitive& primitive);
+
+/** \brief Root mean square distance of the points from the cone nearest to them,
+ * metres; infinite if there is none. */
+double coneResidual(const PrimitiveSample& sample);
+
+/** \brief The nearest point of a primitive. */
+Eigen::Vector3f footOn(const ShapePrimitive& primitive, const Eigen::Vector3f& point);
+
+/** \brief The normal of a primitive at the foot of a point; the sign is any. */
+Eigen::Vector3f normalOf(const ShapePrimitive& primitive, const Eigen::Vector3f& point);
+
+} // namespace pcl::segmentation
