@@ -214,21 +214,11 @@ levelOut(const GroundCells& cells,
   const CoarseGround coarse(cells, all, ground, max_step);
   for (std::size_t i = 0; i < ground.size(); ++i)
     ground[i] = ground[i] && coarse.isNear(i);
-  std::vector<Votes> votes(ground.size());
-  for (const Rest& one : rest)
-    ++(coarse.isNear(one.patch) ? votes[one.set].low : votes[one.set].high);
-  const auto isGround = [&](const Rest& one) {
-    const Votes& of_set = votes[one.set];
-    return of_set.low >= least_patches && of_set.low > of_set.high;
-  };
-  for (const Rest& one : rest)
-    ground[one.patch] = isGround(one) && coarse.isNear(one.patch);
-  rest.erase(std::remove_if(rest.begin(),
-                            rest.end(),
-                            [&](const Rest& one) {
-                              return isGround(one) || !coarse.isNear(one.patch);
-                            }),
-             rest.end());
+  rest.erase(
+      std::remove_if(rest.begin(),
+                     rest.end(),
+                     [&](const Rest& one) { return !coarse.isNear(one.patch); }),
+      rest.end());
 }
 
 void
