@@ -241,7 +241,6 @@ groundCells(const detail::GroundQuery& query, const std::array<float, 3>& up)
   const std::uint32_t last_key = keyAt(counts, finite, 0.999);
   cells.extent = std::sqrt(leastOf(std::min(last_key + 1, keys - keys_an_octave - 1)));
   cells.around = rangeAt(0.5) < laser_ratio * rangeAt(0.95);
-  if (getenv("DBG")) fprintf(stderr,"ratio %.3f\n",rangeAt(.5)/rangeAt(.95));
   const Layout layout =
       cells.around ? assignSectors(points, query.threads, last_key)
                    : assignSquares(points, query.threads, finite, cells.extent);

@@ -10,6 +10,7 @@
 #include "../kernels/finite.h"
 #include "ground_feet.h"
 #include "ground_growth.h"
+#include "ground_level.h"
 
 #include <pcl/segmentation/ground_detection.h>
 
@@ -84,7 +85,8 @@ std::vector<float>
 detail::groundLikelihoods(const GroundQuery& query, const GroundParameters& parameters)
 {
   const float step = parameters.max_step;
-  const GroundCells cells = groundCells(query, parameters.up);
+  GroundCells cells = groundCells(query, parameters.up);
+  level(parameters, query.threads, cells);
   const std::vector<char> feet = feetOf(cells, step, query.threads);
   GroundPatches all = groundPatches(cells, feet, parameters, query.threads);
   const std::vector<char> ground =

@@ -66,14 +66,15 @@ continues(const GroundPatch& a, const GroundPatch& b, float max_step)
 }
 
 std::vector<char>
-levelPatches(const GroundPatches& all, float max_slope)
+levelPatches(const GroundCells& cells, const GroundPatches& all, float max_slope)
 {
   const float most = std::tan(max_slope) * std::tan(max_slope);
   std::vector<char> level(all.patches.size());
   for (std::size_t i = 0; i < level.size(); ++i) {
     const GroundPatch& p = all.patches[i];
-    level[i] = p.planar >= least_planar &&
-               p.slope_x * p.slope_x + p.slope_y * p.slope_y <= most;
+    const float slope_x = p.slope_x + cells.slope_x, slope_y = p.slope_y + cells.slope_y;
+    level[i] =
+        p.planar >= least_planar && slope_x * slope_x + slope_y * slope_y <= most;
   }
   return level;
 }
@@ -254,7 +255,7 @@ connectedGround(const GroundCells& cells,
                 GroundPatches& all)
 {
   const std::size_t size = all.patches.size();
-  const std::vector<char> level = levelPatches(all, parameters.max_slope);
+  const std::vector<char> level = levelPatches(cells, all, parameters.max_slope);
   Sets sets = connect(all, level, parameters.max_step);
   std::vector<std::size_t> set_of(size, size), sizes(size, 0);
   for (std::size_t i = 0; i < size; ++i)

@@ -1,0 +1,64 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "ground_level.h"
+
+#include <pcl/sample_consensus/ransac.h>
+#include <pcl/sample_consensus/sac_model_perpendicular_plane.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::segmentation {
+namespace {
+
+// If a third of the bottoms is ground, one sample of 27 is: none of 200 is one in 2000.
+constexpr int most_samples = 200;
+
+PointCloud<PointXYZ>::Ptr
+bottomsOf(const GroundCells& cells)
+{
+  const auto bottoms = pcl::make_shared<PointCloud<PointXYZ>>();
+  bottoms->reserve(cells.size());
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    const auto first = cells.z.begin() + cells.begins[cell];
+    const auto last = cells.z.begin() + cells.begins[cell + 1];
+    // The middle of a cell does: of points that are as low, which one is no matter.
+    const auto at =
+        static_cast<std::size_t>(std::min_element(first, last) - cells.z.begin());
+    bottoms->emplace_back(cells.x[at], cells.y[at], cells.z[at]);
+  }
+  return bottoms;
+}
+
+} // namespace
+
+void
+level(const GroundParameters& parameters, unsigned threads, GroundCells& cells)
+{
+  const auto model =
+      pcl::make_shared<SampleConsensusModelPerpendicularPlane<PointXYZ>>(
+          bottomsOf(cells));
+  model->setAxis(Eigen::Vector3f::UnitZ());
+  model->setEpsAngle(parameters.max_slope);
+  RandomSampleConsensus<PointXYZ> consensus(model, parameters.max_step);
+  consensus.setMaxIterations(most_samples);
+  Eigen::VectorXf plane;
+  if (cells.size() < 4 || !consensus.computeModel())
+    return;
+  consensus.getModelCoefficients(plane);
+  cells.slope_x = -plane[0] / plane[2];
+  cells.slope_y = -plane[1] / plane[2];
+  forEachCell(cells, threads, [&](std::size_t cell) {
+    for (std::size_t i = cells.begins[cell]; i < cells.begins[cell + 1]; ++i)
+      cells.z[i] -= cells.slope_x * cells.x[i] + cells.slope_y * cells.y[i];
+  });
+}
+
+} // namespace pcl::segmentation
