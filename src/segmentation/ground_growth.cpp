@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace pcl::segmentation {
 namespace {
@@ -172,6 +173,7 @@ struct Votes {
 bool
 addLowSets(const GroundCells& cells,
            const GroundPatches& all,
+           const CoarseGround* coarse,
            float max_step,
            std::vector<Rest>& rest,
            std::vector<char>& ground)
@@ -187,8 +189,9 @@ addLowSets(const GroundCells& cells,
       if (found == no_patch)
         continue;
       const GroundPatch& base = all.patches[static_cast<std::size_t>(found)];
-      ++(continues(base, all.patches[patch], max_step) ? votes[set].low
-                                                       : votes[set].high);
+      const GroundPatch& p=all.patches[patch];
+      const bool low = coarse ? std::abs(coarse->rise(static_cast<std::size_t>(found), patch)) <= max_step + bend * std::hypot(p.x-base.x,p.y-base.y): continues(base, all.patches[patch], max_step);
+      ++(low ? votes[set].low : votes[set].high);
     }
   }
   const auto isLow = [&](const Rest& one) {
@@ -206,13 +209,10 @@ addLowSets(const GroundCells& cells,
  * ring alone does not tell. What is not near the ground in the large is left out; sets
  * that are near it, most of their patches, are ground. */
 void
-levelOut(const GroundCells& cells,
-         const GroundPatches& all,
-         float max_step,
+levelOut(const CoarseGround& coarse,
          std::vector<Rest>& rest,
          std::vector<char>& ground)
 {
-  const CoarseGround coarse(cells, all, ground, max_step);
   for (std::size_t i = 0; i < ground.size(); ++i)
     ground[i] = ground[i] && coarse.isNear(i);
   rest.erase(
@@ -274,9 +274,10 @@ connectedGround(const GroundCells& cells,
         rest.push_back({i, line, set_of[i]});
     }
   }
-  if (cells.around)
-    levelOut(cells, all, parameters.max_step, rest, ground);
-  while (addLowSets(cells, all, parameters.max_step, rest, ground)) {
+  std::optional<CoarseGround> coarse;
+  if (cells.around){ coarse.emplace(cells,all,level,parameters.max_step);
+    levelOut(*coarse, rest, ground);}
+  while (addLowSets(cells, all, coarse?&*coarse:nullptr, parameters.max_step, rest, ground)) {
   }
   std::vector<GroundPatch> fitted = all.patches;
   forEachCell(cells, threads, [&](std::size_t i) {

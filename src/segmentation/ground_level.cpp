@@ -55,9 +55,10 @@ level(const GroundParameters& parameters, unsigned threads, GroundCells& cells)
   consensus.getModelCoefficients(plane);
   cells.slope_x = -plane[0] / plane[2];
   cells.slope_y = -plane[1] / plane[2];
+  const float height = -plane[3] / plane[2];
   forEachCell(cells, threads, [&](std::size_t cell) {
     for (std::size_t i = cells.begins[cell]; i < cells.begins[cell + 1]; ++i)
-      cells.z[i] -= cells.slope_x * cells.x[i] + cells.slope_y * cells.y[i];
+      cells.z[i] -= height + cells.slope_x * cells.x[i] + cells.slope_y * cells.y[i];
   });
 }
 
