@@ -86,11 +86,12 @@ detail::groundLikelihoods(const GroundQuery& query, const GroundParameters& para
 {
   const float step = parameters.max_step;
   GroundCells cells = groundCells(query, parameters.up);
-  level(parameters, query.threads, cells);
+  const bool has_ground = level(parameters, query.threads, cells);
   const std::vector<char> feet = feetOf(cells, step, query.threads);
   GroundPatches all = groundPatches(cells, feet, parameters, query.threads);
   const std::vector<char> ground =
-      connectedGround(cells, parameters, query.threads, all);
+      has_ground ? connectedGround(cells, parameters, query.threads, all)
+                 : std::vector<char>(cells.size(), 0);
   const float noise = groundNoise(cells, all, ground, step);
   const float tolerance = std::clamp(noises * noise, 0.2f * step, 0.5f * step);
   std::vector<float> likelihoods(query.size, std::numeric_limits<float>::quiet_NaN());

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl::segmentation {
 namespace {
@@ -50,21 +51,24 @@ bool
 isBeneath(const GroundCells& cells, std::size_t point, const Column& column, float step)
 {
   const float x = cells.x[point], y = cells.y[point], z = cells.z[point];
-  const float reach = reach_steps * step;
-  // What stands leans towards the plane of the ground by nothing to all of its slope.
-  const float lean_x = 0.5f * cells.slope_x, lean_y = 0.5f * cells.slope_y;
-  const float lean = std::hypot(lean_x, lean_y);
+  const float reach = reach_steps * reach_steps * step * step;
+  // Sensors are upright on sloping ground, or stand on it as the ground lies: what is
+  // above leans downhill by nothing to all of the slope.
+  const float slope = std::hypot(cells.slope_x, cells.slope_y);
+  const float downhill = -1.0f / std::max(slope, std::numeric_limits<float>::min());
+  const float down_x = downhill * cells.slope_x, down_y = downhill * cells.slope_y;
   constexpr std::size_t block = 64; // the compiler makes vectors of a block
   const std::size_t end = cells.begins[column.last + 1];
   for (std::size_t at = cells.begins[column.first]; at < end; at += block) {
     int found = 0;
     for (std::size_t i = at; i < std::min(end, at + block); ++i) {
-      const float above = cells.z[i] - z, most = reach + lean * above;
-      const float dx = cells.x[i] - x + lean_x * above;
-      const float dy = cells.y[i] - y + lean_y * above;
-      found |= static_cast<int>(dx * dx + dy * dy < most * most) &
-               static_cast<int>(above > lowest_steps * step) &
-               static_cast<int>(above < highest_steps * step);
+      const float dx = cells.x[i] - x, dy = cells.y[i] - y, above = cells.z[i] - z;
+      const float down = dx * down_x + dy * down_y;
+      const float lean = std::max(0.0f, std::min(down, slope * above));
+      found |=
+          static_cast<int>(dx * dx + dy * dy - lean * (2.0f * down - lean) < reach) &
+          static_cast<int>(above > lowest_steps * step) &
+          static_cast<int>(above < highest_steps * step);
     }
     if (found != 0)
       return true;

@@ -9,11 +9,12 @@
 
 #include "ground_level.h"
 
+#include "quiet.h"
+
 #include <pcl/sample_consensus/ransac.h>
 #include <pcl/sample_consensus/sac_model_perpendicular_plane.h>
 
-#include <algorithm>
-#include <cmath>
+#include <tuple>
 
 namespace pcl::segmentation {
 namespace {
@@ -25,33 +26,33 @@ PointCloud<PointXYZ>::Ptr
 bottomsOf(const GroundCells& cells)
 {
   const auto bottoms = pcl::make_shared<PointCloud<PointXYZ>>();
-  bottoms->reserve(cells.size());
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-    const auto first = cells.z.begin() + cells.begins[cell];
-    const auto last = cells.z.begin() + cells.begins[cell + 1];
-    // The middle of a cell does: of points that are as low, which one is no matter.
-    const auto at =
-        static_cast<std::size_t>(std::min_element(first, last) - cells.z.begin());
-    bottoms->emplace_back(cells.x[at], cells.y[at], cells.z[at]);
+    const auto at = [&](std::size_t i) {
+      return std::make_tuple(cells.z[i], cells.x[i], cells.y[i]);
+    };
+    std::size_t bottom = cells.begins[cell];
+    for (std::size_t i = bottom + 1; i < cells.begins[cell + 1]; ++i)
+      bottom = cells.z[i] > cells.z[bottom] || at(i) > at(bottom) ? bottom : i;
+    bottoms->emplace_back(cells.x[bottom], cells.y[bottom], cells.z[bottom]);
   }
   return bottoms;
 }
 
 } // namespace
 
-void
+bool
 level(const GroundParameters& parameters, unsigned threads, GroundCells& cells)
 {
-  const auto model =
-      pcl::make_shared<SampleConsensusModelPerpendicularPlane<PointXYZ>>(
-          bottomsOf(cells));
+  const auto model = pcl::make_shared<SampleConsensusModelPerpendicularPlane<PointXYZ>>(
+      bottomsOf(cells));
   model->setAxis(Eigen::Vector3f::UnitZ());
   model->setEpsAngle(parameters.max_slope);
   RandomSampleConsensus<PointXYZ> consensus(model, parameters.max_step);
   consensus.setMaxIterations(most_samples);
   Eigen::VectorXf plane;
+  const detail::Quiet quiet;
   if (cells.size() < 4 || !consensus.computeModel())
-    return;
+    return false;
   consensus.getModelCoefficients(plane);
   cells.slope_x = -plane[0] / plane[2];
   cells.slope_y = -plane[1] / plane[2];
@@ -60,6 +61,7 @@ level(const GroundParameters& parameters, unsigned threads, GroundCells& cells)
     for (std::size_t i = cells.begins[cell]; i < cells.begins[cell + 1]; ++i)
       cells.z[i] -= height + cells.slope_x * cells.x[i] + cells.slope_y * cells.y[i];
   });
+  return true;
 }
 
 } // namespace pcl::segmentation

@@ -15,8 +15,9 @@
 
 namespace pcl::segmentation {
 
-/** \brief Measure heights from the plane that most bottoms of cells are near, if one is
- * not steeper than ground may be. A sensor is rarely quite upright. */
-void level(const GroundParameters& parameters, unsigned threads, GroundCells& cells);
+/** \brief Measure heights from the plane that most bottoms of cells are near. A sensor
+ * is rarely quite upright. \return whether there is one that is not steeper than ground
+ * may be */
+bool level(const GroundParameters& parameters, unsigned threads, GroundCells& cells);
 
 } // namespace pcl::segmentation

@@ -7,9 +7,9 @@
  * All rights reserved
  */
 
+#include "quiet.h"
 #include "surface_graph.h"
 
-#include <pcl/console/print.h>
 #include <pcl/point_types.h>
 #include <pcl/sample_consensus/ransac.h>
 #include <pcl/sample_consensus/sac_model_cylinder.h>
@@ -36,23 +36,6 @@ constexpr int most_iterations = 500;
 constexpr double normal_weight = 0.1;
 constexpr int refinements = 2;
 constexpr float simpler = 1.2f;
-
-/** PCL reports samples that it rejects as errors; they are none. */
-class Quiet {
-public:
-  Quiet() : level_(pcl::console::getVerbosityLevel())
-  {
-    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
-  }
-
-  ~Quiet() { pcl::console::setVerbosityLevel(level_); }
-
-  Quiet(const Quiet&) = delete;
-  Quiet& operator=(const Quiet&) = delete;
-
-private:
-  pcl::console::VERBOSITY_LEVEL level_;
-};
 
 struct Sample {
   Cloud::Ptr points = pcl::make_shared<Cloud>();
