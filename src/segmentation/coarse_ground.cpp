@@ -39,11 +39,16 @@ CoarseGround::CoarseGround(const GroundCells& cells,
     if (is_level[i])
       patches[octave].push_back(i);
   }
+  const auto size = [](const auto& one, const auto& other) {
+    return one.size() < other.size();
+  };
+  // Ground surrounds what is nearer than most of it; there may be more of cars there.
+  const auto surest = std::max_element(patches.begin(), patches.end(), size);
   Plane plane; // what heights are measured from
-  for (const std::vector<std::size_t>& of_octave : patches) {
+  for (auto of_octave = surest; of_octave != patches.end(); ++of_octave) {
     for (int round = 0; round < rounds; ++round)
-      refit(of_octave, plane);
-    planes_.push_back(plane);
+      refit(*of_octave, plane);
+    planes_.resize(static_cast<std::size_t>(of_octave - patches.begin()) + 1, plane);
   }
 }
 
