@@ -26,35 +26,30 @@ constexpr double bend = 0.03; // of the ground from the plane, per metre of the 
 
 CoarseGround::CoarseGround(const GroundCells& cells,
                            const GroundPatches& all,
-                           const std::vector<char>& ground,
+                           const std::vector<char>& is_level,
                            float max_step)
 : cells_(cells)
 , all_(all)
 , max_step_(max_step)
 {
   std::vector<std::vector<std::size_t>> patches;
-  for (std::size_t i = 0; i < ground.size(); ++i) {
+  for (std::size_t i = 0; i < is_level.size(); ++i) {
     const std::size_t octave = octaveOf(i);
     patches.resize(std::max(patches.size(), octave + 1));
-    if (ground[i])
+    if (is_level[i])
       patches[octave].push_back(i);
   }
-  planes_.resize(patches.size());
-  std::vector<char> is_known(patches.size(), 0);
-  for (std::size_t o = 0; o < patches.size(); ++o) {
-    is_known[o] = refit(patches[o], false, planes_[o]);
-    for (int round = 0; round < rounds && is_known[o]; ++round)
-      refit(patches[o], true, planes_[o]);
-    if (!is_known[o] && o > 0) {
-      planes_[o] = planes_[o - 1];
-      is_known[o] = is_known[o - 1];
-    }
+  const auto size = [](const auto& one, const auto& other) {
+    return one.size() < other.size();
+  };
+  // Ground surrounds what is nearer than most of it; there may be more of cars there.
+  const auto surest = std::max_element(patches.begin(), patches.end(), size);
+  Plane plane; // what heights are measured from
+  for (auto of_octave = surest; of_octave != patches.end(); ++of_octave) {
+    for (int round = 0; round < rounds; ++round)
+      refit(*of_octave, plane);
+    planes_.resize(static_cast<std::size_t>(of_octave - patches.begin()) + 1, plane);
   }
-  for (std::size_t o = patches.size(); o-- > 1;)
-    if (!is_known[o - 1] && is_known[o]) {
-      planes_[o - 1] = planes_[o];
-      is_known[o - 1] = 1;
-    }
 }
 
 bool
@@ -78,16 +73,14 @@ CoarseGround::isNear(const Plane& plane, std::size_t patch) const
   return std::abs(above(plane, patch)) <= max_step_ + bend * range;
 }
 
-bool
-CoarseGround::refit(const std::vector<std::size_t>& patches,
-                    bool only_near,
-                    Plane& plane) const
+void
+CoarseGround::refit(const std::vector<std::size_t>& patches, Plane& plane) const
 {
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   Eigen::Vector3d products = Eigen::Vector3d::Zero();
   std::size_t count = 0;
   for (const std::size_t i : patches) {
-    if (only_near && !isNear(plane, i))
+    if (!isNear(plane, i))
       continue;
     const GroundPatch& p = all_.patches[i];
     const Eigen::Vector3d row(1.0, p.x, p.y);
@@ -96,12 +89,10 @@ CoarseGround::refit(const std::vector<std::size_t>& patches,
     ++count;
   }
   if (count < least_patches)
-    return false;
+    return;
   const Eigen::Vector3d solution = squares.ldlt().solve(products);
-  if (!solution.allFinite())
-    return false;
-  plane = {solution[0], solution[1], solution[2]};
-  return true;
+  if (solution.allFinite())
+    plane = {solution[0], solution[1], solution[2]};
 }
 
 std::size_t

@@ -19,11 +19,19 @@ class CoarseGround {
 public:
   CoarseGround(const GroundCells& cells,
                const GroundPatches& all,
-               const std::vector<char>& ground,
+               const std::vector<char>& is_level,
                float max_step);
 
   /** \brief Whether a patch is at the height of the ground there. */
   bool isNear(std::size_t patch) const;
+
+  /** \brief How much higher a patch is than another one, along the ground. */
+  double
+  rise(std::size_t from, std::size_t to) const
+  {
+    const Plane& plane = planes_[octaveOf(from)];
+    return above(plane, to) - above(plane, from);
+  }
 
 private:
   struct Plane {
@@ -34,9 +42,8 @@ private:
 
   bool isNear(const Plane& plane, std::size_t patch) const;
 
-  /** \return whether there are enough patches near the plane that was given */
-  bool
-  refit(const std::vector<std::size_t>& patches, bool only_near, Plane& plane) const;
+  /** To the patches near it, if they are enough. */
+  void refit(const std::vector<std::size_t>& patches, Plane& plane) const;
 
   std::size_t octaveOf(std::size_t patch) const;
 

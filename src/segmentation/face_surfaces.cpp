@@ -11,6 +11,7 @@
 
 #include "../kernels/parallel.h"
 #include "primitive_model.h"
+#include "quiet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,7 +92,7 @@ facesOf(const InstanceInput& input, const Labels& labels)
     face.planar += std::isnan(input.likelihood[i]) ? 0.0 : input.likelihood[i];
     ++face.points;
   }
-  const Quiet quiet;
+  const detail::Quiet quiet;
   kernels::parallelFor(faces.size(), input.threads, [&](std::size_t f) {
     Face& face = faces[f];
     face.planar /= static_cast<double>(face.points);

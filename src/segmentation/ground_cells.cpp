@@ -31,7 +31,7 @@ constexpr std::uint32_t sectors = 256;     // about as wide as cells are deep
 constexpr std::uint32_t no_cell = std::numeric_limits<std::uint32_t>::max();
 // An evenly sampled disc has half of its points within 0.73 of the range of 95 %, a
 // straight road 0.53. A spinning laser has the same number in each octave of elevation.
-constexpr double laser_ratio = 0.4;
+constexpr double laser_ratio = 0.47;
 constexpr double points_a_square = 8.0;
 constexpr float most_squares = 2048.0f; // in a line, and lines
 

@@ -32,6 +32,7 @@ struct GroundCells {
   bool around = false;               ///< the last line is beside the first
   std::vector<std::uint32_t> positions; ///< of the points in the input
   std::vector<float> x, y, z;           ///< of the points, z along "up", metres
+  float slope_x = 0.0f, slope_y = 0.0f; ///< of the plane that z is measured from
   float extent = 1.0f;                  ///< coordinates are not much larger, metres
 
   std::size_t

@@ -10,6 +10,7 @@
 #include "../kernels/finite.h"
 #include "ground_feet.h"
 #include "ground_growth.h"
+#include "ground_level.h"
 
 #include <pcl/segmentation/ground_detection.h>
 
@@ -28,11 +29,34 @@ constexpr float tilt = 0.01f;
 
 constexpr float foot_share = 0.15f; // of the tolerance: ground that reaches a wall
 
+/** How far the planes of other cells may be followed: to where ground may be. */
+struct Reach {
+  std::size_t cell;
+  float max_step;
+};
+
+/** Around a laser other cells may be far, and their planes too steep. */
+bool
+isWithin(const GroundCells& cells,
+         const Reach& reach,
+         std::size_t other,
+         const GroundPatch& patch,
+         std::size_t point)
+{
+  if (!cells.around || other == reach.cell)
+    return true;
+  GroundPatch at;
+  at.x = cells.x[point];
+  at.y = cells.y[point];
+  return std::abs(cells.z[point] - patch.z) <= mostRise(patch, at, reach.max_step);
+}
+
 /** The likelihood of a point on the ground surface that explains it best. */
 float
 likelihoodOf(const GroundCells& cells,
              const GroundPatches& all,
              const NearGround& near,
+             const Reach& reach,
              std::size_t point,
              float tolerance,
              float share)
@@ -41,10 +65,13 @@ likelihoodOf(const GroundCells& cells,
   const float x = cells.x[point], y = cells.y[point], z = cells.z[point];
   float best = 0.0f;
   for (std::size_t k = 0; k < near.count && best < good; ++k) {
-    const GroundPatch& patch = all.patches[static_cast<std::size_t>(near.patches[k])];
+    const auto other = static_cast<std::size_t>(near.patches[k]);
+    const GroundPatch& patch = all.patches[other];
     const float distance = std::abs(x - patch.x) + std::abs(y - patch.y);
     const float error = patch.above(x, y, z) / (share * (tolerance + tilt * distance));
-    best = std::max(best, patch.planar * (1.0f - 0.5f * error * error));
+    const float likelihood = patch.planar * (1.0f - 0.5f * error * error);
+    if (likelihood > best && isWithin(cells, reach, other, patch, point))
+      best = likelihood;
   }
   return best;
 }
@@ -84,19 +111,21 @@ std::vector<float>
 detail::groundLikelihoods(const GroundQuery& query, const GroundParameters& parameters)
 {
   const float step = parameters.max_step;
-  const GroundCells cells = groundCells(query, parameters.up);
+  GroundCells cells = groundCells(query, parameters.up);
+  const bool has_ground = level(parameters, query.threads, cells);
   const std::vector<char> feet = feetOf(cells, step, query.threads);
   GroundPatches all = groundPatches(cells, feet, parameters, query.threads);
   const std::vector<char> ground =
-      connectedGround(cells, parameters, query.threads, all);
+      has_ground ? connectedGround(cells, parameters, query.threads, all)
+                 : std::vector<char>(cells.size(), 0);
   const float noise = groundNoise(cells, all, ground, step);
   const float tolerance = std::clamp(noises * noise, 0.2f * step, 0.5f * step);
   std::vector<float> likelihoods(query.size, std::numeric_limits<float>::quiet_NaN());
   forEachCell(cells, query.threads, [&](std::size_t cell) {
     const NearGround near = nearGround(all, ground, cell);
     for (std::size_t i = cells.begins[cell]; i < cells.begins[cell + 1]; ++i)
-      likelihoods[cells.positions[i]] =
-          likelihoodOf(cells, all, near, i, tolerance, feet[i] ? foot_share : 1.0f);
+      likelihoods[cells.positions[i]] = likelihoodOf(
+          cells, all, near, {cell, step}, i, tolerance, feet[i] ? foot_share : 1.0f);
   });
   return likelihoods;
 }

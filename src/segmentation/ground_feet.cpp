@@ -10,6 +10,8 @@
 #include "ground_feet.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace pcl::segmentation {
 namespace {
@@ -50,15 +52,23 @@ isBeneath(const GroundCells& cells, std::size_t point, const Column& column, flo
 {
   const float x = cells.x[point], y = cells.y[point], z = cells.z[point];
   const float reach = reach_steps * reach_steps * step * step;
+  // Sensors are upright on sloping ground, or stand on it as the ground lies: what is
+  // above leans downhill by nothing to all of the slope.
+  const float slope = std::hypot(cells.slope_x, cells.slope_y);
+  const float downhill = -1.0f / std::max(slope, std::numeric_limits<float>::min());
+  const float down_x = downhill * cells.slope_x, down_y = downhill * cells.slope_y;
   constexpr std::size_t block = 64; // the compiler makes vectors of a block
   const std::size_t end = cells.begins[column.last + 1];
   for (std::size_t at = cells.begins[column.first]; at < end; at += block) {
     int found = 0;
     for (std::size_t i = at; i < std::min(end, at + block); ++i) {
       const float dx = cells.x[i] - x, dy = cells.y[i] - y, above = cells.z[i] - z;
-      found |= static_cast<int>(dx * dx + dy * dy < reach) &
-               static_cast<int>(above > lowest_steps * step) &
-               static_cast<int>(above < highest_steps * step);
+      const float down = dx * down_x + dy * down_y;
+      const float lean = std::max(0.0f, std::min(down, slope * above));
+      found |=
+          static_cast<int>(dx * dx + dy * dy - lean * (2.0f * down - lean) < reach) &
+          static_cast<int>(above > lowest_steps * step) &
+          static_cast<int>(above < highest_steps * step);
     }
     if (found != 0)
       return true;

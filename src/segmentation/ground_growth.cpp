@@ -9,24 +9,18 @@
 
 #include "ground_growth.h"
 
-#include "coarse_ground.h"
+#include "ground_votes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace pcl::segmentation {
 namespace {
 
 constexpr float least_planar = 0.5f;
-constexpr int hops = 3;       // over cells that are no ground: a kerb, a pole
-constexpr int most_hops = 24; // to the ground before and behind what hides it
-// By how much ground may leave its own plane, per metre: 0.6 m at 20 m, as on a crest
-// with a radius of 330 m.
-constexpr float bend = 0.03f;
-constexpr std::size_t least_patches = 4; // of ground that stands alone
-// The height of a patch is known to 1 cm, ground turns by 3 degrees: (0.01 / 0.05)^2.
-constexpr float prior_weight = 0.04f;
+constexpr int hops = 3; // over cells that are no ground: a kerb, a pole
 
 /** Sets of patches that are merged; the first patch of a set stands for it. */
 class Sets {
@@ -56,40 +50,19 @@ private:
   std::vector<std::size_t> parents_;
 };
 
-/** Whether the second patch continues the plane of the first, or is a step beside it.
- */
-bool
-continues(const GroundPatch& a, const GroundPatch& b, float max_step)
-{
-  const float distance = std::hypot(b.x - a.x, b.y - a.y);
-  return std::abs(a.above(b.x, b.y, b.z)) <= max_step + bend * distance;
-}
-
 std::vector<char>
-levelPatches(const GroundPatches& all, float max_slope)
+levelPatches(const GroundCells& cells, const GroundPatches& all, float max_slope)
 {
   const float most = std::tan(max_slope) * std::tan(max_slope);
   std::vector<char> level(all.patches.size());
   for (std::size_t i = 0; i < level.size(); ++i) {
     const GroundPatch& p = all.patches[i];
-    level[i] = p.planar >= least_planar &&
-               p.slope_x * p.slope_x + p.slope_y * p.slope_y <= most;
+    const float slope_x = p.slope_x + cells.slope_x,
+                slope_y = p.slope_y + cells.slope_y;
+    level[i] =
+        p.planar >= least_planar && slope_x * slope_x + slope_y * slope_y <= most;
   }
   return level;
-}
-
-/** The nearest patch on a side that is marked; what is between may be anything. */
-std::int32_t
-nextMarked(const GroundPatches& all,
-           const std::vector<char>& marks,
-           std::size_t from,
-           PatchSide side,
-           int most)
-{
-  std::int32_t at = all.neighbors[from][side];
-  for (int hop = 1; at != no_patch && !marks[static_cast<std::size_t>(at)]; ++hop)
-    at = hop < most ? all.neighbors[static_cast<std::size_t>(at)][side] : no_patch;
-  return at;
 }
 
 Sets
@@ -100,7 +73,7 @@ connect(const GroundPatches& all, const std::vector<char>& level, float max_step
     for (const PatchSide side : {Outer, Left, Right}) {
       if (!level[i])
         break;
-      const std::int32_t found = nextMarked(all, level, i, side, hops);
+      const std::int32_t found = nextMarked(all.neighbors, level, i, side, hops);
       if (found == no_patch)
         continue;
       const auto j = static_cast<std::size_t>(found);
@@ -112,122 +85,16 @@ connect(const GroundPatches& all, const std::vector<char>& level, float max_step
   return sets;
 }
 
-/** The marked patch of a line that is nearest to a bin, within reach. */
-std::int32_t
-markedInLine(const GroundCells& cells,
-             const std::vector<char>& marks,
-             std::size_t line,
-             std::uint32_t bin)
-{
-  std::int32_t best = no_patch;
-  std::uint32_t least = most_bins_apart + 1;
-  const auto first = cells.bins.begin() + cells.lines[line];
-  const auto last = cells.bins.begin() + cells.lines[line + 1];
-  const std::uint32_t low = bin < most_bins_apart ? 0 : bin - most_bins_apart;
-  for (auto at = std::lower_bound(first, last, low);
-       at != last && *at <= bin + most_bins_apart;
-       ++at) {
-    const auto i = static_cast<std::size_t>(at - cells.bins.begin());
-    const std::uint32_t apart = *at < bin ? bin - *at : *at - bin;
-    if (marks[i] && apart < least) {
-      least = apart;
-      best = static_cast<std::int32_t>(i);
-    }
-  }
-  return best;
-}
-
-/** The nearest marked patch on lines to one side. */
-std::int32_t
-markedAside(const GroundCells& cells,
-            const std::vector<char>& marks,
-            std::size_t line,
-            std::uint32_t bin,
-            bool to_left)
-{
-  const std::size_t lines = cells.lineCount();
-  for (int hop = 0; hop < most_hops; ++hop) {
-    if (!cells.around && line == (to_left ? lines - 1 : 0))
-      break;
-    line = (line + (to_left ? 1 : lines - 1)) % lines;
-    const std::int32_t found = markedInLine(cells, marks, line, bin);
-    if (found != no_patch)
-      return found;
-  }
-  return no_patch;
-}
-
-/** Patches that are level and not ground, yet: what set they are in. */
-struct Rest {
-  std::size_t patch, line, set;
-};
-
-struct Votes {
-  std::size_t patches = 0, low = 0, high = 0;
-};
-
-/** Add the sets that are at the height of the ground nearest to them, by vote.
- * \return whether there were any */
-bool
-addLowSets(const GroundCells& cells,
-           const GroundPatches& all,
-           float max_step,
-           std::vector<Rest>& rest,
-           std::vector<char>& ground)
-{
-  std::vector<Votes> votes(ground.size());
-  for (const auto& [patch, line, set] : rest) {
-    ++votes[set].patches;
-    const std::uint32_t bin = cells.bins[patch];
-    for (const std::int32_t found : {nextMarked(all, ground, patch, Inner, most_hops),
-                                     nextMarked(all, ground, patch, Outer, most_hops),
-                                     markedAside(cells, ground, line, bin, false),
-                                     markedAside(cells, ground, line, bin, true)}) {
-      if (found == no_patch)
-        continue;
-      const GroundPatch& base = all.patches[static_cast<std::size_t>(found)];
-      ++(continues(base, all.patches[patch], max_step) ? votes[set].low
-                                                       : votes[set].high);
-    }
-  }
-  const auto isLow = [&](const Rest& one) {
-    const Votes& of_set = votes[one.set];
-    return of_set.patches >= least_patches && of_set.low > of_set.high;
-  };
-  for (const Rest& one : rest)
-    ground[one.patch] = isLow(one);
-  const std::size_t before = rest.size();
-  rest.erase(std::remove_if(rest.begin(), rest.end(), isLow), rest.end());
-  return rest.size() < before;
-}
-
 /** Around a laser: a ring climbs the side of a car as gently as ground rises, and one
- * ring alone does not tell. What is not near the ground in the large is left out; sets
- * that are near it, most of their patches, are ground. */
+ * ring alone does not tell. What is not near the ground in the large is left out. */
 void
-levelOut(const GroundCells& cells,
-         const GroundPatches& all,
-         float max_step,
-         std::vector<Rest>& rest,
-         std::vector<char>& ground)
+levelOut(const CoarseGround& coarse, std::vector<Rest>& rest, std::vector<char>& ground)
 {
-  const CoarseGround coarse(cells, all, ground, max_step);
   for (std::size_t i = 0; i < ground.size(); ++i)
     ground[i] = ground[i] && coarse.isNear(i);
-  std::vector<Votes> votes(ground.size());
-  for (const Rest& one : rest)
-    ++(coarse.isNear(one.patch) ? votes[one.set].low : votes[one.set].high);
-  const auto isGround = [&](const Rest& one) {
-    const Votes& of_set = votes[one.set];
-    return of_set.low >= least_patches && of_set.low > of_set.high;
-  };
-  for (const Rest& one : rest)
-    ground[one.patch] = isGround(one) && coarse.isNear(one.patch);
   rest.erase(std::remove_if(rest.begin(),
                             rest.end(),
-                            [&](const Rest& one) {
-                              return isGround(one) || !coarse.isNear(one.patch);
-                            }),
+                            [&](const Rest& one) { return !coarse.isNear(one.patch); }),
              rest.end());
 }
 
@@ -264,7 +131,7 @@ connectedGround(const GroundCells& cells,
                 GroundPatches& all)
 {
   const std::size_t size = all.patches.size();
-  const std::vector<char> level = levelPatches(all, parameters.max_slope);
+  const std::vector<char> level = levelPatches(cells, all, parameters.max_slope);
   Sets sets = connect(all, level, parameters.max_step);
   std::vector<std::size_t> set_of(size, size), sizes(size, 0);
   for (std::size_t i = 0; i < size; ++i)
@@ -283,9 +150,13 @@ connectedGround(const GroundCells& cells,
         rest.push_back({i, line, set_of[i]});
     }
   }
-  if (cells.around)
-    levelOut(cells, all, parameters.max_step, rest, ground);
-  while (addLowSets(cells, all, parameters.max_step, rest, ground)) {
+  std::optional<CoarseGround> coarse;
+  if (cells.around) {
+    coarse.emplace(cells, all, level, parameters.max_step);
+    levelOut(*coarse, rest, ground);
+  }
+  while (addLowSets(
+      cells, all, coarse ? &*coarse : nullptr, parameters.max_step, rest, ground)) {
   }
   std::vector<GroundPatch> fitted = all.patches;
   forEachCell(cells, threads, [&](std::size_t i) {
@@ -303,7 +174,7 @@ nearGround(const GroundPatches& all, const std::vector<char>& ground, std::size_
   if (ground[cell])
     near.patches[near.count++] = static_cast<std::int32_t>(cell);
   for (const PatchSide side : {Inner, Outer, Right, Left}) {
-    const std::int32_t found = nextMarked(all, ground, cell, side, hops);
+    const std::int32_t found = nextMarked(all.neighbors, ground, cell, side, hops);
     if (found != no_patch)
       near.patches[near.count++] = found;
   }

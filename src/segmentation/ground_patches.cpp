@@ -18,11 +18,8 @@
 namespace pcl::segmentation {
 namespace {
 
-// Points nearer to a line than 1/100 of their distances do not tell a plane.
-constexpr float least_determinant = 1e-4f;
 // A surface is as thick: above the noise, below a low kerb.
 constexpr float thickness_steps = 0.25f;
-constexpr float turn = 0.01f;       // that a plane may be off, per metre
 constexpr float paper_bin = 0.157f; // 9 degrees: of 10 bins over 90
 
 /** The mean of the points near the lowest one that carries nothing, if there is one not
@@ -63,136 +60,6 @@ lowestSurface(const GroundCells& cells,
   patch.y = static_cast<float>(y) * share;
   patch.z = patch.low = low + static_cast<float>(z) * share;
   return patch;
-}
-
-/** The cells that have a surface, line by line. */
-struct Surfaces {
-  std::vector<std::size_t> cells;
-  std::vector<std::size_t> lines; ///< the first one of each line, and end
-
-  Surfaces(const GroundCells& all, const std::vector<char>& has_surface)
-  {
-    for (std::size_t line = 0; line < all.lineCount(); ++line) {
-      lines.push_back(cells.size());
-      for (std::size_t i = all.lines[line]; i < all.lines[line + 1]; ++i)
-        if (has_surface[i])
-          cells.push_back(i);
-    }
-    lines.push_back(cells.size());
-  }
-};
-
-std::uint32_t
-binsApart(const GroundCells& cells, std::size_t a, std::size_t b)
-{
-  return cells.bins[a] < cells.bins[b] ? cells.bins[b] - cells.bins[a]
-                                       : cells.bins[a] - cells.bins[b];
-}
-
-/** For each cell of a line the surface of another line that is nearest, if it is near.
- */
-void
-findBeside(const GroundCells& cells,
-           const Surfaces& surfaces,
-           std::size_t line,
-           std::size_t other,
-           PatchSide side,
-           std::vector<PatchNeighbors>& neighbors)
-{
-  const std::size_t end = surfaces.lines[other + 1];
-  std::size_t at = surfaces.lines[other];
-  const auto apart = [&](std::size_t surface, std::size_t cell) {
-    return binsApart(cells, surfaces.cells[surface], cell);
-  };
-  for (std::size_t i = cells.lines[line]; i < cells.lines[line + 1] && at < end; ++i) {
-    while (at + 1 < end && apart(at + 1, i) < apart(at, i))
-      ++at;
-    if (apart(at, i) <= most_bins_beside)
-      neighbors[i][side] = static_cast<std::int32_t>(surfaces.cells[at]);
-  }
-}
-
-void
-findNeighbors(const GroundCells& cells,
-              const Surfaces& surfaces,
-              std::size_t line,
-              std::vector<PatchNeighbors>& neighbors)
-{
-  const std::size_t lines = cells.lineCount(), end = surfaces.lines[line + 1];
-  std::size_t next = surfaces.lines[line]; // the first surface behind the cell
-  const auto link = [&](std::size_t cell, std::size_t surface, PatchSide side) {
-    if (binsApart(cells, surfaces.cells[surface], cell) <= most_bins_apart)
-      neighbors[cell][side] = static_cast<std::int32_t>(surfaces.cells[surface]);
-  };
-  for (std::size_t i = cells.lines[line]; i < cells.lines[line + 1]; ++i) {
-    neighbors[i] = {no_patch, no_patch, no_patch, no_patch};
-    if (next > surfaces.lines[line])
-      link(i, next - 1, Inner);
-    if (next < end && surfaces.cells[next] == i)
-      ++next;
-    if (next < end)
-      link(i, next, Outer);
-  }
-  if (line > 0 || cells.around)
-    findBeside(cells, surfaces, line, (line + lines - 1) % lines, Right, neighbors);
-  if (line + 1 < lines || cells.around)
-    findBeside(cells, surfaces, line, (line + 1) % lines, Left, neighbors);
-}
-
-/** How steep the way from a patch to another one is. */
-float
-steepness(const GroundPatch& from, const GroundPatch& to)
-{
-  return std::abs(to.low - from.low) /
-         std::max(std::hypot(to.x - from.x, to.y - from.y),
-                  std::numeric_limits<float>::min());
-}
-
-/** Of the neighbors on opposite sides the one that is reached less steeply: where the
- * surface ends on one side, the other one still tells its slope. */
-const GroundPatch*
-levelOne(const std::vector<GroundPatch>& low,
-         const GroundPatch& patch,
-         std::int32_t one,
-         std::int32_t other)
-{
-  const auto at = [&](std::int32_t i) {
-    return i == no_patch ? nullptr : &low[static_cast<std::size_t>(i)];
-  };
-  const GroundPatch *a = at(one), *b = at(other);
-  if (!a || !b)
-    return a ? a : b;
-  return steepness(patch, *a) <= steepness(patch, *b) ? a : b;
-}
-
-/** A plane through the patch and a neighbor in each of both directions, then one that
- * fits to all neighbors that it passes nearby. */
-bool
-fitRobustly(const std::vector<GroundPatch>& low,
-            const PatchNeighbors& neighbors,
-            float near,
-            GroundPatch& patch)
-{
-  const GroundPatch* const along =
-      levelOne(low, patch, neighbors[Inner], neighbors[Outer]);
-  const GroundPatch* const across =
-      levelOne(low, patch, neighbors[Right], neighbors[Left]);
-  if (!along || !across)
-    return false;
-  std::array<const GroundPatch*, 4> others{along, across};
-  if (!fitPlane(patch, others.data(), 2, 0.0f))
-    return false;
-  std::size_t count = 0;
-  for (const std::int32_t neighbor : neighbors) {
-    if (neighbor == no_patch)
-      continue;
-    const GroundPatch& other = low[static_cast<std::size_t>(neighbor)];
-    const float distance = std::abs(other.x - patch.x) + std::abs(other.y - patch.y);
-    if (std::abs(patch.above(other.x, other.y, other.low)) < near + turn * distance)
-      others[count++] = &other;
-  }
-  fitPlane(patch, others.data(), count, 0.0f);
-  return true;
 }
 
 struct Normal {
@@ -237,38 +104,6 @@ planarLikelihood(const GroundPatches& all,
 
 } // namespace
 
-bool
-fitPlane(GroundPatch& patch,
-         const GroundPatch* const* others,
-         std::size_t count,
-         float prior_weight)
-{
-  // Around the patch: the plane need not go through it.
-  float n = 1.0f, x = 0.0f, y = 0.0f, z = 0.0f;
-  float xx = 0.0f, xy = 0.0f, yy = 0.0f, xz = 0.0f, yz = 0.0f;
-  for (std::size_t i = 0; i < count; ++i) {
-    const float dx = others[i]->x - patch.x, dy = others[i]->y - patch.y;
-    const float dz = others[i]->low - patch.low;
-    n += 1.0f;
-    x += dx, y += dy, z += dz;
-    xx += dx * dx, xy += dx * dy, yy += dy * dy;
-    xz += dx * dz, yz += dy * dz;
-  }
-  x /= n, y /= n, z /= n;
-  xx = xx / n - x * x + prior_weight;
-  yy = yy / n - y * y + prior_weight;
-  xy = xy / n - x * y;
-  xz = xz / n - x * z + prior_weight * patch.slope_x;
-  yz = yz / n - y * z + prior_weight * patch.slope_y;
-  const float determinant = xx * yy - xy * xy;
-  if (!(determinant > least_determinant * (xx + yy) * (xx + yy)))
-    return false;
-  patch.slope_x = (xz * yy - yz * xy) / determinant;
-  patch.slope_y = (yz * xx - xz * xy) / determinant;
-  patch.z = patch.low + z - patch.slope_x * x - patch.slope_y * y;
-  return true;
-}
-
 GroundPatches
 groundPatches(const GroundCells& cells,
               const std::vector<char>& feet,
@@ -277,7 +112,6 @@ groundPatches(const GroundCells& cells,
 {
   GroundPatches all;
   all.patches.resize(cells.size());
-  all.neighbors.resize(cells.size());
   std::vector<GroundPatch> low(cells.size());
   std::vector<char> has_surface(cells.size()), has_plane(cells.size());
   forEachCell(cells, threads, [&](std::size_t i) {
@@ -285,10 +119,7 @@ groundPatches(const GroundCells& cells,
     has_surface[i] = found.has_value();
     low[i] = found.value_or(GroundPatch());
   });
-  const Surfaces surfaces(cells, has_surface);
-  kernels::parallelFor(cells.lineCount(), threads, [&](std::size_t line) {
-    findNeighbors(cells, surfaces, line, all.neighbors);
-  });
+  all.neighbors = patchNeighbors(cells, has_surface, threads);
   forEachCell(cells, threads, [&](std::size_t i) {
     all.patches[i] = low[i];
     has_plane[i] = has_surface[i] && fitRobustly(low,

@@ -8,6 +8,7 @@
  */
 
 #include "primitive_model.h"
+#include "quiet.h"
 
 #include <algorithm>
 #include <tuple>
@@ -116,7 +117,7 @@ fitPrimitive(const InstanceInput& input,
   const Sample sample = sampleOf(input, members);
   if (sample.points->size() < least_points || !(sample.tolerance > 0.0))
     return {};
-  const segmentation::Quiet quiet;
+  const Quiet quiet;
   ShapePrimitive primitive =
       type == PrimitiveType::Auto ? bestOf(sample) : fitTo(sample, type);
   if (primitive.type != PrimitiveType::None)

@@ -11,7 +11,6 @@
 
 #include "surface_graph.h"
 
-#include <pcl/console/print.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/segmentation/shape_primitive.h>
@@ -27,24 +26,6 @@ struct PrimitiveSample {
   Normals::Ptr normals = pcl::make_shared<Normals>();
   double tolerance = 0.0;       ///< how far a point may be off the surface, metres
   double first_tolerance = 0.0; ///< and off one through few points, but for a plane
-};
-
-/** \brief While there is one, PCL is silent. PCL reports samples that it rejects as
- * errors; they are none. The level is the process's: keep one around parallel calls. */
-class Quiet {
-public:
-  Quiet() : level_(pcl::console::getVerbosityLevel())
-  {
-    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
-  }
-
-  ~Quiet() { pcl::console::setVerbosityLevel(level_); }
-
-  Quiet(const Quiet&) = delete;
-  Quiet& operator=(const Quiet&) = delete;
-
-private:
-  pcl::console::VERBOSITY_LEVEL level_;
 };
 
 /** \brief The plane, cylinder or sphere that most points are on (RANSAC with a fixed

@@ -12,6 +12,7 @@
 #include "../kernels/parallel.h"
 #include "part_assignment.h"
 #include "part_borders.h"
+#include "quiet.h"
 
 #include <algorithm>
 #include <map>
@@ -95,7 +96,7 @@ splitSurfaces(const detail::InstanceInput& input,
   const PointGrid grid(centersOf(nodes), grid_spacings * medianSpacing(input));
   const std::vector<NodeIndices> pieces = piecesOf(labels);
   std::vector<std::vector<NodeIndices>> groups(pieces.size());
-  const Quiet quiet;
+  const detail::Quiet quiet;
   kernels::parallelFor(pieces.size(), input.threads, [&](std::size_t i) {
     const float noise =
         std::max(static_cast<float>(input.noise), noiseOf(nodes, pieces[i]));
