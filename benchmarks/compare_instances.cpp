@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
+#include <utility>
 
 // This library and what PCL offers for it, on clouds with instances of known extent:
 // how many are found, and how long it takes. Peers may choose the best of their
@@ -112,7 +113,9 @@ cloudsOf(const Arguments& arguments, const std::string& name)
       options.shapes = group.shapes;
       options.noise = arguments.noise == "none" ? pcl::scene::Noise::None
                                                 : pcl::scene::Noise::Kinect;
-      clouds.push_back(generatedCloud(name, group.task, options));
+      InstanceCloud cloud = generatedCloud(name, group.task, options);
+      if (cloud.count() > 0)
+        clouds.push_back(std::move(cloud));
     }
   return clouds;
 }
