@@ -18,7 +18,6 @@ struct FaceContact {
   std::int32_t first = 0;  ///< label of a face
   std::int32_t second = 0; ///< a larger one
   float convex = 0.0f;     ///< length where they are one body
-  float gap = 0.0f;        ///< DEV
   float concave = 0.0f;    ///< length where one stands on or before the other
 };
 

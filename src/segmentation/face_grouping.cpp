@@ -22,8 +22,9 @@ namespace {
 constexpr double planar_threshold = 0.5;
 constexpr double least_area_share = 0.25; // of the largest face's
 constexpr float least_side = 1.0f;        // of the width of a group
-constexpr double least_rim = 0.1;         // of the width of a side of a body
-constexpr double in_plane_share = 0.8;    // of a face's points
+constexpr float narrow = 8.0f, least_narrow_side = 0.5f;
+constexpr double least_rim = 0.1;      // of the width of a side of a body
+constexpr double in_plane_share = 0.8; // of a face's points
 
 /** Others stand on a face, or lie before it: it is no side of a body. */
 bool
@@ -160,7 +161,8 @@ private:
   bool
   isNeck(std::size_t a, std::size_t b, float weight) const
   {
-    return weight < least_side * std::min(widths_[a], widths_[b]);
+    const float width = std::min(widths_[a], widths_[b]);
+    return weight < width * (width < narrow ? least_narrow_side : least_side);
   }
 
   void

@@ -48,24 +48,26 @@ someOf(const InstanceInput& input, Members members)
 ShapePrimitive
 surfaceOf(const InstanceInput& input, const Members& members, const Face& face)
 {
-  PrimitiveSample sample;
   double spacings = 0.0;
+  for (const std::uint32_t i : members)
+    spacings += input.spacings[i];
+  const auto unit = static_cast<float>(spacings / static_cast<double>(members.size()));
+  PrimitiveSample sample;
   for (const std::uint32_t i : members) {
-    const Eigen::Vector3f p = positionOf(input.points, i) - face.origin;
+    const Eigen::Vector3f p = (positionOf(input.points, i) - face.origin) / unit;
     const Eigen::Vector3f n = normalOf(input, i);
     sample.points->push_back({p.x(), p.y(), p.z()});
     sample.normals->push_back({n.x(), n.y(), n.z()});
-    spacings += input.spacings[i];
   }
-  const double spacing = spacings / static_cast<double>(members.size());
-  sample.tolerance = offsetLimit(input) * spacing;
+  sample.tolerance = offsetLimit(input);
   sample.first_tolerance = sample.tolerance;
   for (const PrimitiveType type :
        {PrimitiveType::Plane, PrimitiveType::Cylinder, PrimitiveType::Sphere}) {
     ShapePrimitive surface = fitTo(sample, type);
-    if (surface.type != PrimitiveType::None &&
-        surface.residual < stepLimit(input) * spacing)
+    if (surface.type != PrimitiveType::None && surface.residual < stepLimit(input)) {
+      enlarge(unit, surface);
       return surface;
+    }
     if (face.planar > planar_threshold)
       break;
   }

@@ -21,8 +21,8 @@ struct LabelWeights {
   std::array<double, 5> features;
 };
 
-constexpr LabelWeights planar_weights{0.2008, {0.3361, 1.428, 0.1347, 2.491, 1.008}};
-constexpr LabelWeights curved_weights{-1.223, {1.563, 0.08196, 0.02973, 2.791, 0}};
-constexpr LabelWeights edge_weights{-4.027, {0.5143, 1.04, 2.048, 3.323, 0}};
+constexpr LabelWeights planar_weights{0.1392, {0.3308, 1.487, 0.1223, 2.463, 0.988}};
+constexpr LabelWeights curved_weights{-1.256, {1.567, 0.09238, 0.0297, 2.821, 0}};
+constexpr LabelWeights edge_weights{-2.191, {0.7165, 0.5148, 3.479, 2.875, 2.393}};
 
 } // namespace pcl::segmentation

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 
 namespace pcl::segmentation {
 namespace {
@@ -22,32 +21,34 @@ constexpr float smoothing = 4.0f;
 constexpr std::size_t least_nodes = 12;
 constexpr double covered = 0.8;
 
-using PartOfNode = std::map<std::uint32_t, std::uint32_t>;
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+using PartOfNode = std::vector<std::uint32_t>;
 
-/** The number of parts if none is near. */
+/** None if none is near. */
 std::uint32_t
 bestPart(const SurfacePiece& piece,
          std::uint32_t node,
          const std::vector<SurfacePart>& parts,
          const PartOfNode& part_of)
 {
-  std::map<std::uint32_t, float> votes;
+  std::vector<float> votes(parts.size(), 0.0f);
   float all = 0.0f;
   piece.forEachAround(node, [&](std::uint32_t other) {
-    const auto found = part_of.find(other);
-    if (found != part_of.end() && other != node) {
-      ++votes[found->second];
+    if (part_of[other] != none && other != node) {
+      ++votes[part_of[other]];
       ++all;
     }
   });
   float least = std::numeric_limits<float>::infinity();
-  auto best = static_cast<std::uint32_t>(parts.size());
-  for (const auto& [part, count] : votes) {
+  std::uint32_t best = none;
+  for (std::uint32_t part = 0; part < parts.size(); ++part) {
+    if (votes[part] == 0.0f)
+      continue;
     const float distance = piece.distanceTo(parts[part].surface, node);
     if (!(distance < piece.gapLimit()))
       continue;
     const float ratio = distance / piece.tolerance();
-    const float cost = ratio * ratio + smoothing * (1.0f - count / all);
+    const float cost = ratio * ratio + smoothing * (1.0f - votes[part] / all);
     if (cost < least) {
       least = cost;
       best = part;
@@ -77,22 +78,18 @@ isCovered(const SurfacePiece& piece,
 void
 assign(const SurfacePiece& piece, std::vector<SurfacePart>& parts)
 {
-  PartOfNode part_of;
+  PartOfNode part_of(piece.size(), none);
   for (std::uint32_t p = 0; p < parts.size(); ++p) {
     for (const std::uint32_t node : parts[p].nodes)
       part_of[node] = p;
     parts[p].nodes.clear();
   }
   for (int round = 0; round < rounds; ++round)
-    for (const std::uint32_t node : piece.nodes()) {
-      const std::uint32_t part = bestPart(piece, node, parts, part_of);
-      if (part < parts.size())
-        part_of[node] = part;
-      else
-        part_of.erase(node);
-    }
-  for (const auto& [node, part] : part_of)
-    parts[part].nodes.push_back(node);
+    for (std::uint32_t node = 0; node < piece.size(); ++node)
+      part_of[node] = bestPart(piece, node, parts, part_of);
+  for (std::uint32_t node = 0; node < piece.size(); ++node)
+    if (part_of[node] != none)
+      parts[part_of[node]].nodes.push_back(node);
   std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
     return a.nodes.size() > b.nodes.size();
   });

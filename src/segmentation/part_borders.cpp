@@ -12,8 +12,10 @@
 #include "disjoint_sets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -28,14 +30,28 @@ constexpr double both_sides = 0.25;
 
 /** How two parts meet. */
 struct Border {
-  double pairs = 0.0;                ///< of nodes
-  double squared_gaps = 0.0;         ///< between the two surfaces, in spacings
-  double cosines = 0.0;              ///< of their normals
-  double before = 0.0, behind = 0.0; ///< the first's nodes and the second's surface
+  double pairs = 0.0;        ///< of nodes
+  double squared_gaps = 0.0; ///< between the two surfaces, in spacings
+  double cosines = 0.0;      ///< of their normals
+  double steps = 0.0;        ///< squared, between nodes, in spacings
+  std::array<double, 2> before{},
+      behind{}; ///< of either's nodes and the other's surface
 };
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 using Borders = std::map<Pair, Border>;
+
+void
+addSide(const SurfaceNode& node,
+        const ShapePrimitive& other,
+        std::size_t which,
+        Border& border)
+{
+  const Vector3f away = node.center - footOn(other, node.center);
+  const double side = away.dot(normalOf(other, node.center)) / node.spacing;
+  border.before[which] += std::max(0.0, side);
+  border.behind[which] += std::max(0.0, -side);
+}
 
 void
 addPair(const SurfaceNode& node,
@@ -45,34 +61,39 @@ addPair(const SurfaceNode& node,
         Border& border)
 {
   const Vector3f middle = 0.5f * (node.center + other.center);
+  const float area = node.spacing * other.spacing;
+  const float sign = node.normal.dot(other.normal) < 0.0f ? -1.0f : 1.0f;
+  const Vector3f normal = 0.5f * (node.normal + sign * other.normal);
+  const float step = normal.dot(other.center - node.center);
   ++border.pairs;
-  border.squared_gaps += (footOn(a, middle) - footOn(b, middle)).squaredNorm() /
-                         (node.spacing * other.spacing);
+  border.squared_gaps += (footOn(a, middle) - footOn(b, middle)).squaredNorm() / area;
   border.cosines += std::abs(normalOf(a, middle).dot(normalOf(b, middle)));
-  const Vector3f away = node.center - footOn(b, node.center);
-  const double side = away.dot(node.normal) / node.spacing;
-  border.before += std::max(0.0, side);
-  border.behind += std::max(0.0, -side);
+  border.steps += step * step / area;
+  addSide(node, b, 0, border);
+  addSide(other, a, 1, border);
 }
 
 Borders
 bordersOf(const SurfacePiece& piece, const std::vector<SurfacePart>& parts)
 {
-  std::map<std::uint32_t, std::uint32_t> part_of;
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> part_of(piece.size(), none);
   for (std::uint32_t p = 0; p < parts.size(); ++p)
     for (const std::uint32_t node : parts[p].nodes)
       part_of[node] = p;
   Borders borders;
-  for (const auto& entry : part_of) {
-    const auto [node, p] = entry;
-    piece.forEachAround(node, [&, node = node, p = p](std::uint32_t other) {
-      const auto found = part_of.find(other);
-      if (found != part_of.end() && found->second > p)
+  for (std::uint32_t node = 0; node < piece.size(); ++node) {
+    const std::uint32_t p = part_of[node];
+    if (p == none)
+      continue;
+    piece.forEachAround(node, [&](std::uint32_t other) {
+      const std::uint32_t q = part_of[other];
+      if (q != none && q > p)
         addPair(piece[node],
                 piece[other],
                 parts[p].surface,
-                parts[found->second].surface,
-                borders[{p, found->second}]);
+                parts[q].surface,
+                borders[{p, q}]);
     });
   }
   return borders;
@@ -90,9 +111,20 @@ goesOn(const Border& border, float gap_limit)
 bool
 crosses(const Border& border, float tolerance)
 {
+  const auto is_on_both_sides = [&](std::size_t which) {
+    const auto [less, more] = std::minmax(border.before[which], border.behind[which]);
+    return less > both_sides * more;
+  };
   return border.squared_gaps > tolerance * tolerance * border.pairs &&
-         std::min(border.before, border.behind) >
-             both_sides * std::max(border.before, border.behind);
+         is_on_both_sides(0) && is_on_both_sides(1);
+}
+
+/** The nodes themselves run on, whatever the primitives beside them are. */
+bool
+isSmooth(const Border& border, float noise)
+{
+  return border.steps < noise * noise * border.pairs &&
+         border.cosines > same_surface * border.pairs;
 }
 
 bool
@@ -101,8 +133,14 @@ areOne(const SurfacePiece& piece,
        const SurfacePart& b,
        const Border& border)
 {
-  if (!isCurved(a) && !isCurved(b))
-    return goesOn(border, piece.gapLimit()) && !crosses(border, piece.tolerance());
+  const bool is_smooth = isSmooth(border, piece.nodeNoise());
+  if (!isCurved(a) && !isCurved(b)) {
+    const float limit = is_smooth ? std::max(piece.gapLimit(), 2.0f * piece.tolerance())
+                                  : piece.gapLimit();
+    return goesOn(border, limit) && !crosses(border, piece.tolerance());
+  }
+  if (is_smooth)
+    return true;
   NodeIndices both;
   std::set_union(a.nodes.begin(),
                  a.nodes.end(),
@@ -162,7 +200,7 @@ joinParts(const SurfacePiece& piece, const std::vector<SurfacePart>& parts)
     const SurfacePart& b = parts[pair.second];
     const bool are_large =
         std::min(a.nodes.size(), b.nodes.size()) >= piece.leastSize();
-    if (are_large && areOne(piece, a, b, border))
+    if (are_large ? areOne(piece, a, b, border) : isSmooth(border, piece.nodeNoise()))
       sets.unite(pair.first, pair.second);
   }
   absorbSmall(piece, parts, borders, sets);
@@ -173,7 +211,8 @@ joinParts(const SurfacePiece& piece, const std::vector<SurfacePart>& parts)
   }
   std::vector<NodeIndices> joined;
   for (auto& [root, nodes] : groups)
-    joined.push_back(std::move(nodes));
+    if (nodes.size() >= piece.leastSize())
+      joined.push_back(std::move(nodes));
   return joined;
 }
 

@@ -17,6 +17,7 @@ namespace pcl::detail {
 namespace {
 
 using Eigen::Vector3f;
+using segmentation::enlarge;
 using segmentation::fitTo;
 using segmentation::PrimitiveSample;
 
@@ -26,7 +27,8 @@ constexpr std::size_t most_points = 2000;
 constexpr float simpler = 1.2f;
 
 struct Sample : PrimitiveSample {
-  Vector3f origin = Vector3f::Zero(); ///< of the points, for the numbers' sake
+  Vector3f origin = Vector3f::Zero(); ///< of the points
+  float unit = 0.0f;                  ///< metres, the mean spacing
 };
 
 /** The order of the points must not matter to what RANSAC draws. */
@@ -57,29 +59,31 @@ sampleOf(const InstanceInput& input, const std::vector<std::uint32_t>& members)
   Sample sample;
   const std::size_t step = (members.size() + most_points - 1) / most_points;
   sample.origin = segmentation::positionOf(input.points, members[members.size() / 2]);
+  std::vector<std::uint32_t> some;
   double spacings = 0.0;
-  for (std::size_t k = 0; k < members.size(); k += step) {
-    const Vector3f n = segmentation::normalOf(input, members[k]);
-    if (!n.allFinite())
-      continue;
+  for (std::size_t k = 0; k < members.size(); k += step)
+    if (segmentation::normalOf(input, members[k]).allFinite()) {
+      some.push_back(members[k]);
+      spacings += input.spacings[members[k]];
+    }
+  sample.unit = static_cast<float>(spacings / static_cast<double>(some.size()));
+  for (const std::uint32_t i : some) {
     const Vector3f p =
-        segmentation::positionOf(input.points, members[k]) - sample.origin;
+        (segmentation::positionOf(input.points, i) - sample.origin) / sample.unit;
+    const Vector3f n = segmentation::normalOf(input, i);
     sample.points->push_back({p.x(), p.y(), p.z()});
     sample.normals->push_back({n.x(), n.y(), n.z()});
-    spacings += input.spacings[members[k]];
   }
-  sample.tolerance =
-      segmentation::offsetLimit(input) * spacings /
-      static_cast<double>(std::max<std::size_t>(1, sample.points->size()));
+  sample.tolerance = segmentation::offsetLimit(input);
   sample.first_tolerance = sample.tolerance;
   return sample;
 }
 
-/** From the sample's origin to the cloud's; directions become unit, and the point of an
- * axis the one nearest to the points. */
+/** From the sample's origin and unit to the cloud's. */
 void
-moveToCloud(const Vector3f& origin, ShapePrimitive& primitive)
+moveToCloud(const Vector3f& origin, float unit, ShapePrimitive& primitive)
 {
+  enlarge(unit, primitive);
   std::vector<float>& c = primitive.coefficients;
   Eigen::Map<Vector3f> first(c.data());
   if (primitive.type == PrimitiveType::Plane) {
@@ -115,13 +119,13 @@ fitPrimitive(const InstanceInput& input,
   leaveEdgesOut(input, members);
   sortByPosition(input, members);
   const Sample sample = sampleOf(input, members);
-  if (sample.points->size() < least_points || !(sample.tolerance > 0.0))
+  if (sample.points->size() < least_points || !(sample.unit > 0.0f))
     return {};
   const Quiet quiet;
   ShapePrimitive primitive =
       type == PrimitiveType::Auto ? bestOf(sample) : fitTo(sample, type);
   if (primitive.type != PrimitiveType::None)
-    moveToCloud(sample.origin, primitive);
+    moveToCloud(sample.origin, sample.unit, primitive);
   return primitive;
 }
 

@@ -65,7 +65,6 @@ modelOf(const PrimitiveSample& sample, PrimitiveType type)
     cylinder->setNormalDistanceWeight(normal_weight);
     model = cylinder;
   }
-  model->setRadiusLimits(0.0, extentOf(*sample.points));
   return model;
 }
 
@@ -114,6 +113,9 @@ ShapePrimitive
 fitTo(const PrimitiveSample& sample, PrimitiveType type)
 {
   const Model::Ptr model = modelOf(sample, type);
+  const double extent = extentOf(*sample.points);
+  if (type != PrimitiveType::Plane)
+    model->setRadiusLimits(0.0, extent);
   const bool is_exact = type == PrimitiveType::Plane; // three points give it
   const double first = is_exact ? sample.tolerance : sample.first_tolerance;
   pcl::RandomSampleConsensus<pcl::PointXYZ> ransac(model, first);
@@ -137,6 +139,8 @@ fitTo(const PrimitiveSample& sample, PrimitiveType type)
   primitive.coefficients.assign(coefficients.data(),
                                 coefficients.data() + coefficients.size());
   normalize(primitive);
+  if (type != PrimitiveType::Plane && primitive.coefficients.back() > extent)
+    return {};
   primitive.residual = residualOf(primitive, *sample.points);
   return primitive;
 }
@@ -157,6 +161,16 @@ refine(const PrimitiveSample& sample, ShapePrimitive& primitive)
   primitive.coefficients.assign(refined.data(), refined.data() + refined.size());
   normalize(primitive);
   primitive.residual = residualOf(primitive, *sample.points);
+}
+
+void
+enlarge(float times, ShapePrimitive& primitive)
+{
+  std::vector<float>& c = primitive.coefficients;
+  if (primitive.type != PrimitiveType::Plane)
+    Eigen::Map<Vector3f>(c.data()) *= times;
+  c.back() *= times;
+  primitive.residual *= times;
 }
 
 double

@@ -17,14 +17,15 @@
 
 namespace pcl::segmentation {
 
-/** \brief Some points of a surface, to fit an equation to. */
+/** \brief Some points of a surface, to fit an equation to: about one of them, in units
+ * of the distance between them, as PCL's fits have limits of their own. */
 struct PrimitiveSample {
   using Points = pcl::PointCloud<pcl::PointXYZ>;
   using Normals = pcl::PointCloud<pcl::Normal>;
 
   Points::Ptr points = pcl::make_shared<Points>();
   Normals::Ptr normals = pcl::make_shared<Normals>();
-  double tolerance = 0.0;       ///< how far a point may be off the surface, metres
+  double tolerance = 0.0;       ///< how far a point may be off the surface
   double first_tolerance = 0.0; ///< and off one through few points, but for a plane
 };
 
@@ -36,9 +37,12 @@ ShapePrimitive fitTo(const PrimitiveSample& sample, PrimitiveType type);
 /** \brief Fit a primitive to the points anew by least squares. */
 void refine(const PrimitiveSample& sample, ShapePrimitive& primitive);
 
-/** \brief Root mean square distance of the points from the cone nearest to them,
- * metres; infinite if there is none. */
+/** \brief Root mean square distance of the points from the cone nearest to them;
+ * infinite if there is none. */
 double coneResidual(const PrimitiveSample& sample);
+
+/** \brief The primitive in a unit that is so many times smaller. */
+void enlarge(float times, ShapePrimitive& primitive);
 
 /** \brief The nearest point of a primitive. */
 Eigen::Vector3f footOn(const ShapePrimitive& primitive, const Eigen::Vector3f& point);

@@ -11,24 +11,55 @@
 
 #include <pcl/console/print.h>
 
+#include <mutex>
+
 namespace pcl::detail {
 
-/** \brief PCL reports samples that it rejects as errors; they are none. The level is
- * the whole process's: make one around parallel calls, not in them. */
+/** \brief While there is one, PCL is silent: it reports samples that it rejects as
+ * errors, and they are none. The level is the whole process's: the first one keeps it,
+ * the last one sets it again. Make one around parallel calls, not in them. */
 class Quiet {
 public:
-  Quiet() : level_(pcl::console::getVerbosityLevel())
+  Quiet()
   {
-    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
+    const std::lock_guard<std::mutex> lock(mutex());
+    if (count()++ == 0) {
+      level() = pcl::console::getVerbosityLevel();
+      pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
+    }
   }
 
-  ~Quiet() { pcl::console::setVerbosityLevel(level_); }
+  ~Quiet()
+  {
+    const std::lock_guard<std::mutex> lock(mutex());
+    if (--count() == 0)
+      pcl::console::setVerbosityLevel(level());
+  }
 
   Quiet(const Quiet&) = delete;
   Quiet& operator=(const Quiet&) = delete;
 
 private:
-  pcl::console::VERBOSITY_LEVEL level_;
+  static std::mutex&
+  mutex()
+  {
+    static std::mutex instance;
+    return instance;
+  }
+
+  static int&
+  count()
+  {
+    static int instance = 0;
+    return instance;
+  }
+
+  static pcl::console::VERBOSITY_LEVEL&
+  level()
+  {
+    static pcl::console::VERBOSITY_LEVEL instance{};
+    return instance;
+  }
 };
 
 } // namespace pcl::detail

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <map>
+#include <numeric>
 
 namespace pcl::segmentation {
 namespace {
@@ -30,25 +30,59 @@ constexpr double mostly_plane = 0.4;
 constexpr double simpler = 1.5;
 constexpr double loose = 3.0;
 
+/** About the first, in units of the mean spacing: PCL's fits have limits of their own.
+ */
+std::vector<SurfaceNode>
+normalized(std::vector<SurfaceNode> nodes)
+{
+  const Eigen::Vector3f origin = nodes.front().center;
+  double sum = 0.0;
+  for (const SurfaceNode& node : nodes)
+    sum += node.spacing;
+  const auto unit = static_cast<float>(sum / static_cast<double>(nodes.size()));
+  for (SurfaceNode& node : nodes) {
+    node.center = (node.center - origin) / unit;
+    node.spacing /= unit;
+  }
+  return nodes;
+}
+
+float
+medianNoise(const std::vector<SurfaceNode>& nodes)
+{
+  std::vector<float> noises;
+  for (const SurfaceNode& node : nodes)
+    noises.push_back(node.noise);
+  const auto middle = noises.begin() + static_cast<std::ptrdiff_t>(noises.size() / 2);
+  std::nth_element(noises.begin(), middle, noises.end());
+  return *middle;
+}
+
 } // namespace
 
-SurfacePiece::SurfacePiece(const std::vector<SurfaceNode>& nodes,
-                           const PointGrid& grid,
-                           NodeIndices piece,
-                           float noise)
-: nodes_(nodes)
-, grid_(grid)
-, piece_(std::move(piece))
-, tolerance_(0.15f + 0.5f * noise)
-, gap_limit_(0.15f + 1.25f * noise)
-, node_noise_(0.05f + 0.5f * noise)
-{}
+SurfacePiece::SurfacePiece(std::vector<SurfaceNode> nodes, float least_noise)
+: nodes_(normalized(std::move(nodes)))
+, grid_(centersOf(nodes_), around_spacings)
+{
+  const float noise = std::max(least_noise, medianNoise(nodes_));
+  tolerance_ = 0.15f + 0.5f * noise;
+  gap_limit_ = 0.15f + 1.25f * noise;
+  node_noise_ = 0.05f + 0.5f * noise;
+}
+
+NodeIndices
+SurfacePiece::nodes() const
+{
+  NodeIndices all(nodes_.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return all;
+}
 
 std::size_t
 SurfacePiece::leastSize() const
 {
   const auto share =
-      static_cast<std::size_t>(least_share * static_cast<double>(piece_.size()));
+      static_cast<std::size_t>(least_share * static_cast<double>(nodes_.size()));
   return std::max(least_nodes, share);
 }
 
@@ -79,8 +113,8 @@ SurfacePiece::residualAsOne(const NodeIndices& nodes) const
     refine(sample, surface);
     least = std::min(least, residualOf(surface, nodes));
   }
-  const double spacings = tolerance_ / sample.tolerance;
-  return std::min(least, static_cast<float>(coneResidual(sample) * spacings));
+  return least < tolerance_ ? least
+                            : std::min(least, static_cast<float>(coneResidual(sample)));
 }
 
 float
@@ -98,7 +132,7 @@ SurfacePiece::residualOf(const ShapePrimitive& surface, const NodeIndices& nodes
 std::vector<SurfacePart>
 SurfacePiece::parts() const
 {
-  NodeIndices left = piece_;
+  NodeIndices left = nodes();
   std::vector<SurfacePart> parts;
   while (left.size() >= leastSize()) {
     SurfacePart part = largestPart(left);
@@ -188,15 +222,15 @@ SurfacePiece::inliersOf(const ShapePrimitive& surface, const NodeIndices& nodes)
 NodeIndices
 SurfacePiece::mostConnected(const NodeIndices& nodes) const
 {
-  std::map<std::uint32_t, std::uint32_t> place;
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> place(nodes_.size(), none);
   for (std::uint32_t k = 0; k < nodes.size(); ++k)
-    place.emplace_hint(place.end(), nodes[k], k);
+    place[nodes[k]] = k;
   DisjointSets sets(nodes.size());
   for (std::uint32_t k = 0; k < nodes.size(); ++k)
     forEachAround(nodes[k], [&](std::uint32_t other) {
-      const auto found = place.find(other);
-      if (found != place.end())
-        sets.unite(k, found->second);
+      if (place[other] != none)
+        sets.unite(k, place[other]);
     });
   std::vector<std::size_t> sizes(nodes.size(), 0);
   for (std::uint32_t k = 0; k < nodes.size(); ++k)

@@ -22,21 +22,22 @@ struct SurfacePart {
   NodeIndices nodes;
 };
 
-/** \brief A smooth piece of surface as primitives see it. */
+/** \brief A smooth piece of surface as primitives see it: about one of its nodes, in
+ * units of their mean spacing, so that no result depends on what else there is. */
 class SurfacePiece {
 public:
-  /** \param[in] grid of the nodes
-   * \param[in] noise of the piece, in spacings */
-  SurfacePiece(const std::vector<SurfaceNode>& nodes,
-               const PointGrid& grid,
-               NodeIndices piece,
-               float noise);
+  /** \param[in] least_noise of the piece, in spacings; more if its nodes say so, as
+   * depth cameras see far pieces */
+  SurfacePiece(std::vector<SurfaceNode> nodes, float least_noise);
 
-  const NodeIndices&
-  nodes() const
+  std::uint32_t
+  size() const
   {
-    return piece_;
+    return static_cast<std::uint32_t>(nodes_.size());
   }
+
+  /** \brief All nodes. */
+  NodeIndices nodes() const;
 
   const SurfaceNode&
   operator[](std::uint32_t node) const
@@ -93,21 +94,21 @@ public:
   void
   forEachAround(std::uint32_t node, const Visit& visit) const
   {
-    constexpr float around = 3.0f; // spacings, two cells
     grid_.forEachWithin(nodes_[node].center,
-                        around * nodes_[node].spacing,
+                        around_spacings * nodes_[node].spacing,
                         [&](std::uint32_t other, float) { visit(other); });
   }
 
 private:
+  static constexpr float around_spacings = 3.0f; // two cells of nodes
+
   SurfacePart largestPart(const NodeIndices& nodes) const;
   PrimitiveSample sampleOf(const NodeIndices& nodes) const;
   NodeIndices inliersOf(const ShapePrimitive& surface, const NodeIndices& nodes) const;
   NodeIndices mostConnected(const NodeIndices& nodes) const;
 
-  const std::vector<SurfaceNode>& nodes_;
-  const PointGrid& grid_;
-  NodeIndices piece_;
+  std::vector<SurfaceNode> nodes_;
+  PointGrid grid_;
   float tolerance_;
   float gap_limit_;
   float node_noise_;

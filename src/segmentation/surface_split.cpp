@@ -21,7 +21,6 @@ namespace pcl::segmentation {
 namespace {
 
 // doc/instances.md has the reason of each number.
-constexpr float grid_spacings = 3.0f;
 constexpr int refinements = 2;
 constexpr double described = 0.8; // of the nodes
 
@@ -41,33 +40,10 @@ cut(const SurfacePiece& piece)
   std::size_t on_parts = 0;
   for (const SurfacePart& part : parts)
     on_parts += part.nodes.size();
-  if (static_cast<double>(on_parts) <
-      described * static_cast<double>(piece.nodes().size()))
+  if (static_cast<double>(on_parts) < described * static_cast<double>(piece.size()))
     return {};
   std::vector<NodeIndices> groups = joinParts(piece, parts);
   return groups.size() < 2 ? std::vector<NodeIndices>() : groups;
-}
-
-/** The median: depth cameras see far pieces with more noise. */
-float
-noiseOf(const std::vector<SurfaceNode>& nodes, const NodeIndices& piece)
-{
-  std::vector<float> noises;
-  for (const std::uint32_t node : piece)
-    noises.push_back(nodes[node].noise);
-  const auto middle = noises.begin() + static_cast<std::ptrdiff_t>(noises.size() / 2);
-  std::nth_element(noises.begin(), middle, noises.end());
-  return *middle;
-}
-
-/** About one of them, for the numbers' sake. */
-std::vector<SurfaceNode>
-centered(std::vector<SurfaceNode> nodes)
-{
-  const Eigen::Vector3f origin = nodes.front().center;
-  for (SurfaceNode& node : nodes)
-    node.center -= origin;
-  return nodes;
 }
 
 std::vector<NodeIndices>
@@ -87,20 +63,17 @@ piecesOf(const Labels& labels)
 
 Labels
 splitSurfaces(const detail::InstanceInput& input,
-              const std::vector<SurfaceNode>& all_nodes,
+              const std::vector<SurfaceNode>& nodes,
               Labels labels)
 {
-  if (all_nodes.empty())
-    return labels;
-  const std::vector<SurfaceNode> nodes = centered(all_nodes);
-  const PointGrid grid(centersOf(nodes), grid_spacings * medianSpacing(input));
   const std::vector<NodeIndices> pieces = piecesOf(labels);
   std::vector<std::vector<NodeIndices>> groups(pieces.size());
   const detail::Quiet quiet;
   kernels::parallelFor(pieces.size(), input.threads, [&](std::size_t i) {
-    const float noise =
-        std::max(static_cast<float>(input.noise), noiseOf(nodes, pieces[i]));
-    groups[i] = cut(SurfacePiece(nodes, grid, pieces[i], noise));
+    std::vector<SurfaceNode> of_piece;
+    for (const std::uint32_t node : pieces[i])
+      of_piece.push_back(nodes[node]);
+    groups[i] = cut({std::move(of_piece), static_cast<float>(input.noise)});
   });
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (groups[i].empty())
@@ -108,8 +81,8 @@ splitSurfaces(const detail::InstanceInput& input,
     for (const std::uint32_t node : pieces[i])
       labels[node] = -1;
     for (const NodeIndices& group : groups[i])
-      for (const std::uint32_t node : group)
-        labels[node] = static_cast<std::int32_t>(group.front());
+      for (const std::uint32_t k : group)
+        labels[pieces[i][k]] = static_cast<std::int32_t>(pieces[i][group.front()]);
   }
   return labels;
 }

@@ -259,6 +259,83 @@ TEST(Instances, TheGivenPrimitiveIsFittedAndDoesNotDependOnTheOrder)
   EXPECT_EQ(found[0].primitive.coefficients, other[0].primitive.coefficients);
 }
 
+/** \brief Smooth, of no primitive: two half spheres on a cylinder. */
+Surface
+capsule(double radius, double length, Random& random)
+{
+  Surface surface = cylinder(12000, radius, length, random);
+  const Surface ball = sphere(8000, radius, random);
+  for (std::size_t i = 0; i < ball.xyz.size(); i += 3) {
+    const double end = ball.xyz[i + 2] < 0.0f ? 0.0 : length;
+    surface.xyz.push_back(ball.xyz[i]);
+    surface.xyz.push_back(ball.xyz[i + 1]);
+    surface.xyz.push_back(ball.xyz[i + 2] + static_cast<float>(end));
+  }
+  return surface;
+}
+
+Surface
+egg(Random& random)
+{
+  Surface surface = sphere(20000, 0.05, random);
+  for (std::size_t i = 2; i < surface.xyz.size(); i += 3) {
+    surface.xyz[i] *= 1.6f;
+  }
+  return surface;
+}
+
+TEST(Instances, SmoothSurfacesOfNoPrimitiveStayWhole)
+{
+  Random random(12);
+  for (const Surface& surface : {capsule(0.05, 0.15, random), egg(random)}) {
+    const auto found = fittedTo(surface, "curved", PrimitiveType::None);
+    ASSERT_EQ(1U, found.size());
+    EXPECT_GE(found[0].indices.size(), surface.xyz.size() / 3 * 99 / 100);
+  }
+}
+
+TEST(Instances, DoNotDependOnWhatIsFarAway)
+{
+  Random random(13);
+  const Surface one = egg(random);
+  Surface two = one;
+  for (std::size_t i = 0; i < one.xyz.size(); i += 3) {
+    two.xyz.insert(two.xyz.end(), {one.xyz[i] + 16.0f, one.xyz[i + 1], one.xyz[i + 2]});
+  }
+  EXPECT_EQ(1U, fittedTo(one, "curved", PrimitiveType::None).size());
+  EXPECT_EQ(2U, fittedTo(two, "curved", PrimitiveType::None).size());
+}
+
+/** \brief Upright and square, as wide as high, turned about the vertical. */
+Surface
+uprightSquare(double turn, double low, Random& random)
+{
+  constexpr double side = 0.15;
+  Surface surface = plane(10000, side, random);
+  const Eigen::Isometry3d upright(
+      Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) *
+      Eigen::AngleAxisd(0.5 * pi, Eigen::Vector3d::UnitX()));
+  surface.move(Eigen::Translation3d(0.0, 0.0, low) * upright *
+               Eigen::Translation3d(-0.5 * side, 0.0, 0.0));
+  return surface;
+}
+
+TEST(Instances, FacesThatCrossAreTwo)
+{
+  Random random(14);
+  Surface faces = uprightSquare(0.0, 0.0, random);
+  const Surface above = uprightSquare(0.25, 0.15, random);
+  faces.xyz.insert(faces.xyz.end(), above.xyz.begin(), above.xyz.end());
+  for (float& x : faces.xyz) {
+    x += static_cast<float>(4e-4 * random.normal());
+  }
+  const auto found = fittedTo(faces, "planar", PrimitiveType::None);
+  ASSERT_EQ(2U, found.size());
+  for (const ShapeInstance& face : found) {
+    EXPECT_NEAR(10000.0, static_cast<double>(face.indices.size()), 500.0);
+  }
+}
+
 TEST(Instances, NothingIsFoundWhereThereIsNothing)
 {
   Random random(11);
