@@ -9,11 +9,11 @@
 
 #include "ground_growth.h"
 
+#include "disjoint_sets.h"
 #include "ground_votes.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 namespace pcl::segmentation {
@@ -21,34 +21,6 @@ namespace {
 
 constexpr float least_planar = 0.5f;
 constexpr int hops = 3; // over cells that are no ground: a kerb, a pole
-
-/** Sets of patches that are merged; the first patch of a set stands for it. */
-class Sets {
-public:
-  explicit Sets(std::size_t size) : parents_(size)
-  {
-    std::iota(parents_.begin(), parents_.end(), std::size_t{0});
-  }
-
-  std::size_t
-  find(std::size_t i)
-  {
-    while (parents_[i] != i)
-      i = parents_[i] = parents_[parents_[i]];
-    return i;
-  }
-
-  void
-  merge(std::size_t a, std::size_t b)
-  {
-    a = find(a);
-    b = find(b);
-    parents_[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<std::size_t> parents_;
-};
 
 std::vector<char>
 levelPatches(const GroundCells& cells, const GroundPatches& all, float max_slope)
@@ -65,10 +37,10 @@ levelPatches(const GroundCells& cells, const GroundPatches& all, float max_slope
   return level;
 }
 
-Sets
+DisjointSets
 connect(const GroundPatches& all, const std::vector<char>& level, float max_step)
 {
-  Sets sets(level.size());
+  DisjointSets sets(level.size());
   for (std::size_t i = 0; i < level.size(); ++i) {
     for (const PatchSide side : {Outer, Left, Right}) {
       if (!level[i])
@@ -79,7 +51,7 @@ connect(const GroundPatches& all, const std::vector<char>& level, float max_step
       const auto j = static_cast<std::size_t>(found);
       if (continues(all.patches[i], all.patches[j], max_step) &&
           continues(all.patches[j], all.patches[i], max_step))
-        sets.merge(i, j);
+        sets.unite(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
     }
   }
   return sets;
@@ -132,11 +104,11 @@ connectedGround(const GroundCells& cells,
 {
   const std::size_t size = all.patches.size();
   const std::vector<char> level = levelPatches(cells, all, parameters.max_slope);
-  Sets sets = connect(all, level, parameters.max_step);
+  DisjointSets sets = connect(all, level, parameters.max_step);
   std::vector<std::size_t> set_of(size, size), sizes(size, 0);
   for (std::size_t i = 0; i < size; ++i)
     if (level[i])
-      ++sizes[set_of[i] = sets.find(i)];
+      ++sizes[set_of[i] = sets.find(static_cast<std::uint32_t>(i))];
   const auto largest = std::max_element(sizes.begin(), sizes.end());
   std::vector<char> ground(size, 0);
   if (largest == sizes.end() || *largest < least_patches)
