@@ -59,7 +59,14 @@ checkSize(const NeighborhoodSize& size, std::size_t queries)
 /** \brief The surface and the queries, sorted for one call. */
 class NeighborhoodSweep::Prepared {
 public:
-  Prepared(const NeighborhoodSweep& sweep, const NeighborhoodSize& size) : sweep_(sweep)
+  /** \brief What rows are as wide as the density asks for, or the radius alone: then
+   * the order of neighbors depends on nothing else. */
+  enum class Rows { by_density, by_radius };
+
+  Prepared(const NeighborhoodSweep& sweep,
+           const NeighborhoodSize& size,
+           Rows rows = Rows::by_density)
+  : sweep_(sweep)
   {
     constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
     if (sweep.surface_.size > most || sweep.size() > most) {
@@ -75,7 +82,9 @@ public:
     if (sweep.size() == 0 || finite == 0) {
       return;
     }
-    const double edge = rowWidth(size, sweep.surface_, sweep.size());
+    const bool by_radius = rows == Rows::by_radius && size.radius > 0.0;
+    const double edge = by_radius ? rowWidthOf(size.radius)
+                                  : rowWidth(size, sweep.surface_, sweep.size());
     surface_ = buildRowIndex(
         sweep.surface_, nullptr, sweep.surface_.size, edge, sweep.threads_);
     if (sweep.own_queries_ || sweep.has_indices_) {
@@ -84,6 +93,7 @@ public:
     }
     blocks_.emplace(surface_, queries(), size, kernels::chosenKernels());
     blocks_->setQueriesOnSurface(!sweep.own_queries_);
+    blocks_->setRowsByRadius(by_radius);
   }
 
   const RowIndex&
@@ -99,6 +109,13 @@ public:
       normals_ = unitNormals(normals, &surface_, sweep_.threads_);
       blocks_->setNormals(normals_);
     }
+  }
+
+  /** \brief Whether run() has no result for some queries: those that are not finite. */
+  bool
+  leavesSomeOut() const
+  {
+    return !blocks_ || queries().size() != sweep_.size();
   }
 
   /** \brief kernel(block, results), then store(position, result) for each query. */
@@ -139,8 +156,8 @@ NeighborhoodSweep::computeNormals(const NeighborhoodSize& neighborhood,
                                   float* curvature,
                                   std::size_t stride) const
 {
-  const Prepared prepared(*this, neighborhood);
-  for (std::size_t i = 0; i < size(); ++i) {
+  const Prepared prepared(*this, neighborhood, Prepared::Rows::by_radius);
+  for (std::size_t i = 0; prepared.leavesSomeOut() && i < size(); ++i) {
     std::fill_n(normals + i * stride, 3, nan);
     curvature[i * stride] = nan;
   }
@@ -178,7 +195,9 @@ NeighborhoodSweep::computeINAD(const NeighborhoodSize& neighborhood,
   }
   Prepared prepared(*this, neighborhood);
   prepared.setNormals(normals);
-  std::fill_n(mu_sigma, 2 * size(), nan);
+  if (prepared.leavesSomeOut()) {
+    std::fill_n(mu_sigma, 2 * size(), nan);
+  }
   prepared.run<INADResult>(
       [&](SweepBlock& block, const std::uint32_t* order, INADResult* results) {
         for (std::size_t i = 0;

@@ -66,9 +66,8 @@ ShapeHistogram::ShapeHistogram(std::size_t mu_bins,
 std::size_t
 ShapeHistogram::binOf(const INAD& inad) const
 {
-  const double i = std::floor(inad.mu * static_cast<double>(mu_bins_) / mu_range_);
-  const double j =
-      std::floor(inad.sigma * static_cast<double>(sigma_bins_) / sigma_range_);
+  const double i = inad.mu * static_cast<double>(mu_bins_) / mu_range_;
+  const double j = inad.sigma * static_cast<double>(sigma_bins_) / sigma_range_;
   const bool is_inside = i >= 0.0 && i < static_cast<double>(mu_bins_) && j >= 0.0 &&
                          j < static_cast<double>(sigma_bins_);
   return is_inside

@@ -54,6 +54,7 @@ BlockSweep::queriesOf(std::size_t index) const
     block.cluster_box[side] = surface_.clusters.box[side].data();
   }
   block.queries_on_surface = on_surface_;
+  block.rows_by_radius = rows_by_radius_;
   if (normals_) {
     block.nx = normals_->x.data();
     block.ny = normals_->y.data();
@@ -62,12 +63,7 @@ BlockSweep::queriesOf(std::size_t index) const
   const Clusters& clusters = queries_.clusters;
   const std::uint32_t begin = clusters.begin[index];
   block.size = clusters.begin[index + 1] - begin;
-  block.box = {clusters.box[0][index],
-               clusters.box[3][index],
-               clusters.box[1][index],
-               clusters.box[4][index],
-               clusters.box[2][index],
-               clusters.box[5][index]};
+  block.box = boxOf(index);
   std::copy_n(queries_.x.data() + begin, block.size, block.qx);
   std::copy_n(queries_.y.data() + begin, block.size, block.qy);
   std::copy_n(queries_.z.data() + begin, block.size, block.qz);
@@ -76,8 +72,10 @@ BlockSweep::queriesOf(std::size_t index) const
     std::copy_n(block.ny + begin, block.size, block.qny);
     std::copy_n(block.nz + begin, block.size, block.qnz);
   }
+  if (neighborhood_.k == 0) {
+    setRadius(block, squared(neighborhood_.radius));
+  }
   if (neighborhood_.radii) {
-    setRadius(block, 0.0f);
     for (std::size_t i = 0; i < block.size; ++i) {
       block.r2[i] = squared(neighborhood_.radii[queries_.order[begin + i]]);
     }
@@ -85,18 +83,64 @@ BlockSweep::queriesOf(std::size_t index) const
   return block;
 }
 
-void
-BlockSweep::findCandidates(SweepBlock& block, RunFinder& finder, double& reach) const
+Box
+BlockSweep::boxOf(std::size_t block) const
 {
-  if (neighborhood_.k > 0) {
-    findNearest(block, finder, reach);
-    return;
+  const auto& box = queries_.clusters.box;
+  return {box[0][block],
+          box[3][block],
+          box[1][block],
+          box[4][block],
+          box[2][block],
+          box[5][block]};
+}
+
+BlockSweep::BlockGroup
+BlockSweep::groupFrom(std::size_t first, std::size_t end) const
+{
+  constexpr std::size_t most_blocks = 4;
+  BlockGroup group{first, first + 1, boxOf(first)};
+  while (group.end < std::min(end, first + most_blocks)) {
+    const Box next = boxOf(group.end);
+    const Box both{std::min(group.box.x_min, next.x_min),
+                   std::max(group.box.x_max, next.x_max),
+                   std::min(group.box.y_min, next.y_min),
+                   std::max(group.box.y_max, next.y_max),
+                   std::min(group.box.z_min, next.z_min),
+                   std::max(group.box.z_max, next.z_max)};
+    const double longest = std::max(
+        {both.x_max - both.x_min, both.y_max - both.y_min, both.z_max - both.z_min});
+    if (!(longest <= 4.0 * queries_.edge)) {
+      break;
+    }
+    group.box = both;
+    ++group.end;
   }
+  return group;
+}
+
+double
+BlockSweep::largestRadius(const BlockGroup& group) const
+{
   if (!neighborhood_.radii) {
-    setRadius(block, squared(neighborhood_.radius));
+    return neighborhood_.radius;
   }
-  const float largest = *std::max_element(block.r2, block.r2 + block.size);
-  const auto& runs = finder.find(block.box, std::sqrt(static_cast<double>(largest)));
+  const auto& begin = queries_.clusters.begin;
+  float largest = 0.0f;
+  for (std::uint32_t i = begin[group.begin]; i < begin[group.end]; ++i) {
+    largest = std::max(largest, neighborhood_.radii[queries_.order[i]]);
+  }
+  return largest;
+}
+
+void
+BlockSweep::findCandidates(SweepBlock& block,
+                           const BlockGroup& group,
+                           std::size_t index,
+                           RunFinder& finder) const
+{
+  const auto& runs = index == group.begin ? finder.find(group.box, largestRadius(group))
+                                          : finder.found();
   block.runs = runs.data();
   block.run_count = runs.size();
 }

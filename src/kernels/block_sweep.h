@@ -42,6 +42,12 @@ public:
     on_surface_ = on_surface;
   }
 
+  void
+  setRowsByRadius(bool by_radius)
+  {
+    rows_by_radius_ = by_radius;
+  }
+
   /** \brief visit(block, order): order[i] is the position of the block's query i. */
   template <typename Visit>
   void
@@ -54,18 +60,38 @@ public:
           RunFinder finder(surface_);
           double reach = queries_.edge;
           const std::size_t end = std::min(count, (t + 1) * blocks_a_task);
-          for (std::size_t b = t * blocks_a_task; b < end; ++b) {
-            SweepBlock block = queriesOf(b);
-            findCandidates(block, finder, reach);
-            visit(block, queries_.order.data() + queries_.clusters.begin[b]);
+          for (std::size_t b = t * blocks_a_task; b < end;) {
+            const BlockGroup group = groupFrom(b, end);
+            for (; b < group.end; ++b) {
+              SweepBlock block = queriesOf(b);
+              neighborhood_.k > 0 ? findNearest(block, finder, reach)
+                                  : findCandidates(block, group, b, finder);
+              visit(block, queries_.order.data() + queries_.clusters.begin[b]);
+            }
           }
         });
   }
 
 private:
+  /** \brief Blocks [begin, end) that are close enough together to share runs: kernels
+   * look at each of their clusters anyway. */
+  struct BlockGroup {
+    std::size_t begin, end;
+    Box box;
+  };
+
+  BlockGroup groupFrom(std::size_t first, std::size_t end) const;
+
+  Box boxOf(std::size_t block) const;
+
   SweepBlock queriesOf(std::size_t block) const;
 
-  void findCandidates(SweepBlock& block, RunFinder& finder, double& reach) const;
+  double largestRadius(const BlockGroup& group) const;
+
+  void findCandidates(SweepBlock& block,
+                      const BlockGroup& group,
+                      std::size_t index,
+                      RunFinder& finder) const;
 
   void findNearest(SweepBlock& block, RunFinder& finder, double& reach) const;
 
@@ -75,6 +101,7 @@ private:
   const KernelTable& kernels_;
   const UnitNormals* normals_ = nullptr;
   bool on_surface_ = true;
+  bool rows_by_radius_ = false;
 };
 
 } // namespace pcl::kernels

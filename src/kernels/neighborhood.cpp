@@ -71,6 +71,14 @@ covarianceOf(const Neighbors& neighbors)
           central(zz, sz, sz)};
 }
 
+/** \brief Whether floats cannot do better. */
+inline bool
+isUnit(const float* normal)
+{
+  const double x = normal[0], y = normal[1], z = normal[2];
+  return std::abs(x * x + y * y + z * z - 1.0) < 2.5e-7;
+}
+
 /** \brief The angles to all neighbors with a normal, in units; the query's own is left
  * out. */
 void
@@ -128,12 +136,11 @@ toINAD(const Spread& spread)
 UnitNormal
 unitNormal(const float* normal)
 {
-  const double x = normal[0], y = normal[1], z = normal[2];
-  const double squared_length = x * x + y * y + z * z;
-  // Floats cannot do better.
-  if (std::abs(squared_length - 1.0) < 2.5e-7) {
+  if (isUnit(normal)) {
     return {normal[0], normal[1], normal[2]};
   }
+  const double x = normal[0], y = normal[1], z = normal[2];
+  const double squared_length = x * x + y * y + z * z;
   const double length = std::sqrt(squared_length);
   if (!(length > 0.0) || !std::isfinite(length)) {
     return {nan, nan, nan};
@@ -153,7 +160,9 @@ unitNormals(const XYZView& normals, const RowIndex* surface, unsigned threads)
   }
   parallelForRanges(count, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const UnitNormal n = unitNormal(normals[surface ? surface->order[i] : i]);
+      const float* normal = normals[surface ? surface->order[i] : i];
+      const UnitNormal n = isUnit(normal) ? UnitNormal{normal[0], normal[1], normal[2]}
+                                          : unitNormal(normal);
       unit.x[i] = n.x;
       unit.y[i] = n.y;
       unit.z[i] = n.z;

@@ -64,7 +64,7 @@ double
 typicalDistance(const XYZView& surface, std::size_t k)
 {
   constexpr std::size_t samples = 15;
-  constexpr std::size_t most_others = 8192;
+  constexpr std::size_t most_others = 4096;
   const std::size_t stride = (surface.size + most_others - 1) / most_others;
   const std::size_t nearest = (k + stride - 1) / stride;
   std::vector<float> typical, squares;
@@ -120,13 +120,12 @@ double
 rowWidth(const NeighborhoodSize& size, const XYZView& surface, std::size_t queries)
 {
   constexpr std::size_t least_points = 64;
-  constexpr double rows_a_radius = 0.7;
   const double dense = typicalDistance(surface, std::max(size.k, least_points));
   if (size.k > 0) {
     return dense > 0.0 ? dense : extentOf(surface);
   }
   const double radius = size.radii ? medianOf(size.radii, queries) : size.radius;
-  return std::max(rows_a_radius * radius, std::min(dense, 16.0 * radius));
+  return std::max(rowWidthOf(radius), std::min(dense, 16.0 * radius));
 }
 
 } // namespace pcl::kernels

@@ -25,4 +25,12 @@ namespace pcl::kernels {
 double
 rowWidth(const NeighborhoodSize& size, const XYZView& surface, std::size_t queries);
 
+/** \brief A width that follows from the radius alone, whatever the points. */
+inline double
+rowWidthOf(double radius)
+{
+  constexpr double rows_a_radius = 0.7;
+  return rows_a_radius * radius;
+}
+
 } // namespace pcl::kernels

@@ -20,13 +20,27 @@
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
 
+/** \brief What squared chords are at least: an angle of no unit, with an inverse. */
+constexpr float least_chord = 1e-30f;
+
 /** \brief Angles of squared chords, in units (angle.h). */
 template <class V>
 HWY_INLINE hn::VFromD<Words>
 anglesOf(V chords)
 {
   const Floats d;
-  const auto coefficient = [&](float q) { return hn::Set(d, q * units_per_radian); };
+#if HWY_ARCH_X86
+  // A step of Newton's from an estimate y of 1 / sqrt(t), which is much sooner known
+  // than the root: sqrt(t) = t y (3 - t y^2) / 2.
+  constexpr float scale = 0.5f * units_per_radian;
+  const auto y = hn::ApproximateReciprocalSqrt(chords);
+  const auto estimate = hn::Mul(chords, y);
+  const auto root = hn::Mul(estimate, hn::NegMulAdd(estimate, y, hn::Set(d, 3.0f)));
+#else
+  constexpr float scale = units_per_radian;
+  const auto root = hn::Sqrt(chords);
+#endif
+  const auto coefficient = [&](float q) { return hn::Set(d, q * scale); };
   auto q = coefficient(2.884860886e-05f);
   q = hn::MulAdd(q, chords, coefficient(-8.097935841e-05f));
   q = hn::MulAdd(q, chords, coefficient(3.057683521e-04f));
@@ -34,10 +48,10 @@ anglesOf(V chords)
   q = hn::MulAdd(q, chords, coefficient(4.766297369e-03f));
   q = hn::MulAdd(q, chords, coefficient(4.165096783e-02f));
   q = hn::MulAdd(q, chords, coefficient(1.000000898e+00f));
-  return hn::BitCast(Words(), nearestInt(hn::Mul(hn::Sqrt(chords), q)));
+  return hn::BitCast(Words(), nearestInt(hn::Mul(root, q)));
 }
 
-/** \brief Squared chord between two normals.
+/** \brief Squared chord between two normals, and least_chord more.
  * \tparam is_smooth both are known to be on the same side; otherwise they have either
  * sign: the nearer one counts */
 template <bool is_smooth, class V>
@@ -45,12 +59,14 @@ HWY_INLINE V
 squaredChords(V ax, V ay, V az, V bx, V by, V bz)
 {
   const auto mx = hn::Sub(ax, bx), my = hn::Sub(ay, by), mz = hn::Sub(az, bz);
-  const auto chord = hn::MulAdd(mx, mx, hn::MulAdd(my, my, hn::Mul(mz, mz)));
+  const auto least = hn::Set(hn::DFromV<V>(), least_chord);
+  const auto chord = hn::MulAdd(mx, mx, hn::MulAdd(my, my, hn::MulAdd(mz, mz, least)));
   if constexpr (is_smooth) {
     return chord;
   }
   const auto px = hn::Add(ax, bx), py = hn::Add(ay, by), pz = hn::Add(az, bz);
-  return hn::Min(chord, hn::MulAdd(px, px, hn::MulAdd(py, py, hn::Mul(pz, pz))));
+  return hn::Min(chord,
+                 hn::MulAdd(px, px, hn::MulAdd(py, py, hn::MulAdd(pz, pz, least))));
 }
 
 /** \brief Sums of angles and of their squares. Squares of even and odd lanes are added
@@ -103,31 +119,7 @@ public:
     return hn::GetLane(hn::SumOfLanes(Longs(), hn::Add(even_squares_, odd_squares_)));
   }
 
-  HWY_INLINE void
-  addSums(std::uint64_t* totals) const
-  {
-    addLanes(even_, odd_, totals);
-  }
-
-  HWY_INLINE void
-  addSquares(std::uint64_t* totals) const
-  {
-    addLanes(even_squares_, odd_squares_, totals);
-  }
-
 private:
-  template <class V>
-  static HWY_INLINE void
-  addLanes(V even, V odd, std::uint64_t* totals)
-  {
-    HWY_ALIGN std::uint64_t parts[2][lanes / 2];
-    hn::Store(even, Longs(), parts[0]);
-    hn::Store(odd, Longs(), parts[1]);
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      totals[lane] += parts[lane % 2][lane / 2];
-    }
-  }
-
   hn::VFromD<Words> sum_;
   hn::VFromD<Longs> even_, odd_, even_squares_, odd_squares_;
 };

@@ -24,13 +24,6 @@ struct Points {
   hn::VFromD<Floats> x, y, z;
 };
 
-/** \brief Which lanes hold points of a cluster of `size`, from its `first` on. */
-HWY_INLINE hn::MFromD<Floats>
-pointsOfCluster(std::uint32_t size, std::size_t first)
-{
-  return hn::FirstN(Floats(), size > first ? size - first : 0);
-}
-
 /** \brief Lists points that may be a neighbor of a query of the block, and apart those
  * that surely are one of all queries. */
 class CandidateLister {

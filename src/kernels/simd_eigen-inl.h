@@ -55,27 +55,40 @@ scaledToTraceOne(const BlockCovariances& m, std::size_t first)
   return l;
 }
 
+constexpr std::size_t matrix_groups = block_size / double_lanes;
+
 /** \brief The smallest roots by Newton's method from 0, from where it climbs to them.
- * Each stops by itself, whatever the others do. */
-HWY_INLINE DoubleV
-smallestRoots(const MatrixLanes& m)
+ * Each stops by itself, whatever the others do; all take their steps in turn, as each
+ * waits for its divisions. */
+HWY_INLINE void
+findSmallestRoots(const MatrixLanes* m, std::size_t groups, DoubleV* roots)
 {
   const Doubles d;
   constexpr int most_steps = 64;
   const auto least_climb = hn::Set(d, 1e-15);
-  auto root = hn::Zero(d);
-  auto moves = hn::Eq(root, root);
-  for (int step = 0; step < most_steps && !hn::AllFalse(d, moves); ++step) {
-    const auto shifted = hn::Sub(root, hn::Set(d, 1.0));
-    const auto value = hn::MulSub(hn::MulAdd(shifted, root, m.c1), root, m.c0);
-    const auto twice = hn::MulSub(hn::Set(d, 3.0), root, hn::Set(d, 2.0));
-    const auto slope = hn::MulAdd(twice, root, m.c1);
-    const auto climb = hn::Neg(hn::Div(value, slope));
-    moves =
-        hn::And(moves, hn::And(hn::Gt(climb, least_climb), hn::Gt(slope, hn::Zero(d))));
-    root = hn::Add(root, hn::IfThenElseZero(moves, climb));
+  for (std::size_t g = 0; g < groups; ++g) {
+    roots[g] = hn::Zero(d);
   }
-  return root;
+  bool any_moves = true;
+  hn::MFromD<Doubles> moves[matrix_groups];
+  for (auto& all : moves) {
+    all = hn::Eq(hn::Zero(d), hn::Zero(d));
+  }
+  for (int step = 0; step < most_steps && any_moves; ++step) {
+    any_moves = false;
+    for (std::size_t g = 0; g < groups; ++g) {
+      const auto root = roots[g];
+      const auto shifted = hn::Sub(root, hn::Set(d, 1.0));
+      const auto value = hn::MulSub(hn::MulAdd(shifted, root, m[g].c1), root, m[g].c0);
+      const auto twice = hn::MulSub(hn::Set(d, 3.0), root, hn::Set(d, 2.0));
+      const auto slope = hn::MulAdd(twice, root, m[g].c1);
+      const auto climb = hn::Neg(hn::Div(value, slope));
+      moves[g] = hn::And(
+          moves[g], hn::And(hn::Gt(climb, least_climb), hn::Gt(slope, hn::Zero(d))));
+      roots[g] = hn::Add(root, hn::IfThenElseZero(moves[g], climb));
+      any_moves = any_moves || !hn::AllFalse(d, moves[g]);
+    }
+  }
 }
 
 /** \brief Vectors, one a lane. */
@@ -129,9 +142,17 @@ normalsOfCovariances(const BlockCovariances& covariances,
   const Doubles d;
   HWY_ALIGN double x[block_size], y[block_size], z[block_size], roots[block_size];
   HWY_ALIGN double safe[block_size];
-  for (std::size_t i = 0; i < size; i += double_lanes) {
-    const auto m = scaledToTraceOne(covariances, i);
-    const auto root = smallestRoots(m);
+  MatrixLanes matrices[matrix_groups];
+  DoubleV smallest[matrix_groups];
+  const std::size_t groups = (size + double_lanes - 1) / double_lanes;
+  for (std::size_t g = 0; g < groups; ++g) {
+    matrices[g] = scaledToTraceOne(covariances, g * double_lanes);
+  }
+  findSmallestRoots(matrices, groups, smallest);
+  for (std::size_t g = 0; g < groups; ++g) {
+    const std::size_t i = g * double_lanes;
+    const auto& m = matrices[g];
+    const auto root = smallest[g];
     const auto v = eigenvectors(m, root);
     const auto scale = hn::Div(hn::Set(d, 1.0), hn::Sqrt(v.squared_length));
     hn::Store(hn::Mul(v.x, scale), d, x + i);

@@ -35,7 +35,7 @@ public:
   : block_(block)
   , own_(ownPointsOf(block))
   , near_(block)
-  , candidates_(block, own_)
+  , candidates_(block, own_, near_)
   , outlier_rate_(outlier_rate)
   {
     if (block.queries_on_surface) {
@@ -56,66 +56,81 @@ public:
   }
 
 private:
-  /** \brief The candidates in some of the near clusters. */
-  CandidatePositions
-  stage(std::size_t begin, std::size_t count)
+  /** \brief Where the angles of query i begin: vectors, and one more for what ends
+   * them. */
+  static std::size_t
+  anglesBegin(const INADSlots& slots, std::size_t i)
   {
-    return candidates_.list(near_, begin, count);
+    return i * ((slots.total() + block_size - 1) / block_size + 1) * block_size;
   }
 
   template <bool with_ties, bool is_smooth>
   void
-  collect(const CandidatePositions& candidates,
-          std::uint32_t* angles,
-          BlockSums& sums) const
+  collect(const INADSlots& slots, std::uint32_t* angles, BlockSums& sums) const
   {
-    for (std::size_t first = 0; first < block_.size; first += lanes) {
-      collectAngles<with_ties, is_smooth>(
-          block_, own_, first, candidates, angles + first * candidates.total(), sums);
+    auto* chords = reinterpret_cast<float*>(angles);
+    for (std::size_t i = 0; i < block_.size; ++i) {
+      sums.count[i] = collectChords<with_ties, is_smooth>(
+          block_, own_, i, slots, chords + anglesBegin(slots, i));
+    }
+    for (std::size_t i = 0; i < block_.size; ++i) {
+      AngleAdder adder;
+      chordsToAngles(angles + anglesBegin(slots, i), sums.count[i], adder);
+      sums.sum[i] = adder.total();
+      sums.squares[i] = adder.totalOfSquares();
     }
   }
 
   void
-  collect(const CandidatePositions& candidates,
-          std::uint32_t* angles,
-          BlockSums& sums) const
+  collect(const INADSlots& slots, std::uint32_t* angles, BlockSums& sums) const
   {
     const bool is_smooth = candidates_.isSmooth();
     if (near_.hasTies()) {
-      is_smooth ? collect<true, true>(candidates, angles, sums)
-                : collect<true, false>(candidates, angles, sums);
+      is_smooth ? collect<true, true>(slots, angles, sums)
+                : collect<true, false>(slots, angles, sums);
     }
     else {
-      is_smooth ? collect<false, true>(candidates, angles, sums)
-                : collect<false, false>(candidates, angles, sums);
+      is_smooth ? collect<false, true>(slots, angles, sums)
+                : collect<false, false>(slots, angles, sums);
     }
   }
 
   void
-  sumKeptOf(std::size_t candidates, const std::uint32_t* angles, BlockSums& sums) const
+  sumKeptOf(const INADSlots& slots,
+            const std::uint32_t* angles,
+            const BlockSums& all,
+            BlockSums& kept) const
   {
-    for (std::size_t first = 0; first < block_.size; first += lanes) {
-      sumKept(angles + first * candidates, candidates, ranges_, first, sums);
+    for (std::size_t i = 0; i < block_.size; ++i) {
+      AngleAdder adder;
+      kept.count[i] = sumKept(angles + anglesBegin(slots, i),
+                              all.count[i],
+                              ranges_.least[i],
+                              ranges_.width[i],
+                              adder);
+      kept.sum[i] = adder.total();
+      kept.squares[i] = adder.totalOfSquares();
     }
   }
 
   static std::uint32_t*
-  anglesOfAll(const CandidatePositions& candidates)
+  anglesOfAll(const INADSlots& slots)
   {
-    return simdScratch().angles.atLeast(block_size * candidates.total());
+    return simdScratch().angles.atLeast(anglesBegin(slots, block_size));
   }
 
   /** \brief Angles are kept for the second pass. */
   void
   sumOnePortion()
   {
-    const CandidatePositions candidates = stage(0, near_.size());
-    std::uint32_t* angles = anglesOfAll(candidates);
-    BlockSums all, kept;
-    collect(candidates, angles, all);
+    const INADSlots slots = candidates_.list(0, near_.size());
+    std::uint32_t* angles = anglesOfAll(slots);
+    BlockSums found, all, kept;
+    collect(slots, angles, found);
+    all = found;
     setAll(all);
-    findMissingSpreads(candidates);
-    sumKeptOf(candidates.total(), angles, kept);
+    findMissingSpreads(slots);
+    sumKeptOf(slots, angles, found, kept);
     for (std::size_t i = 0; i < block_size; ++i) {
       kept_count_[i] = kept.count[i] -= std::min(kept.count[i], ownKept(i));
     }
@@ -140,9 +155,9 @@ private:
   sumManyPortions()
   {
     AngleSums all[block_size], kept[block_size];
-    forEachPortion([&](const CandidatePositions& candidates) {
+    forEachPortion([&](const INADSlots& slots) {
       BlockSums part;
-      collect(candidates, anglesOfAll(candidates), part);
+      collect(slots, anglesOfAll(slots), part);
       add(part, all);
     });
     for (std::size_t i = 0; i < block_size; ++i) {
@@ -151,11 +166,11 @@ private:
     }
     setSpreads(all, all_);
     keptRanges(all_, outlier_rate_, ranges_);
-    forEachPortion([&](const CandidatePositions& candidates) {
-      BlockSums ignored, part;
-      std::uint32_t* angles = anglesOfAll(candidates);
-      collect(candidates, angles, ignored);
-      sumKeptOf(candidates.total(), angles, part);
+    forEachPortion([&](const INADSlots& slots) {
+      BlockSums found, part;
+      std::uint32_t* angles = anglesOfAll(slots);
+      collect(slots, angles, found);
+      sumKeptOf(slots, angles, found, part);
       add(part, kept);
     });
     for (std::size_t i = 0; i < block_size; ++i) {
@@ -176,7 +191,7 @@ private:
   forEachPortion(const Visit& visit)
   {
     for (std::size_t begin = 0; begin < near_.size(); begin += most_clusters) {
-      visit(stage(begin, std::min(most_clusters, near_.size() - begin)));
+      visit(candidates_.list(begin, std::min(most_clusters, near_.size() - begin)));
     }
   }
 
@@ -214,14 +229,14 @@ private:
   }
 
   void
-  findMissingSpreads(const CandidatePositions& candidates)
+  findMissingSpreads(const INADSlots& slots)
   {
     bool all = true;
     for (std::size_t i = 0; i < block_.size; ++i) {
       all = all && (spreads_[i] || !hasNeighbors(i));
     }
     if (!all) {
-      findSpreads(block_, candidates, spreads_);
+      findSpreads(block_, slots, spreads_);
     }
   }
 

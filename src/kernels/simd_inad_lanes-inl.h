@@ -16,163 +16,145 @@
 
 #include "simd_angles-inl.h"
 #include "simd_inad_candidates-inl.h"
-#include "simd_query_lanes-inl.h"
 #include "simd_spread_of_angles-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
 
-/** \brief Stands for the angle to what is no neighbor: it is in no range. What x86
- * makes of the square root of a negative number. */
+/** \brief Stands for what is no angle to a neighbor: it is in no range. */
 constexpr std::uint32_t no_angle = 0x80000000u;
 
-/** \brief Stands for the squared chord to what is no neighbor. */
-constexpr float no_chord = -1.0f;
+/** \brief One query, and which of the packed candidates are its neighbors. */
+template <bool with_ties>
+class OneQuery {
+public:
+  HWY_INLINE
+  OneQuery(const SweepBlock& block, const OwnPoints& own, std::size_t i)
+  : x_(hn::Set(Floats(), block.qx[i]))
+  , y_(hn::Set(Floats(), block.qy[i]))
+  , z_(hn::Set(Floats(), block.qz[i]))
+  , r2_(hn::Set(Floats(), block.r2[i]))
+  , nx_(hn::Set(Floats(), own.nx[i]))
+  , ny_(hn::Set(Floats(), own.ny[i]))
+  , nz_(hn::Set(Floats(), own.nz[i]))
+  , tie_d2_(hn::Set(Floats(), block.tie_d2[i]))
+  , tie_index_(hn::Set(Ints(), static_cast<std::int32_t>(block.tie_index[i])))
+  {}
 
-/** \brief Squared chords of as many queries as there are lanes to some candidates. */
+  /** \brief Which of a vector of points are neighbors. */
+  HWY_INLINE hn::MFromD<Floats>
+  neighborMask(const float* x, const float* y, const float* z, const float* order) const
+  {
+    const Floats d;
+    const auto d2 = squaredLength(hn::Sub(hn::LoadU(d, x), x_),
+                                  hn::Sub(hn::LoadU(d, y), y_),
+                                  hn::Sub(hn::LoadU(d, z), z_));
+    const auto near = hn::Lt(d2, r2_);
+    if constexpr (with_ties) {
+      const auto index = hn::BitCast(Ints(), hn::LoadU(d, order));
+      const auto first = hn::RebindMask(d, hn::Not(hn::Gt(index, tie_index_)));
+      return hn::Or(near, hn::And(hn::Eq(d2, tie_d2_), first));
+    }
+    else {
+      return near;
+    }
+  }
+
+  template <bool is_smooth>
+  HWY_INLINE hn::VFromD<Floats>
+  chords(const float* nx, const float* ny, const float* nz) const
+  {
+    const Floats d;
+    return squaredChords<is_smooth>(
+        hn::LoadU(d, nx), hn::LoadU(d, ny), hn::LoadU(d, nz), nx_, ny_, nz_);
+  }
+
+private:
+  hn::VFromD<Floats> x_, y_, z_, r2_, nx_, ny_, nz_, tie_d2_;
+  hn::VFromD<Ints> tie_index_;
+};
+
+/** \brief The squared chords between the normals of a query and its neighbors, packed,
+ * then a vector of least chords.
+ * \return how many neighbors there are, the query's own point among them */
 template <bool with_ties, bool is_smooth>
-HWY_INLINE void
-collectChords(const QueryLanes<with_ties>& queries,
-              const hn::VFromD<Floats> (&normal)[3],
-              const SweepBlock& block,
-              const std::uint32_t* positions,
-              std::size_t size,
-              float* HWY_RESTRICT chords,
-              hn::VFromD<Words>& counts)
-{
-  const Floats d;
-  const Words w;
-  const auto one = hn::Set(w, 1);
-  for (std::size_t c = 0; c < size; ++c) {
-    const std::size_t j = positions[c];
-    const auto mask = queries.neighborMask(block, j);
-    const auto chord = squaredChords<is_smooth>(hn::Set(d, block.nx[j]),
-                                                hn::Set(d, block.ny[j]),
-                                                hn::Set(d, block.nz[j]),
-                                                normal[0],
-                                                normal[1],
-                                                normal[2]);
-    hn::Store(hn::IfThenElse(mask, chord, hn::Set(d, no_chord)), d, chords + c * lanes);
-    counts = hn::IfThenElse(hn::RebindMask(w, mask), hn::Add(counts, one), counts);
-  }
-}
-
-/** \brief The same to neighbors of all queries. */
-template <bool is_smooth>
-HWY_INLINE void
-collectSureChords(const hn::VFromD<Floats> (&normal)[3],
-                  const SweepBlock& block,
-                  const std::uint32_t* positions,
-                  std::size_t size,
-                  float* HWY_RESTRICT chords)
-{
-  const Floats d;
-  for (std::size_t c = 0; c < size; ++c) {
-    const std::size_t j = positions[c];
-    const auto chord = squaredChords<is_smooth>(hn::Set(d, block.nx[j]),
-                                                hn::Set(d, block.ny[j]),
-                                                hn::Set(d, block.nz[j]),
-                                                normal[0],
-                                                normal[1],
-                                                normal[2]);
-    hn::Store(chord, d, chords + c * lanes);
-  }
-}
-
-/** \brief Squared chords, or no_chord, to angles, or no_angle. */
-HWY_INLINE void
-collectAngles(const float* HWY_RESTRICT chords,
-              std::size_t size,
-              std::uint32_t* HWY_RESTRICT angles,
-              AngleAdder& adder)
-{
-  const Floats d;
-  const Words w;
-  const Ints signed_ints;
-  for (std::size_t c = 0; c < size * lanes; c += lanes) {
-    const auto chord = hn::Load(d, chords + c);
-    auto units = anglesOf(chord);
-#if !HWY_ARCH_X86
-    units = hn::IfThenElse(
-        hn::RebindMask(w, hn::Lt(chord, hn::Zero(d))), hn::Set(w, no_angle), units);
-#endif
-    hn::Store(units, w, angles + c);
-    const auto not_less =
-        hn::Max(hn::BitCast(signed_ints, units), hn::Zero(signed_ints));
-    adder.add(hn::BitCast(w, not_less));
-  }
-  adder.widen();
-}
-
-/** \brief Angles of as many queries as there are lanes, from `first` on, to all
- * candidates, and their sums. In two loops, through a buffer: one would be a chain too
- * long for processors to look beyond.
- * \param[out] angles a vector for each candidate */
-template <bool with_ties, bool is_smooth>
-HWY_NOINLINE void
-collectAngles(const SweepBlock& block,
+HWY_NOINLINE std::size_t
+collectChords(const SweepBlock& block,
               const OwnPoints& own,
-              std::size_t first,
-              const CandidatePositions& candidates,
-              std::uint32_t* HWY_RESTRICT angles,
-              BlockSums& sums)
+              std::size_t i,
+              const INADSlots& slots,
+              float* HWY_RESTRICT chords)
 {
   const Floats d;
-  const QueryLanes<with_ties> queries(block, block.r2, block.tie_d2, first);
-  const hn::VFromD<Floats> normal[] = {hn::LoadU(d, own.nx + first),
-                                       hn::LoadU(d, own.ny + first),
-                                       hn::LoadU(d, own.nz + first)};
-  HWY_ALIGN float chords[additions_between_widening * lanes];
-  AngleAdder adder;
-  auto counts = hn::Zero(Words());
-  for (std::size_t c = 0; c < candidates.size; c += additions_between_widening) {
-    const std::size_t size = std::min(candidates.size - c, additions_between_widening);
-    collectChords<with_ties, is_smooth>(
-        queries, normal, block, candidates.begin + c, size, chords, counts);
-    collectAngles(chords, size, angles + c * lanes, adder);
+  const OneQuery<with_ties> query(block, own, i);
+  // Local: what is written might be one of these.
+  const float* arrays[INADSlots::array_count];
+  std::copy_n(slots.arrays, std::size_t{INADSlots::array_count}, arrays);
+  const std::size_t size = slots.size;
+  std::size_t count = 0;
+  for (std::size_t c = 0; c < size; c += lanes) {
+    const auto mask = query.neighborMask(arrays[INADSlots::x] + c,
+                                         arrays[INADSlots::y] + c,
+                                         arrays[INADSlots::z] + c,
+                                         arrays[INADSlots::order] + c);
+    const auto chord = query.template chords<is_smooth>(arrays[INADSlots::nx] + c,
+                                                        arrays[INADSlots::ny] + c,
+                                                        arrays[INADSlots::nz] + c);
+    count += packStore(d, chord, mask, chords + count);
   }
-  angles += candidates.size * lanes;
-  for (std::size_t c = 0; c < candidates.sure_size; c += additions_between_widening) {
-    const std::size_t size =
-        std::min(candidates.sure_size - c, additions_between_widening);
-    collectSureChords<is_smooth>(normal, block, candidates.sure + c, size, chords);
-    collectAngles(chords, size, angles + c * lanes, adder);
+  const float *nx = block.nx, *ny = block.ny, *nz = block.nz;
+  for (std::size_t s = 0; s < slots.sure_size; ++s, count += lanes) {
+    const std::size_t j = slots.sure[s];
+    const auto chord = query.template chords<is_smooth>(nx + j, ny + j, nz + j);
+    hn::StoreU(chord, d, chords + count);
   }
-  counts = hn::Add(counts,
-                   hn::Set(Words(), static_cast<std::uint32_t>(candidates.sure_size)));
-  addLanes(counts, sums.count + first);
-  adder.addSums(sums.sum + first);
-  adder.addSquares(sums.squares + first);
+  hn::StoreU(hn::Set(d, least_chord), d, chords + count);
+  return count;
 }
 
-/** \brief Sums over the angles in each query's range. */
-HWY_NOINLINE void
-sumKept(const std::uint32_t* HWY_RESTRICT angles,
-        std::size_t count,
-        const BlockRanges& ranges,
-        std::size_t first,
-        BlockSums& sums)
+/** \brief Squared chords, of which a vector follows them, to angles, in place, and
+ * their sums. */
+HWY_INLINE void
+chordsToAngles(std::uint32_t* HWY_RESTRICT values, std::size_t count, AngleAdder& adder)
 {
   const Words w;
-  const auto one = hn::Set(w, 1);
-  // One unsigned comparison: what is below the least wraps around.
-  const auto from = hn::LoadU(w, ranges.least + first);
-  const auto most = hn::LoadU(w, ranges.width + first);
-  AngleAdder adder;
-  auto counts = hn::Zero(w);
   for (std::size_t c = 0; c < count;) {
-    const std::size_t end = std::min(count, c + additions_between_widening);
-    for (; c < end; ++c) {
-      const auto units = hn::Load(w, angles + c * lanes);
-      const auto is_kept = hn::Not(hn::Gt(hn::Sub(units, from), most));
-      adder.add(hn::IfThenElseZero(is_kept, units));
-      counts = hn::IfThenElse(is_kept, hn::Add(counts, one), counts);
+    const std::size_t end = std::min(count, c + additions_between_widening * lanes);
+    for (; c < end; c += lanes) {
+      const auto units = anglesOf(hn::BitCast(Floats(), hn::Load(w, values + c)));
+      hn::Store(units, w, values + c);
+      adder.add(units);
     }
     adder.widen();
   }
-  addLanes(counts, sums.count + first);
-  adder.addSums(sums.sum + first);
-  adder.addSquares(sums.squares + first);
+  hn::StoreU(hn::Set(w, no_angle), w, values + count);
+}
+
+/** \brief Sums over the angles in a range, of angles that a vector of no_angle follows.
+ * \return how many they are */
+HWY_INLINE std::size_t
+sumKept(const std::uint32_t* HWY_RESTRICT angles,
+        std::size_t count,
+        std::uint32_t least,
+        std::uint32_t width,
+        AngleAdder& adder)
+{
+  const Words w;
+  // One unsigned comparison: what is below the least wraps around.
+  const auto from = hn::Set(w, least);
+  const auto most = hn::Set(w, width);
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < count;) {
+    const std::size_t end = std::min(count, c + additions_between_widening * lanes);
+    for (; c < end; c += lanes) {
+      const auto units = hn::Load(w, angles + c);
+      const auto is_kept = hn::Not(hn::Gt(hn::Sub(units, from), most));
+      adder.add(hn::IfThenElseZero(is_kept, units));
+      kept += hn::CountTrue(w, is_kept);
+    }
+    adder.widen();
+  }
+  return kept;
 }
 
 } // namespace pcl::kernels::HWY_NAMESPACE

@@ -19,6 +19,51 @@
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
 
+/** \brief Which lanes hold points of a cluster of `size`, from its `first` on. */
+HWY_INLINE hn::MFromD<Floats>
+pointsOfCluster(std::uint32_t size, std::size_t first)
+{
+  return hn::FirstN(Floats(), size > first ? size - first : 0);
+}
+
+/** \brief How far points are from a box. */
+class BoxDistances {
+public:
+  /** \brief Squared distances to the nearest and to the furthest point of the box. */
+  struct Squares {
+    hn::VFromD<Floats> least2, most2;
+  };
+
+  HWY_INLINE explicit BoxDistances(const Box& box)
+  : x_min_(hn::Set(Floats(), box.x_min))
+  , x_max_(hn::Set(Floats(), box.x_max))
+  , y_min_(hn::Set(Floats(), box.y_min))
+  , y_max_(hn::Set(Floats(), box.y_max))
+  , z_min_(hn::Set(Floats(), box.z_min))
+  , z_max_(hn::Set(Floats(), box.z_max))
+  {}
+
+  HWY_INLINE Squares
+  of(hn::VFromD<Floats> x, hn::VFromD<Floats> y, hn::VFromD<Floats> z) const
+  {
+    const Floats d;
+    const auto outside = [&](auto low, auto high) {
+      return hn::Max(hn::Max(low, high), hn::Zero(d));
+    };
+    const auto x_low = hn::Sub(x_min_, x), x_high = hn::Sub(x, x_max_);
+    const auto y_low = hn::Sub(y_min_, y), y_high = hn::Sub(y, y_max_);
+    const auto z_low = hn::Sub(z_min_, z), z_high = hn::Sub(z, z_max_);
+    return {squaredLength(
+                outside(x_low, x_high), outside(y_low, y_high), outside(z_low, z_high)),
+            squaredLength(hn::Min(x_low, x_high),
+                          hn::Min(y_low, y_high),
+                          hn::Min(z_low, z_high))};
+  }
+
+private:
+  hn::VFromD<Floats> x_min_, x_max_, y_min_, y_max_, z_min_, z_max_;
+};
+
 /** \brief The clusters near a block: by boxes, not by points. */
 class NearClusters {
 public:
@@ -69,6 +114,13 @@ public:
     return simdScratch().near.data();
   }
 
+  /** \brief How many of them are in the runs up to this one. */
+  std::size_t
+  endOfRun(std::size_t run) const
+  {
+    return simdScratch().near.data()[run_ends_ + run];
+  }
+
 private:
   void
   list()
@@ -77,7 +129,8 @@ private:
     for (std::size_t r = 0; r < block_.run_count; ++r) {
       most += block_.runs[r].end - block_.runs[r].begin;
     }
-    std::uint32_t* near = simdScratch().near.atLeast(most + lanes);
+    run_ends_ = most + lanes;
+    std::uint32_t* near = simdScratch().near.atLeast(run_ends_ + block_.run_count);
     const Words w;
     const Floats d;
     for (std::size_t r = 0; r < block_.run_count; ++r) {
@@ -87,6 +140,7 @@ private:
         mask = hn::And(mask, hn::FirstN(d, run.end - c));
         size_ += packStore(w, hn::Iota(w, c), hn::RebindMask(w, mask), near + size_);
       }
+      near[run_ends_ + r] = static_cast<std::uint32_t>(size_);
     }
   }
 
@@ -112,6 +166,7 @@ private:
   float reach2_ = 0.0f, sure_reach2_ = 0.0f;
   bool has_ties_ = false;
   std::size_t size_ = 0;
+  std::size_t run_ends_ = 0; ///< where they are in the buffer
 };
 
 } // namespace pcl::kernels::HWY_NAMESPACE

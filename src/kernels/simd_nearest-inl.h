@@ -122,7 +122,7 @@ nearest(SweepBlock& block, std::size_t k)
   if (near.size() > most_clusters) {
     return portableKernels().nearest(block, k);
   }
-  const PackedPoints candidates = packPoints(block, near);
+  const PackedPoints candidates = packPoints<true>(block, near, 0, near.size());
   const bool in_lanes = candidates.size <= most_in_lanes;
   float* d2 =
       simdScratch().values.atLeast(candidates.size * (in_lanes ? lanes : 1) + lanes);

@@ -14,50 +14,10 @@
 #define PCL_SHAPE_SIMD_NEAREST_LANES_INL_H_
 #endif
 
-#include "simd_candidates-inl.h"
+#include "simd_packed_points-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
-
-/** \brief Points one after the other, padded with NaN to a whole vector. */
-struct PackedPoints {
-  const float *x, *y, *z;
-  const std::uint32_t* order;
-  std::size_t size;
-};
-
-/** \brief The points of the near clusters that are near the queries' box. */
-HWY_INLINE PackedPoints
-packPoints(const SweepBlock& block, const NearClusters& near)
-{
-  const Floats d;
-  const Words w;
-  const std::size_t stride = near.size() * block_size + block_size;
-  float* out = simdScratch().slots.atLeast(3 * stride);
-  std::uint32_t* order = simdScratch().angles.atLeast(stride);
-  CandidateLister lister(near, block.box, near.size(), false);
-  std::size_t size = 0;
-  for (std::size_t s = 0; s < near.size(); ++s) {
-    const std::uint32_t cluster = near.begin()[s];
-    const std::uint32_t first = block.cluster_begin[cluster];
-    const std::uint32_t points = block.cluster_begin[cluster + 1] - first;
-    for (std::size_t i = 0; i < points; i += lanes) {
-      const Points p{hn::LoadU(d, block.x + first + i),
-                     hn::LoadU(d, block.y + first + i),
-                     hn::LoadU(d, block.z + first + i)};
-      const auto mask = lister.add(p, pointsOfCluster(points, i), 0);
-      packStore(w,
-                hn::LoadU(w, block.order + first + i),
-                hn::RebindMask(w, mask),
-                order + size);
-      packStore(d, p.x, mask, out + size);
-      packStore(d, p.y, mask, out + stride + size);
-      size += packStore(d, p.z, mask, out + 2 * stride + size);
-    }
-  }
-  hn::StoreU(hn::Set(d, std::numeric_limits<float>::quiet_NaN()), d, out + size);
-  return {out, out + stride, out + 2 * stride, order, size};
-}
 
 /** \brief The k-th smallest squared distances of as many queries as there are lanes, by
  * closing in on all at once.

@@ -18,6 +18,7 @@
 #include "simd_add_moments-inl.h"
 #include "simd_covariance-inl.h"
 #include "simd_eigen-inl.h"
+#include "simd_ordered_normals-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
@@ -135,14 +136,18 @@ groupOf(const SweepBlock& block, const int* levels, std::size_t query)
  * are too few units apart, and are left to the portable kernel. */
 constexpr double least_trace = 1 << 26;
 
-inline void
-normals(const SweepBlock& block, NormalResult* results)
+/** \brief From exact sums: in whatever order. */
+HWY_NOINLINE void
+exactNormals(const SweepBlock& block, NormalResult* results)
 {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   int levels[block_size];
   bool done[block_size] = {};
   for (std::size_t i = 0; i < block.size; ++i) {
-    levels[i] = levelOf(std::max(block.r2[i], block.tie_d2[i]));
+    const bool is_as_before = i > 0 && block.r2[i] == block.r2[i - 1] &&
+                              block.tie_d2[i] == block.tie_d2[i - 1];
+    levels[i] =
+        is_as_before ? levels[i - 1] : levelOf(std::max(block.r2[i], block.tie_d2[i]));
   }
   const NearClusters near(block);
   const bool on_surface = block.queries_on_surface;
@@ -169,6 +174,22 @@ normals(const SweepBlock& block, NormalResult* results)
       }
       const double trace = covariances.xx[i] + covariances.yy[i] + covariances.zz[i];
       results[i] = trace < least_trace ? normalAt(block, i) : normals[i];
+    }
+  }
+}
+
+inline void
+normals(const SweepBlock& block, NormalResult* results)
+{
+  bool is_known[block_size];
+  if (!suitsFloat(block)) {
+    exactNormals(block, results);
+  }
+  else if (!orderedNormals(block, results, is_known)) {
+    NormalResult exact[block_size];
+    exactNormals(block, exact);
+    for (std::size_t i = 0; i < block.size; ++i) {
+      results[i] = is_known[i] ? results[i] : exact[i];
     }
   }
 }

@@ -14,7 +14,7 @@
 #define PCL_SHAPE_SIMD_SPREADS_INL_H_
 #endif
 
-#include "simd_candidates-inl.h"
+#include "simd_inad_candidates-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
@@ -105,19 +105,18 @@ findSpreadsAmongQueries(const SweepBlock& block, bool* spreads)
 
 /** \brief Whether the candidates do. */
 HWY_INLINE void
-findSpreads(const SweepBlock& block,
-            const CandidatePositions& candidates,
-            bool* spreads)
+findSpreads(const SweepBlock& block, const INADSlots& slots, bool* spreads)
 {
+  const float* x = slots.arrays[INADSlots::x];
+  const float* y = slots.arrays[INADSlots::y];
+  const float* z = slots.arrays[INADSlots::z];
   for (std::size_t first = 0; first < block.size; first += lanes) {
     SpreadFinder finder(block, first);
-    for (std::size_t c = 0; c < candidates.size; ++c) {
-      const std::size_t j = candidates.begin[c];
-      finder.anchorAt(block.x[j], block.y[j], block.z[j]);
+    for (std::size_t c = 0; c < slots.size; ++c) {
+      finder.anchorAt(x[c], y[c], z[c]);
     }
-    for (std::size_t c = 0; c < candidates.size; ++c) {
-      const std::size_t j = candidates.begin[c];
-      finder.compare(block.x[j], block.y[j], block.z[j]);
+    for (std::size_t c = 0; c < slots.size; ++c) {
+      finder.compare(x[c], y[c], z[c]);
     }
     finder.store(first, spreads);
   }

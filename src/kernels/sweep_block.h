@@ -51,6 +51,7 @@ struct SweepBlock {
   std::uint32_t tie_index[block_size] = {};
   float kth_d2[block_size] = {};  ///< set by nearest()
   bool queries_on_surface = true; ///< each query is a surface point
+  bool rows_by_radius = false;    ///< rows, and so the order of points, follow from r2
 };
 
 struct NormalResult {
