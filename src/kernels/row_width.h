@@ -29,7 +29,7 @@ rowWidth(const NeighborhoodSize& size, const XYZView& surface, std::size_t queri
 inline double
 rowWidthOf(double radius)
 {
-  constexpr double rows_a_radius = 0.7;
+  constexpr double rows_a_radius = 0.85;
   return rows_a_radius * radius;
 }
 

@@ -112,7 +112,7 @@ RunFinder::selectRows(const Window& window)
                        upperBound(row->iz, edge),
                        row->first_cluster,
                        row[1].first_cluster,
-                       {row->first_cluster, row->first_cluster}});
+                       {row->first_cluster, row->first_cluster, row->iz}});
     }
     if (row == end || row->iz > window.z_last || iz == window.z_last) {
       return;

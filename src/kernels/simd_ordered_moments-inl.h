@@ -58,14 +58,14 @@ HWY_NOINLINE void
 addPoints(const SweepBlock& block,
           const PackedPoints& points,
           std::size_t first,
-          OrderedMoments& row)
+          OrderedMoments& layer)
 {
   const Floats d;
   const auto qx = hn::LoadU(d, block.qx + first), qy = hn::LoadU(d, block.qy + first),
              qz = hn::LoadU(d, block.qz + first), r2 = hn::LoadU(d, block.r2 + first);
   const auto one = hn::Set(d, 1.0f);
-  const auto load = [&](std::size_t m) { return hn::Load(d, row.sums[m] + first); };
-  auto n = hn::Load(d, row.counts + first);
+  const auto load = [&](std::size_t m) { return hn::Load(d, layer.sums[m] + first); };
+  auto n = hn::Load(d, layer.counts + first);
   auto x = load(sum_x), y = load(sum_y), z = load(sum_z);
   auto xx = load(OrderedMoments::xx), xy = load(OrderedMoments::xy),
        xz = load(OrderedMoments::xz), yy = load(OrderedMoments::yy),
@@ -87,9 +87,9 @@ addPoints(const SweepBlock& block,
     zz = mulAddWhere(mask, dz, dz, zz);
   }
   const auto store = [&](auto v, std::size_t m) {
-    hn::Store(v, d, row.sums[m] + first);
+    hn::Store(v, d, layer.sums[m] + first);
   };
-  hn::Store(n, d, row.counts + first);
+  hn::Store(n, d, layer.counts + first);
   store(x, sum_x), store(y, sum_y), store(z, sum_z);
   store(xx, OrderedMoments::xx), store(xy, OrderedMoments::xy);
   store(xz, OrderedMoments::xz), store(yy, OrderedMoments::yy);
@@ -97,22 +97,22 @@ addPoints(const SweepBlock& block,
 }
 
 HWY_INLINE void
-addRow(const OrderedMoments& row, OrderedMoments& all)
+addLayer(const OrderedMoments& layer, OrderedMoments& all)
 {
   const Floats d;
   const auto add = [&](const float* from, float* to) {
     hn::Store(hn::Add(hn::Load(d, to), hn::Load(d, from)), d, to);
   };
   for (std::size_t i = 0; i < block_size; i += lanes) {
-    add(row.counts + i, all.counts + i);
+    add(layer.counts + i, all.counts + i);
     for (std::size_t m = 0; m < OrderedMoments::size; ++m) {
-      add(row.sums[m] + i, all.sums[m] + i);
+      add(layer.sums[m] + i, all.sums[m] + i);
     }
   }
 }
 
-/** \brief Row by row, each by itself, along x: so that sums of few are added up, and
- * the result does not depend on points that are no neighbors. */
+/** \brief Layer by layer of rows, each by itself, row by row, along x: so that sums of
+ * few are added up, and the result does not depend on points that are no neighbors. */
 HWY_INLINE void
 sumInOrder(const SweepBlock& block, OrderedMoments& all)
 {
@@ -120,19 +120,20 @@ sumInOrder(const SweepBlock& block, OrderedMoments& all)
   const NearClusters near(block);
   std::size_t begin = 0;
   for (std::size_t r = 0; r < block.run_count; ++r) {
-    const std::size_t end = near.endOfRun(r);
-    if (begin == end) {
+    const bool is_last = r + 1 == block.run_count;
+    if (!is_last && block.runs[r + 1].layer == block.runs[r].layer) {
       continue;
     }
-    OrderedMoments row;
+    const std::size_t end = near.endOfRun(r);
+    OrderedMoments layer;
     for (; begin < end; begin += std::min(portion, end - begin)) {
       const PackedPoints points =
           packPoints<false>(block, near, begin, std::min(end, begin + portion));
       for (std::size_t first = 0; first < block.size; first += lanes) {
-        addPoints(block, points, first, row);
+        addPoints(block, points, first, layer);
       }
     }
-    addRow(row, all);
+    addLayer(layer, all);
   }
 }
 

@@ -20,6 +20,7 @@ constexpr std::size_t block_size = 16;
 struct ClusterRun {
   std::uint32_t begin;
   std::uint32_t end;
+  std::int32_t layer; ///< the z cell of the row that it is in
 };
 
 struct Box {
