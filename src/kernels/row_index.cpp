@@ -138,26 +138,37 @@ fill(const Selection& points,
   }
 }
 
-/** \brief Sort a row by x anew. */
+struct Coordinates {
+  float x, y, z;
+
+  bool
+  operator<(const Coordinates& b) const
+  {
+    return x != b.x ? x < b.x : y != b.y ? y < b.y : z < b.z;
+  }
+};
+
+/** \brief Sort a row anew. */
 void
 sortRow(RowIndex& index, std::uint32_t begin, std::uint32_t end)
 {
   struct Point {
-    float x, y, z;
+    Coordinates at;
     std::uint32_t order;
   };
   std::vector<Point> row;
   row.reserve(end - begin);
   for (std::uint32_t i = begin; i < end; ++i) {
-    row.push_back({index.x[i], index.y[i], index.z[i], index.order[i]});
+    row.push_back({{index.x[i], index.y[i], index.z[i]}, index.order[i]});
   }
-  std::stable_sort(
-      row.begin(), row.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
+  std::stable_sort(row.begin(), row.end(), [](const Point& a, const Point& b) {
+    return a.at < b.at;
+  });
   for (std::uint32_t i = begin; i < end; ++i) {
     const Point& p = row[i - begin];
-    index.x[i] = p.x;
-    index.y[i] = p.y;
-    index.z[i] = p.z;
+    index.x[i] = p.at.x;
+    index.y[i] = p.at.y;
+    index.z[i] = p.at.z;
     index.order[i] = p.order;
   }
 }
@@ -171,30 +182,34 @@ rotateRight(T* first, T* last)
   *first = moved;
 }
 
-/** \brief Sort a row by x. Its points are in order but within a cell: they move a few
+/** \brief Sort a row by x; points of equal x by y, then by z: where they are among
+ * those given does not matter. They are in order but within a cell: they move a few
  * places. Rows that take more than that (coordinates beyond the cells' range) are
  * sorted anew. */
 void
 finishRow(RowIndex& index, std::uint32_t begin, std::uint32_t end)
 {
+  const auto at = [&](std::uint32_t i) {
+    return Coordinates{index.x[i], index.y[i], index.z[i]};
+  };
   const float* x = index.x.data();
   std::ptrdiff_t moves_left = 16 * std::ptrdiff_t{end - begin} + 64;
   for (std::uint32_t i = begin + 1; i < end; ++i) {
-    if (!(x[i] < x[i - 1])) {
+    if (x[i] > x[i - 1] || !(at(i) < at(i - 1))) {
       continue;
     }
-    std::uint32_t at = i;
-    while (at > begin && x[at - 1] > x[i] && moves_left >= 0) {
-      --at, --moves_left;
+    std::uint32_t place = i;
+    while (place > begin && at(i) < at(place - 1) && moves_left >= 0) {
+      --place, --moves_left;
     }
     if (moves_left < 0) {
       sortRow(index, begin, end);
       return;
     }
     for (auto* array : {&index.x, &index.y, &index.z}) {
-      rotateRight(array->data() + at, array->data() + i);
+      rotateRight(array->data() + place, array->data() + i);
     }
-    rotateRight(index.order.data() + at, index.order.data() + i);
+    rotateRight(index.order.data() + place, index.order.data() + i);
   }
 }
 

@@ -33,7 +33,7 @@ struct Row {
  * read. */
 constexpr std::size_t row_padding = 16;
 
-/** \brief Finite points sorted by (row, x), as structure of arrays.
+/** \brief Finite points sorted by (row, x, y, z), as structure of arrays.
  *
  * The grid is anchored at the origin, and only rows that hold points are stored: a far
  * outlier costs one row.

@@ -129,6 +129,29 @@ TEST_P(SweepIndependence, OrderOfThePoints)
   EXPECT_GE(differences.within(1e-5), 0.999);
 }
 
+/** \brief Many points have an x in common: what is summed one after the other must not
+ * follow the order in which they are given. */
+TEST_P(SweepIndependence, OrderOfPointsOfEqualX)
+{
+  Surface sheets, reversed;
+  for (std::size_t i = 0; i < scene_.size(); ++i) {
+    Eigen::Vector3d position = scene_.position(i);
+    position.x() = std::round(position.x() * 512) / 512;
+    sheets.add({position, scene_.normal(i)});
+  }
+  for (std::size_t i = sheets.size(); i-- > 0;) {
+    reversed.add({sheets.position(i), sheets.normal(i)});
+  }
+  const auto size = NeighborhoodSize::ofRadius(radius);
+  const auto before = sweptNormals(NeighborhoodSweep(sheets.points()), size);
+  const auto after = sweptNormals(NeighborhoodSweep(reversed.points()), size);
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    const float* expected = &before[4 * i];
+    const float* result = &after[4 * (sheets.size() - 1 - i)];
+    ASSERT_EQ(0, std::memcmp(expected, result, 4 * sizeof(float))) << i;
+  }
+}
+
 TEST_P(SweepIndependence, SignsOfTheNormals)
 {
   Surface flipped = scene_;
