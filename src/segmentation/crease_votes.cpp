@@ -86,6 +86,12 @@ agreementAround(const Vote& vote, const std::vector<Vote>& votes, const PointGri
 
 } // namespace
 
+float
+fitSpacings(double noise)
+{
+  return fit_spacings + fit_per_noise * static_cast<float>(noise);
+}
+
 std::vector<Vote>
 collectVotes(const AdaptiveInput& input,
              const AdaptiveEdges& edges,
@@ -93,7 +99,7 @@ collectVotes(const AdaptiveInput& input,
              const PointGrid& grid)
 {
   const std::vector<std::size_t> chosen = candidates(evidence);
-  const float reach = fit_spacings + fit_per_noise * static_cast<float>(edges.noise);
+  const float reach = fitSpacings(edges.noise);
   std::vector<Vote> votes(chosen.size());
   kernels::parallelForRanges(
       chosen.size(), input.threads, [&](std::size_t begin, std::size_t end) {

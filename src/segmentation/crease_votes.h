@@ -34,6 +34,9 @@ struct Agreement {
   float evidence = 0.0f;
 };
 
+/** \brief The radius in spacings within which a candidate fits two planes. */
+float fitSpacings(double noise);
+
 /** \brief The votes of all points whose evidence speaks for an edge, and near which two
  * planes meet at an angle.
  * \param[in] edges with normals, spacings and noise

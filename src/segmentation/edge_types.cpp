@@ -9,6 +9,7 @@
 
 #include "../kernels/finite.h"
 #include "../kernels/parallel.h"
+#include "crease_corners.h"
 #include "point_grid.h"
 
 #include <pcl/segmentation/adaptive_detection.h>
@@ -28,10 +29,7 @@ using Eigen::Vector3f;
 // doc/method.md has the reason of each number.
 constexpr float boundary_spacings = 2.5f;
 constexpr unsigned sectors = 16;
-constexpr unsigned empty_sectors = 6;      // 135 degrees
-constexpr float corner_spacings = 1.5f;    // more than the half-width of exact creases
-constexpr float other_direction = 0.7071f; // cosine of 45 degrees
-constexpr std::size_t least_points = 3;    // of each of a corner's creases
+constexpr unsigned empty_sectors = 6; // 135 degrees
 
 /** Which of the sectors around the origin a direction is in. */
 unsigned
@@ -75,27 +73,6 @@ isOnBoundary(const AdaptiveInput& input,
   return hasGap(taken);
 }
 
-/** True where points of creases of clearly different directions are near. */
-bool
-isAtCorner(const std::vector<CreasePoint>& creases,
-           const PointGrid& grid,
-           const Vector3f& center,
-           float reach)
-{
-  std::vector<Vector3f> directions;
-  grid.forEachWithin(center, reach, [&](std::uint32_t k, float) {
-    directions.push_back(Eigen::Map<const Vector3f>(creases[k].direction.data()));
-  });
-  for (const Vector3f& one : directions) {
-    std::size_t along = 0, across = 0;
-    for (const Vector3f& other : directions)
-      ++(std::abs(one.dot(other)) > other_direction ? along : across);
-    if (std::min(along, across) >= least_points)
-      return true;
-  }
-  return false;
-}
-
 } // namespace
 
 std::vector<EdgeType>
@@ -103,24 +80,18 @@ edgeTypes(const AdaptiveInput& input, const AdaptiveEdges& edges, double thresho
 {
   const std::size_t size = input.points.size;
   const float most = *std::max_element(edges.spacings.begin(), edges.spacings.end());
-  const XYZView crease_points{edges.creases.empty() ? nullptr
-                                                    : edges.creases[0].position.data(),
-                              sizeof(CreasePoint) / sizeof(float),
-                              edges.creases.size()};
   const PointGrid grid(input.points, most);
-  const PointGrid creases(crease_points, most);
+  const CreaseCorners corners(edges);
   std::vector<EdgeType> types(size, EdgeType::None);
   kernels::parallelForRanges(
       size, input.threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           if (!kernels::isFinite(input.points[i]) || std::isnan(edges.likelihood[i]))
             continue;
-          const float reach = corner_spacings * edges.spacings[i];
           if (edges.likelihood[i] > 1.0 - threshold)
-            types[i] =
-                isAtCorner(edges.creases, creases, positionOf(input.points, i), reach)
-                    ? EdgeType::Corner
-                    : EdgeType::Crease;
+            types[i] = corners.areAt(positionOf(input.points, i), edges.spacings[i])
+                           ? EdgeType::Corner
+                           : EdgeType::Crease;
           else if (isOnBoundary(input, edges, grid, i))
             types[i] = EdgeType::OpenBoundary;
         }
