@@ -57,13 +57,12 @@ TEST(PartAssignment, NodesGoToTheNearestSurfaceAround)
 TEST(PartAssignment, ANodeInDoubtGoesWithThoseAround)
 {
   std::vector<float> heights = stepped(20, 20, 0.4f);
-  heights[10] = 0.14f; // within the tolerance of 0.15
+  heights[18] = 0.14f; // 0.14 from the first surface, 0.13 from the second
   const SurfacePiece piece = chain(heights);
-  NodeIndices first = range(0, 20), second = range(20, 40);
-  first.erase(first.begin() + 10);
-  second.insert(second.begin(), 10);
-  std::vector<SurfacePart> parts{{levelAt(0.0f), first}, {levelAt(0.25f), second}};
-  parts[1].surface = levelAt(0.27f); // as near to the node as the first
+  std::vector<SurfacePart> parts{{levelAt(0.0f), range(0, 18)},
+                                 {levelAt(0.27f), range(18, 40)}};
+  parts[0].nodes.push_back(19);
+  parts[1].nodes.erase(parts[1].nodes.begin() + 1);
   assignNodes(piece, parts);
   ASSERT_EQ(2U, parts.size());
   EXPECT_EQ(range(0, 20), parts[0].nodes);
