@@ -59,8 +59,8 @@ checkSize(const NeighborhoodSize& size, std::size_t queries)
 /** \brief The surface and the queries, sorted for one call. */
 class NeighborhoodSweep::Prepared {
 public:
-  /** \brief What rows are as wide as the density asks for, or the radius alone: then
-   * the order of neighbors depends on nothing else. */
+  /** \brief Whether rows are as wide as the density asks for, or as the radius says:
+   * then the order of neighbors depends on nothing else. */
   enum class Rows { by_density, by_radius };
 
   Prepared(const NeighborhoodSweep& sweep,
@@ -157,9 +157,11 @@ NeighborhoodSweep::computeNormals(const NeighborhoodSize& neighborhood,
                                   std::size_t stride) const
 {
   const Prepared prepared(*this, neighborhood, Prepared::Rows::by_radius);
-  for (std::size_t i = 0; prepared.leavesSomeOut() && i < size(); ++i) {
-    std::fill_n(normals + i * stride, 3, nan);
-    curvature[i * stride] = nan;
+  if (prepared.leavesSomeOut()) {
+    for (std::size_t i = 0; i < size(); ++i) {
+      std::fill_n(normals + i * stride, 3, nan);
+      curvature[i * stride] = nan;
+    }
   }
   prepared.run<NormalResult>(
       [](const SweepBlock& block, const std::uint32_t*, NormalResult* results) {

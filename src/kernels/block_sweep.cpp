@@ -123,26 +123,14 @@ double
 BlockSweep::largestRadius(const BlockGroup& group) const
 {
   if (!neighborhood_.radii) {
-    return neighborhood_.radius;
+    return std::sqrt(static_cast<double>(squared(neighborhood_.radius)));
   }
   const auto& begin = queries_.clusters.begin;
   float largest = 0.0f;
   for (std::uint32_t i = begin[group.begin]; i < begin[group.end]; ++i) {
-    largest = std::max(largest, neighborhood_.radii[queries_.order[i]]);
+    largest = std::max(largest, squared(neighborhood_.radii[queries_.order[i]]));
   }
-  return largest;
-}
-
-void
-BlockSweep::findCandidates(SweepBlock& block,
-                           const BlockGroup& group,
-                           std::size_t index,
-                           RunFinder& finder) const
-{
-  const auto& runs = index == group.begin ? finder.find(group.box, largestRadius(group))
-                                          : finder.found();
-  block.runs = runs.data();
-  block.run_count = runs.size();
+  return std::sqrt(static_cast<double>(largest));
 }
 
 void

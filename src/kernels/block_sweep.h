@@ -60,13 +60,23 @@ public:
           RunFinder finder(surface_);
           double reach = queries_.edge;
           const std::size_t end = std::min(count, (t + 1) * blocks_a_task);
+          const auto visitBlock = [&](std::size_t b, SweepBlock& block) {
+            visit(block, queries_.order.data() + queries_.clusters.begin[b]);
+          };
           for (std::size_t b = t * blocks_a_task; b < end;) {
+            if (neighborhood_.k > 0) {
+              SweepBlock block = queriesOf(b);
+              findNearest(block, finder, reach);
+              visitBlock(b++, block);
+              continue;
+            }
             const BlockGroup group = groupFrom(b, end);
+            const auto& runs = finder.find(group.box, largestRadius(group));
             for (; b < group.end; ++b) {
               SweepBlock block = queriesOf(b);
-              neighborhood_.k > 0 ? findNearest(block, finder, reach)
-                                  : findCandidates(block, group, b, finder);
-              visit(block, queries_.order.data() + queries_.clusters.begin[b]);
+              block.runs = runs.data();
+              block.run_count = runs.size();
+              visitBlock(b, block);
             }
           }
         });
@@ -87,11 +97,6 @@ private:
   SweepBlock queriesOf(std::size_t block) const;
 
   double largestRadius(const BlockGroup& group) const;
-
-  void findCandidates(SweepBlock& block,
-                      const BlockGroup& group,
-                      std::size_t index,
-                      RunFinder& finder) const;
 
   void findNearest(SweepBlock& block, RunFinder& finder, double& reach) const;
 

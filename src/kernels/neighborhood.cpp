@@ -160,9 +160,7 @@ unitNormals(const XYZView& normals, const RowIndex* surface, unsigned threads)
   }
   parallelForRanges(count, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const float* normal = normals[surface ? surface->order[i] : i];
-      const UnitNormal n = isUnit(normal) ? UnitNormal{normal[0], normal[1], normal[2]}
-                                          : unitNormal(normal);
+      const UnitNormal n = unitNormal(normals[surface ? surface->order[i] : i]);
       unit.x[i] = n.x;
       unit.y[i] = n.y;
       unit.z[i] = n.z;

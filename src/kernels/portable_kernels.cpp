@@ -38,6 +38,23 @@ isNeighbor(const SweepBlock& block, std::size_t query, const Neighbor& candidate
           block.order[candidate.position] <= block.tie_index[query]);
 }
 
+/** \brief Whether a cluster's box is so near that it may hold neighbors. */
+bool
+isNear(const SweepBlock& block, std::size_t query, std::uint32_t cluster)
+{
+  const float at[] = {block.qx[query], block.qy[query], block.qz[query]};
+  float d2 = 0.0f;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float apart = std::max({0.0f,
+                                  block.cluster_box[axis][cluster] - at[axis],
+                                  at[axis] - block.cluster_box[axis + 3][cluster]});
+    d2 += apart * apart;
+  }
+  // Sums round: a little further than the neighbors.
+  const float reach2 = std::max(block.r2[query], block.tie_d2[query]);
+  return d2 <= reach2 * (1.0f + 1e-5f) + std::numeric_limits<float>::min();
+}
+
 /** \brief The neighbors of a query, in a buffer that the thread keeps from call to
  * call. */
 const Neighbors&
@@ -45,14 +62,21 @@ findNeighbors(const SweepBlock& block, std::size_t query)
 {
   thread_local Neighbors found;
   std::size_t count = 0;
-  for (std::size_t r = 0; r < block.run_count; ++r) {
-    const std::uint32_t begin = block.cluster_begin[block.runs[r].begin];
-    const std::uint32_t end = block.cluster_begin[block.runs[r].end];
+  const auto addOf = [&](std::uint32_t cluster) {
+    const std::uint32_t begin = block.cluster_begin[cluster];
+    const std::uint32_t end = block.cluster_begin[cluster + 1];
     found.resize(std::max(found.size(), count + (end - begin)));
     for (std::uint32_t j = begin; j < end; ++j) {
       const Neighbor candidate = relativeTo(block, query, j);
       found[count] = candidate;
       count += isNeighbor(block, query, candidate) ? 1 : 0;
+    }
+  };
+  for (std::size_t r = 0; r < block.run_count; ++r) {
+    for (std::uint32_t c = block.runs[r].begin; c < block.runs[r].end; ++c) {
+      if (isNear(block, query, c)) {
+        addOf(c);
+      }
     }
   }
   found.resize(count);

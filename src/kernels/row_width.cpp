@@ -120,13 +120,13 @@ double
 rowWidth(const NeighborhoodSize& size, const XYZView& surface, std::size_t queries)
 {
   constexpr std::size_t least_points = 64;
-  constexpr double rows_a_radius = 0.7;
+  constexpr double radii_a_row = 0.7;
   const double dense = typicalDistance(surface, std::max(size.k, least_points));
   if (size.k > 0) {
     return dense > 0.0 ? dense : extentOf(surface);
   }
   const double radius = size.radii ? medianOf(size.radii, queries) : size.radius;
-  return std::max(rows_a_radius * radius, std::min(dense, 16.0 * radius));
+  return std::max(radii_a_row * radius, std::min(dense, 16.0 * radius));
 }
 
 } // namespace pcl::kernels

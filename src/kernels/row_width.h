@@ -29,8 +29,8 @@ rowWidth(const NeighborhoodSize& size, const XYZView& surface, std::size_t queri
 inline double
 rowWidthOf(double radius)
 {
-  constexpr double rows_a_radius = 0.85;
-  return rows_a_radius * radius;
+  constexpr double radii_a_row = 0.85;
+  return radii_a_row * radius;
 }
 
 } // namespace pcl::kernels

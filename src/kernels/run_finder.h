@@ -28,13 +28,6 @@ public:
   /** \brief Runs, in sorted order, that hold every point within `reach` of the box. */
   const std::vector<ClusterRun>& find(const Box& box, double reach);
 
-  /** \brief What find() returned last. */
-  const std::vector<ClusterRun>&
-  found() const
-  {
-    return runs_;
-  }
-
 private:
   struct Window {
     std::int32_t z_first, z_last, y_first, y_last;

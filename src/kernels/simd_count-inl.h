@@ -14,6 +14,7 @@
 #define PCL_SHAPE_SIMD_COUNT_INL_H_
 #endif
 
+#include "simd_packed_points-inl.h"
 #include "simd_query_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,17 +23,21 @@ namespace pcl::kernels::HWY_NAMESPACE {
 template <bool with_ties>
 HWY_INLINE void
 addCounts(const SweepBlock& block,
-          const CandidatePositions& candidates,
+          const NearClusters& near,
+          std::size_t begin,
+          std::size_t end,
           std::uint32_t* counts)
 {
   const Words w;
   const auto one = hn::Set(w, 1);
+  const PackedPoints points = packPoints<with_ties>(block, near, begin, end);
   for (std::size_t first = 0; first < block_size; first += lanes) {
     const QueryLanes<with_ties> queries(block, block.r2, block.tie_d2, first);
     auto count = hn::LoadU(w, counts + first);
-    for (std::size_t c = 0; c < candidates.size; ++c) {
-      const auto mask =
-          hn::RebindMask(w, queries.neighborMask(block, candidates.begin[c]));
+    for (std::size_t c = 0; c < points.size; ++c) {
+      const std::uint32_t order = with_ties ? points.order[c] : 0;
+      const auto mask = hn::RebindMask(
+          w, queries.neighborMask(points.x[c], points.y[c], points.z[c], order));
       count = hn::IfThenElse(mask, hn::Add(count, one), count);
     }
     hn::StoreU(count, w, counts + first);
@@ -46,19 +51,9 @@ count(const SweepBlock& block, std::uint32_t* results)
   const NearClusters near(block);
   std::uint32_t counts[block_size] = {};
   for (std::size_t begin = 0; begin < near.size(); begin += portion) {
-    const std::size_t size = std::min(portion, near.size() - begin);
-    const CandidatePositions candidates = listPositions(
-        block,
-        near,
-        begin,
-        size,
-        false,
-        [](const Points& points,
-           auto is_point,
-           std::uint32_t position,
-           CandidateLister& lister) { lister.add(points, is_point, position); });
-    near.hasTies() ? addCounts<true>(block, candidates, counts)
-                   : addCounts<false>(block, candidates, counts);
+    const std::size_t end = std::min(near.size(), begin + portion);
+    near.hasTies() ? addCounts<true>(block, near, begin, end, counts)
+                   : addCounts<false>(block, near, begin, end, counts);
   }
   for (std::size_t i = 0; i < block.size; ++i) {
     const bool has_own = block.queries_on_surface || isAtSurfacePoint(block, i);

@@ -74,7 +74,6 @@ sumMoments(const SweepBlock& block, const NearClusters& near, const Group& group
     tie_d2[i] = has ? block.tie_d2[i] : -1.0f;
   }
   const auto fill = [&](const Points& points,
-                        std::size_t,
                         float* slot,
                         auto is_point,
                         std::size_t offset,

@@ -21,10 +21,11 @@ HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
 
 /** More points than these, and sums in float lose what normals need. */
-constexpr float most_for_float = 1 << 14;
+constexpr float most_for_float = 1 << 12;
 
-/** A plane's second eigenvalue is at least this fraction, about, of the largest: what
- * float sums lose turns the normal by less than 1e-4 rad. */
+/** The product of a plane's two larger eigenvalues over the square of the mean squared
+ * offset, which is what float sums are exact to some 1e-7 of: normals turn by less than
+ * 2e-4 rad then, mostly by less than 1e-5. */
 constexpr double least_plane_ratio = 1e-2;
 
 /** \brief Whether squares of offsets, and sums of them, are far from the limits of
@@ -59,19 +60,22 @@ covariancesOf(const OrderedMoments& m, BlockCovariances& c)
   }
 }
 
-/** \brief Whether the sums say what the normal is: there are not too many, and they are
- * of no line, or nearly one. */
+/** \brief Whether the sums say what the normal is: there are not too many, and what is
+ * left of them about the mean is not of a line, or a point, or small beside them. */
 inline bool
-isPlain(const BlockCovariances& c, std::size_t i, float count)
+isPlain(const OrderedMoments& m, const BlockCovariances& c, std::size_t i)
 {
   const double minors = c.xx[i] * c.yy[i] - c.xy[i] * c.xy[i] + c.xx[i] * c.zz[i] -
                         c.xz[i] * c.xz[i] + c.yy[i] * c.zz[i] - c.yz[i] * c.yz[i];
-  const double trace = c.xx[i] + c.yy[i] + c.zz[i];
-  return count <= most_for_float && minors > least_plane_ratio * trace * trace;
+  const double squares = static_cast<double>(m.sums[OrderedMoments::xx][i]) +
+                         m.sums[OrderedMoments::yy][i] + m.sums[OrderedMoments::zz][i];
+  const double mean_square = squares / m.counts[i];
+  return m.counts[i] <= most_for_float &&
+         minors > least_plane_ratio * mean_square * mean_square;
 }
 
-/** \brief Normals from sums of floats, in the order of the rows, which depends on the
- * radius and on the neighbors alone.
+/** \brief Normals from sums of floats, in the order of the rows and of the points in
+ * them, which depends on the radius and on the neighbors alone.
  * \return whether all are known; is_known tells which */
 HWY_INLINE bool
 orderedNormals(const SweepBlock& block, NormalResult* results, bool* is_known)
@@ -93,7 +97,7 @@ orderedNormals(const SweepBlock& block, NormalResult* results, bool* is_known)
     if (has_few) {
       results[i] = {nan, nan, nan, nan};
     }
-    is_known[i] = has_few || isPlain(covariances, i, count);
+    is_known[i] = has_few || isPlain(moments, covariances, i);
     all_known = all_known && is_known[i];
   }
   return all_known;

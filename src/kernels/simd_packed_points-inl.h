@@ -19,7 +19,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
 
-/** \brief Points one after the other, padded with NaN to a whole vector. */
+/** \brief Points one after the other; x is padded with NaN to a whole vector. */
 struct PackedPoints {
   const float *x, *y, *z;
   const std::uint32_t* order; ///< if asked for

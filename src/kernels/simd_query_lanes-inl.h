@@ -37,15 +37,7 @@ public:
   , tie_index_(hn::BitCast(Ints(), hn::LoadU(Words(), block.tie_index + first)))
   {}
 
-  /** \brief Whether the point at this position of the surface is a neighbor. */
-  HWY_INLINE hn::MFromD<Floats>
-  neighborMask(const SweepBlock& block, std::size_t position) const
-  {
-    const std::uint32_t order = with_ties ? block.order[position] : 0;
-    return neighborMask(block.x[position], block.y[position], block.z[position], order);
-  }
-
-  /** \brief The same of a point in a slot. */
+  /** \brief Whether the point in a slot is a neighbor. */
   HWY_INLINE hn::MFromD<Floats>
   neighborMask(const float* candidate) const
   {
@@ -59,7 +51,7 @@ public:
                         order);
   }
 
-private:
+  /** \brief Whether a point is; `order` counts with ties only. */
   HWY_INLINE hn::MFromD<Floats>
   neighborMask(float x, float y, float z, std::uint32_t order) const
   {
@@ -78,6 +70,7 @@ private:
     }
   }
 
+private:
   hn::VFromD<Floats> x_, y_, z_, r2_, tie_d2_;
   hn::VFromD<Ints> tie_index_;
 };

@@ -61,10 +61,10 @@ private:
 
 /** \brief What a thread keeps from block to block. */
 struct SimdScratch {
-  AlignedBuffer<std::uint32_t> near;    ///< clusters near the block
+  AlignedBuffer<std::uint32_t> near;    ///< clusters near the block, and ends of runs
   AlignedBuffer<float> slots;           ///< their points
-  AlignedBuffer<std::uint32_t> offsets; ///< of candidates in the slots
-  AlignedBuffer<std::uint32_t> angles;  ///< of a block's queries, one after the other
+  AlignedBuffer<std::uint32_t> offsets; ///< of candidates in the slots, or the surface
+  AlignedBuffer<std::uint32_t> angles;  ///< of a block's queries, or order of points
   AlignedBuffer<float> values;          ///< of one query
   AlignedBuffer<std::uint32_t> masks;
 };

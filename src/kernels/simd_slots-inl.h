@@ -57,7 +57,7 @@ struct CandidateList {
   std::size_t size;
 };
 
-/** \brief Fills slots of this stride with some of the near clusters: fill(position,
+/** \brief Fills slots of this stride with some of the near clusters: fill(points,
  * slot lanes) copies a kernel's own arrays. */
 template <std::size_t stride, bool with_order, typename Fill>
 HWY_INLINE CandidateList
@@ -68,7 +68,7 @@ stageClusters(const SweepBlock& block,
               const Fill& fill)
 {
   float* slots = simdScratch().slots.atLeast(count * stride);
-  CandidateLister lister(near, block.box, count, false);
+  CandidateLister lister(near, block.box, count);
   for (std::size_t s = 0; s < count; ++s) {
     const std::uint32_t cluster = near.begin()[begin + s];
     const std::uint32_t first = block.cluster_begin[cluster];
@@ -76,10 +76,10 @@ stageClusters(const SweepBlock& block,
     for (std::size_t i = 0; i < size; i += lanes) {
       const std::size_t offset = s * stride + i;
       const Points points = stagePoints<with_order>(block, first + i, slots + offset);
-      fill(points, first + i, slots + offset, pointsOfCluster(size, i), offset, lister);
+      fill(points, slots + offset, pointsOfCluster(size, i), offset, lister);
     }
   }
-  return {slots, lister.some(), lister.someSize()};
+  return {slots, lister.numbers(), lister.size()};
 }
 
 } // namespace pcl::kernels::HWY_NAMESPACE

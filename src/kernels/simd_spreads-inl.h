@@ -103,7 +103,7 @@ findSpreadsAmongQueries(const SweepBlock& block, bool* spreads)
   }
 }
 
-/** \brief Whether the candidates do. */
+/** \brief Whether candidates do, those left aside that surely are neighbors. */
 HWY_INLINE void
 findSpreads(const SweepBlock& block, const INADSlots& slots, bool* spreads)
 {

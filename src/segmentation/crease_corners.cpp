@@ -11,6 +11,8 @@
 
 #include "crease_votes.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 

@@ -71,11 +71,11 @@ struct NeighborhoodSize {
  * of the surface (setQueryIndices(), or no queries set), otherwise the nearest surface
  * point at distance 0, once.
  *
- * Angles are added up as whole numbers of 2^-23 rad, exactly. So are products of offsets
- * (in 2^-20 of a power of two above the radius), but for one radius for all points: they
- * are then summed as floats, by cells that follow from the radius, and by x, y and z in
- * them. Either way a result depends on the neighbors of its point only: not on the order
- * of the points, nor on the number of threads, nor on points further away.
+ * Angles are added up as whole numbers of 2^-23 rad, exactly, and so are products of
+ * offsets, in 2^-20 of a power of two above the radius. But with one radius for all
+ * points these are summed as floats, by cells that follow from the radius, and by x, y
+ * and z in them. Either way a result depends on the neighbors of its point only: not on
+ * the order of the points, nor on the number of threads, nor on points further away.
  *
  * Fewer than five neighbors besides the point itself, or neighbors on a line or a
  * point, give NaN. All methods throw std::invalid_argument for a radius that is not
