@@ -37,7 +37,7 @@ public:
   /** \brief Those near enough to the queries' box, among lanes that count; the first
    * one is known by this number. */
   HWY_INLINE void
-  add(const Points& points, hn::MFromD<Floats> counts, std::size_t number)
+  add(const Points& points, MaskOf<Floats> counts, std::size_t number)
   {
     const Words w;
     const auto squares = distances_.of(points.x, points.y, points.z);

@@ -35,6 +35,10 @@ using Words = hn::RebindToUnsigned<Floats>;
 using Ints = hn::RebindToSigned<Floats>;
 using Longs = hn::RepartitionToWide<Words>;
 
+/** \brief Highway 1.0.3 has no name for it on ARM. */
+template <class D>
+using MaskOf = decltype(hn::Eq(hn::Zero(D()), hn::Zero(D())));
+
 constexpr std::size_t lanes =
     HWY_LANES(float) < block_size ? HWY_LANES(float) : block_size;
 

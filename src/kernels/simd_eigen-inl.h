@@ -36,57 +36,50 @@ scaledToTraceOne(const BlockCovariances& m, std::size_t first)
   const auto load = [&](const double* values) { return hn::Load(d, values + first); };
   const auto trace = hn::Add(hn::Add(load(m.xx), load(m.yy)), load(m.zz));
   const auto scale = hn::Div(hn::Set(d, 1.0), trace);
-  MatrixLanes l;
-  l.xx = hn::Mul(load(m.xx), scale);
-  l.xy = hn::Mul(load(m.xy), scale);
-  l.xz = hn::Mul(load(m.xz), scale);
-  l.yy = hn::Mul(load(m.yy), scale);
-  l.yz = hn::Mul(load(m.yz), scale);
-  l.zz = hn::Mul(load(m.zz), scale);
+  const auto xx = hn::Mul(load(m.xx), scale), xy = hn::Mul(load(m.xy), scale),
+             xz = hn::Mul(load(m.xz), scale), yy = hn::Mul(load(m.yy), scale),
+             yz = hn::Mul(load(m.yz), scale), zz = hn::Mul(load(m.zz), scale);
   const auto minor = [](auto a, auto b, auto c, auto e) {
     return hn::NegMulAdd(c, e, hn::Mul(a, b));
   };
-  const auto x_minor = minor(l.yy, l.zz, l.yz, l.yz);
-  l.c1 = hn::Add(hn::Add(minor(l.xx, l.yy, l.xy, l.xy), minor(l.xx, l.zz, l.xz, l.xz)),
-                 x_minor);
-  const auto xy_term = hn::Mul(l.xy, minor(l.xy, l.zz, l.yz, l.xz));
-  const auto xz_term = hn::Mul(l.xz, minor(l.xy, l.yz, l.yy, l.xz));
-  l.c0 = hn::Add(hn::MulSub(l.xx, x_minor, xy_term), xz_term);
-  return l;
+  const auto x_minor = minor(yy, zz, yz, yz);
+  const auto c1 =
+      hn::Add(hn::Add(minor(xx, yy, xy, xy), minor(xx, zz, xz, xz)), x_minor);
+  const auto xy_term = hn::Mul(xy, minor(xy, zz, yz, xz));
+  const auto xz_term = hn::Mul(xz, minor(xy, yz, yy, xz));
+  const auto c0 = hn::Add(hn::MulSub(xx, x_minor, xy_term), xz_term);
+  return {xx, xy, xz, yy, yz, zz, c1, c0};
 }
 
-constexpr std::size_t matrix_groups = block_size / double_lanes;
-
-/** \brief The smallest roots by Newton's method from 0, from where it climbs to them.
- * Each stops by itself, whatever the others do; all take their steps in turn, as each
- * waits for its divisions. */
+/** \brief The smallest roots of l^3 - l^2 + c1 l - c0 by Newton's method from 0, from
+ * where it climbs to them. Each stops by itself, whatever the others do; all vectors of
+ * them take their steps in turn, as each waits for its divisions. */
 HWY_INLINE void
-findSmallestRoots(const MatrixLanes* m, std::size_t groups, DoubleV* roots)
+findSmallestRoots(const double* c1, const double* c0, std::size_t size, double* roots)
 {
   const Doubles d;
   constexpr int most_steps = 64;
   const auto least_climb = hn::Set(d, 1e-15);
-  for (std::size_t g = 0; g < groups; ++g) {
-    roots[g] = hn::Zero(d);
-  }
+  HWY_ALIGN double moving[block_size];
+  std::fill_n(moving, block_size, 1.0);
+  std::fill_n(roots, block_size, 0.0);
   bool any_moves = true;
-  hn::MFromD<Doubles> moves[matrix_groups];
-  for (auto& all : moves) {
-    all = hn::Eq(hn::Zero(d), hn::Zero(d));
-  }
   for (int step = 0; step < most_steps && any_moves; ++step) {
     any_moves = false;
-    for (std::size_t g = 0; g < groups; ++g) {
-      const auto root = roots[g];
+    for (std::size_t i = 0; i < size; i += double_lanes) {
+      const auto root = hn::Load(d, roots + i), linear = hn::Load(d, c1 + i);
       const auto shifted = hn::Sub(root, hn::Set(d, 1.0));
-      const auto value = hn::MulSub(hn::MulAdd(shifted, root, m[g].c1), root, m[g].c0);
+      const auto value =
+          hn::MulSub(hn::MulAdd(shifted, root, linear), root, hn::Load(d, c0 + i));
       const auto twice = hn::MulSub(hn::Set(d, 3.0), root, hn::Set(d, 2.0));
-      const auto slope = hn::MulAdd(twice, root, m[g].c1);
+      const auto slope = hn::MulAdd(twice, root, linear);
       const auto climb = hn::Neg(hn::Div(value, slope));
-      moves[g] = hn::And(
-          moves[g], hn::And(hn::Gt(climb, least_climb), hn::Gt(slope, hn::Zero(d))));
-      roots[g] = hn::Add(root, hn::IfThenElseZero(moves[g], climb));
-      any_moves = any_moves || !hn::AllFalse(d, moves[g]);
+      const auto climbs =
+          hn::And(hn::Gt(climb, least_climb), hn::Gt(slope, hn::Zero(d)));
+      const auto moves = hn::And(hn::Gt(hn::Load(d, moving + i), hn::Zero(d)), climbs);
+      hn::Store(hn::IfThenElseZero(moves, hn::Set(d, 1.0)), d, moving + i);
+      hn::Store(hn::Add(root, hn::IfThenElseZero(moves, climb)), d, roots + i);
+      any_moves = any_moves || !hn::AllFalse(d, moves);
     }
   }
 }
@@ -142,23 +135,21 @@ normalsOfCovariances(const BlockCovariances& covariances,
   const Doubles d;
   HWY_ALIGN double x[block_size], y[block_size], z[block_size], roots[block_size];
   HWY_ALIGN double safe[block_size];
-  MatrixLanes matrices[matrix_groups];
-  DoubleV smallest[matrix_groups];
-  const std::size_t groups = (size + double_lanes - 1) / double_lanes;
-  for (std::size_t g = 0; g < groups; ++g) {
-    matrices[g] = scaledToTraceOne(covariances, g * double_lanes);
+  HWY_ALIGN double c1[block_size], c0[block_size];
+  for (std::size_t i = 0; i < size; i += double_lanes) {
+    const auto m = scaledToTraceOne(covariances, i);
+    hn::Store(m.c1, d, c1 + i);
+    hn::Store(m.c0, d, c0 + i);
   }
-  findSmallestRoots(matrices, groups, smallest);
-  for (std::size_t g = 0; g < groups; ++g) {
-    const std::size_t i = g * double_lanes;
-    const auto& m = matrices[g];
-    const auto root = smallest[g];
+  findSmallestRoots(c1, c0, size, roots);
+  for (std::size_t i = 0; i < size; i += double_lanes) {
+    const auto m = scaledToTraceOne(covariances, i);
+    const auto root = hn::Load(d, roots + i);
     const auto v = eigenvectors(m, root);
     const auto scale = hn::Div(hn::Set(d, 1.0), hn::Sqrt(v.squared_length));
     hn::Store(hn::Mul(v.x, scale), d, x + i);
     hn::Store(hn::Mul(v.y, scale), d, y + i);
     hn::Store(hn::Mul(v.z, scale), d, z + i);
-    hn::Store(root, d, roots + i);
     // The other two roots have the sum s and the product q; q <= ratio s^2 on a line.
     const auto s = hn::Sub(hn::Set(d, 1.0), root);
     const auto q = hn::NegMulAdd(root, s, m.c1);

@@ -42,7 +42,7 @@ public:
   {}
 
   /** \brief Which of a vector of points are neighbors. */
-  HWY_INLINE hn::MFromD<Floats>
+  HWY_INLINE MaskOf<Floats>
   neighborMask(const float* x, const float* y, const float* z, const float* order) const
   {
     const Floats d;

@@ -20,7 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
 
 /** \brief Which lanes hold points of a cluster of `size`, from its `first` on. */
-HWY_INLINE hn::MFromD<Floats>
+HWY_INLINE MaskOf<Floats>
 pointsOfCluster(std::uint32_t size, std::size_t first)
 {
   return hn::FirstN(Floats(), size > first ? size - first : 0);
@@ -144,7 +144,7 @@ private:
     }
   }
 
-  HWY_INLINE hn::MFromD<Floats>
+  HWY_INLINE MaskOf<Floats>
   isNear(std::uint32_t c) const
   {
     const Floats d;

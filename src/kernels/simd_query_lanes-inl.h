@@ -38,7 +38,7 @@ public:
   {}
 
   /** \brief Whether the point in a slot is a neighbor. */
-  HWY_INLINE hn::MFromD<Floats>
+  HWY_INLINE MaskOf<Floats>
   neighborMask(const float* candidate) const
   {
     std::uint32_t order = 0;
@@ -52,7 +52,7 @@ public:
   }
 
   /** \brief Whether a point is; `order` counts with ties only. */
-  HWY_INLINE hn::MFromD<Floats>
+  HWY_INLINE MaskOf<Floats>
   neighborMask(float x, float y, float z, std::uint32_t order) const
   {
     const Floats d;
