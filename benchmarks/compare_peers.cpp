@@ -12,6 +12,7 @@
 #include "peers/report.h"
 #include "peers/trial.h"
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 
@@ -26,6 +27,7 @@ using namespace peers;
 struct Arguments {
   std::vector<std::string> clouds;
   std::vector<std::string> tasks{"edges", "surfaces"};
+  std::vector<std::string> peers; ///< only those whose names have one of these in them
   std::vector<double> edge_radii{0.008, 0.012, 0.015};
   std::vector<double> surface_radii{0.015, 0.025};
   std::vector<double> voronoi_radii{0.008}; ///< CGAL's is slow
@@ -73,6 +75,7 @@ parseArguments(int argc, char** argv, Arguments& a)
   po::options_description options("compare_peers CLOUD.pcd ... [options]");
   options.add_options()(
       "tasks", po::value(&a.tasks)->multitoken(), "edges, surfaces (both)")(
+      "peers", po::value(&a.peers)->multitoken(), "parts of the names of some (all)")(
       "edge_radii", po::value(&a.edge_radii)->multitoken(), "metres, peers' choice")(
       "surface_radii", po::value(&a.surface_radii)->multitoken(), "likewise")(
       "voronoi_radii", po::value(&a.voronoi_radii)->multitoken(), "CGAL's, likewise")(
@@ -159,6 +162,19 @@ peersOf(Task task, const Arguments& arguments)
     peers.push_back(voronoiPeer(arguments.voronoi_radii));
   }
 #endif
+  const auto isLeftOut = [&](const Peer& peer) {
+    return std::none_of(
+        arguments.peers.begin(), arguments.peers.end(), [&](const std::string& part) {
+          return peer.name.find(part) != std::string::npos;
+        });
+  };
+  if (!arguments.peers.empty()) {
+    peers.erase(std::remove_if(peers.begin(), peers.end(), isLeftOut), peers.end());
+    if (peers.empty()) {
+      throw std::invalid_argument("-peers " + arguments.peers.front() +
+                                  ": no peer has this in its name");
+    }
+  }
   return peers;
 }
 
@@ -181,6 +197,7 @@ runComparison(int argc, char** argv)
   report["jobs"] = arguments.jobs;
   for (const Task task : tasks) {
     auto& rows = report[task == Task::edges ? "edges" : "surfaces"];
+    rows = nlohmann::ordered_json::array();
     for (const Peer& peer : peersOf(task, arguments)) {
       rows.push_back(toJson(compete(peer, clouds, task, arguments.jobs)));
     }

@@ -9,27 +9,19 @@
 
 #include "instance_methods.h"
 
-#include <pcl/features/normal_3d_omp.h>
+#include "../common/pcl_regions.h"
+
 #include <pcl/search/kdtree.h>
 #include <pcl/segmentation/extract_clusters.h>
-#include <pcl/segmentation/region_growing.h>
-#include <pcl/segmentation/sac_segmentation.h>
 #include <pcl/segmentation/shape_instance_segmentation.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
 
 namespace instances {
 namespace {
 
-constexpr double normal_radius = 0.015;
-constexpr double table_distance = 0.010;
 constexpr int least_cluster = 100;
-
-using Normals = pcl::PointCloud<pcl::Normal>;
-using Tree = pcl::search::KdTree<pcl::PointXYZ>;
 
 void
 setLabel(const pcl::Indices& indices, std::uint32_t label, Labels& labels)
@@ -39,110 +31,39 @@ setLabel(const pcl::Indices& indices, std::uint32_t label, Labels& labels)
 }
 
 Labels
-labelsOf(const std::vector<pcl::PointIndices>& instances, std::size_t points)
+labelsOf(const std::vector<pcl::Indices>& instances, std::size_t points)
 {
   Labels labels(points, 0);
   std::uint32_t next = 0;
-  for (const pcl::PointIndices& instance : instances)
-    setLabel(instance.indices, ++next, labels);
+  for (const pcl::Indices& instance : instances)
+    setLabel(instance, ++next, labels);
   return labels;
 }
 
-Normals::Ptr
-normalsOf(const Cloud::ConstPtr& cloud)
+Labels
+labelsOf(const std::vector<pcl::PointIndices>& instances, std::size_t points)
 {
-  pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation(1);
-  estimation.setInputCloud(cloud);
-  estimation.setSearchMethod(pcl::make_shared<Tree>(false));
-  estimation.setRadiusSearch(normal_radius);
-  const auto normals = pcl::make_shared<Normals>();
-  estimation.compute(*normals);
-  return normals;
+  std::vector<pcl::Indices> indices;
+  for (const pcl::PointIndices& instance : instances)
+    indices.push_back(instance.indices);
+  return labelsOf(indices, points);
 }
 
-pcl::Indices
-allOf(const Cloud& cloud)
-{
-  pcl::Indices all(cloud.size());
-  std::iota(all.begin(), all.end(), 0);
-  return all;
-}
-
-/** Take the inliers of a model out of the indices that are left. */
-pcl::Indices
-takeInliers(pcl::SACSegmentation<pcl::PointXYZ>& segmentation, pcl::Indices& left)
-{
-  segmentation.setIndices(pcl::make_shared<pcl::Indices>(left));
-  pcl::PointIndices inliers;
-  pcl::ModelCoefficients coefficients;
-  segmentation.segment(inliers, coefficients);
-  std::sort(inliers.indices.begin(), inliers.indices.end());
-  pcl::Indices others;
-  std::set_difference(left.begin(),
-                      left.end(),
-                      inliers.indices.begin(),
-                      inliers.indices.end(),
-                      std::back_inserter(others));
-  left = others;
-  return inliers.indices;
-}
-
-void
-setUpPlanes(pcl::SACSegmentation<pcl::PointXYZ>& segmentation,
-            const Cloud::ConstPtr& cloud,
-            double distance)
-{
-  constexpr int iterations = 1000;
-  segmentation.setInputCloud(cloud);
-  segmentation.setModelType(pcl::SACMODEL_PLANE);
-  segmentation.setMethodType(pcl::SAC_RANSAC);
-  segmentation.setMaxIterations(iterations);
-  segmentation.setDistanceThreshold(distance);
-}
-
-pcl::Indices
-withoutTable(const Cloud::ConstPtr& cloud)
-{
-  pcl::Indices left = allOf(*cloud);
-  pcl::SACSegmentation<pcl::PointXYZ> table;
-  setUpPlanes(table, cloud, table_distance);
-  takeInliers(table, left);
-  return left;
-}
-
+/** As many as there truly are. */
 Labels
 ransacPlanes(const InstanceCloud& cloud, double distance)
 {
-  pcl::SACSegmentation<pcl::PointXYZ> planes;
-  setUpPlanes(planes, cloud.points, distance);
-  pcl::Indices left = allOf(*cloud.points);
-  Labels labels(cloud.points->size(), 0);
-  const std::size_t count = cloud.count();
-  for (std::uint32_t c = 1; c <= count && left.size() > 3; ++c)
-    setLabel(takeInliers(planes, left), c, labels);
-  return labels;
+  constexpr std::size_t least_points = 3;
+  return labelsOf(
+      pcl_regions::planes(cloud.points, distance, cloud.count(), least_points),
+      cloud.points->size());
 }
 
 Labels
-ransacCylinders(const InstanceCloud& cloud, double distance)
+ransacCylinders(const InstanceCloud& cloud, const pcl_regions::CylinderFit& fit)
 {
-  constexpr int iterations = 1000;
-  constexpr double normal_weight = 0.1, least_radius = 0.01, largest_radius = 0.15;
-  pcl::Indices left = withoutTable(cloud.points);
-  pcl::SACSegmentationFromNormals<pcl::PointXYZ, pcl::Normal> cylinders;
-  cylinders.setInputCloud(cloud.points);
-  cylinders.setInputNormals(normalsOf(cloud.points));
-  cylinders.setModelType(pcl::SACMODEL_CYLINDER);
-  cylinders.setMethodType(pcl::SAC_RANSAC);
-  cylinders.setMaxIterations(iterations);
-  cylinders.setNormalDistanceWeight(normal_weight);
-  cylinders.setDistanceThreshold(distance);
-  cylinders.setRadiusLimits(least_radius, largest_radius);
-  Labels labels(cloud.points->size(), 0);
-  const std::size_t count = cloud.count();
-  for (std::uint32_t c = 1; c <= count && left.size() > 2; ++c)
-    setLabel(takeInliers(cylinders, left), c, labels);
-  return labels;
+  return labelsOf(pcl_regions::cylinders(cloud.points, fit, cloud.count()),
+                  cloud.points->size());
 }
 
 /** Leave out what is, by the truth, mostly on something else. */
@@ -163,20 +84,10 @@ keepTrueOnes(const InstanceCloud& cloud, std::vector<pcl::PointIndices>& regions
 }
 
 Labels
-grownRegions(const InstanceCloud& cloud, double degrees)
+trueRegions(const InstanceCloud& cloud, double degrees)
 {
-  constexpr unsigned neighbors = 30;
-  constexpr float no_limit = 1.0f; // of curvature: creases are left to the angle
-  pcl::RegionGrowing<pcl::PointXYZ, pcl::Normal> growing;
-  growing.setInputCloud(cloud.points);
-  growing.setInputNormals(normalsOf(cloud.points));
-  growing.setSearchMethod(pcl::make_shared<Tree>(false));
-  growing.setNumberOfNeighbours(neighbors);
-  growing.setSmoothnessThreshold(static_cast<float>(degrees * M_PI / 180.0));
-  growing.setCurvatureThreshold(no_limit);
-  growing.setMinClusterSize(least_cluster);
-  std::vector<pcl::PointIndices> regions;
-  growing.extract(regions);
+  std::vector<pcl::PointIndices> regions =
+      pcl_regions::grownRegions(cloud.points, degrees);
   keepTrueOnes(cloud, regions);
   return labelsOf(regions, cloud.points->size());
 }
@@ -186,8 +97,10 @@ clustersOffTable(const InstanceCloud& cloud, double gap)
 {
   pcl::EuclideanClusterExtraction<pcl::PointXYZ> clustering;
   clustering.setInputCloud(cloud.points);
-  clustering.setIndices(pcl::make_shared<pcl::Indices>(withoutTable(cloud.points)));
-  clustering.setSearchMethod(pcl::make_shared<Tree>(false));
+  clustering.setIndices(
+      pcl::make_shared<pcl::Indices>(pcl_regions::withoutLargestPlane(cloud.points)));
+  clustering.setSearchMethod(
+      pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>(false));
   clustering.setClusterTolerance(gap);
   clustering.setMinClusterSize(least_cluster);
   std::vector<pcl::PointIndices> clusters;
@@ -213,6 +126,13 @@ std::string
 millimetres(double metres)
 {
   return std::to_string(static_cast<int>(std::lround(1000.0 * metres))) + " mm";
+}
+
+std::string
+settingOf(const pcl_regions::CylinderFit& fit)
+{
+  return millimetres(fit.distance) +
+         (fit.normal_weight > 0.0 ? ", normals weigh 0.1" : "");
 }
 
 /** The same with several distances. */
@@ -250,8 +170,11 @@ peersFor(Task task)
 {
   std::vector<Method> methods;
   if (task == Task::curved)
-    addWithDistances(
-        "RANSAC cylinders, true count", ransacCylinders, {0.005, 0.010}, methods);
+    for (const pcl_regions::CylinderFit& fit : pcl_regions::cylinderFits())
+      methods.push_back(
+          {"RANSAC cylinders, true count",
+           settingOf(fit),
+           [fit](const InstanceCloud& cloud) { return ransacCylinders(cloud, fit); }});
   if (task == Task::faces)
     addWithDistances(
         "RANSAC planes, true count", ransacPlanes, {0.005, 0.010}, methods);
@@ -264,7 +187,7 @@ peersFor(Task task)
     methods.push_back(
         {"pcl::RegionGrowing, its regions told by the truth",
          std::to_string(degrees) + "°",
-         [=](const InstanceCloud& cloud) { return grownRegions(cloud, degrees); }});
+         [=](const InstanceCloud& cloud) { return trueRegions(cloud, degrees); }});
   return methods;
 }
 

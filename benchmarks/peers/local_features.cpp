@@ -9,11 +9,13 @@
 
 #include "local_features.h"
 
-#include <pcl/features/normal_3d_omp.h>
+#include <pcl/features/normal_3d.h>
 #include <pcl/features/principal_curvatures.h>
 #include <pcl/search/kdtree.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace peers {
 namespace {
@@ -25,6 +27,27 @@ variationOf(const Cloud::ConstPtr& cloud, double radius)
   Scores scores;
   for (const pcl::Normal& normal : *normals) {
     scores.push_back(normal.curvature);
+  }
+  return scores;
+}
+
+/** The same over a radius that grows with the square of the depth, as a depth camera's
+ * noise does: what it is at a depth of one metre, and a quarter to four times that. */
+Scores
+variationByDepth(const Cloud::ConstPtr& cloud, double radius)
+{
+  pcl::search::KdTree<pcl::PointXYZ> tree(false);
+  tree.setInputCloud(cloud);
+  Scores scores;
+  pcl::Indices neighbors;
+  std::vector<float> squares;
+  for (const pcl::PointXYZ& point : *cloud) {
+    const double scale = std::clamp(double{point.z} * double{point.z}, 0.25, 4.0);
+    tree.radiusSearch(point, scale * radius, neighbors, squares);
+    Eigen::Vector4f plane;
+    float variation = std::numeric_limits<float>::quiet_NaN();
+    pcl::computePointNormal(*cloud, neighbors, plane, variation);
+    scores.push_back(variation);
   }
   return scores;
 }
@@ -58,19 +81,6 @@ millimetres(double radius)
   return text + (rest != 0 ? "." + std::to_string(rest) : "") + " mm";
 }
 
-Normals::Ptr
-normalsOf(const Cloud::ConstPtr& cloud, double radius)
-{
-  pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation(1);
-  estimation.setInputCloud(cloud);
-  estimation.setSearchMethod(
-      pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>(false));
-  estimation.setRadiusSearch(radius);
-  const auto normals = pcl::make_shared<Normals>();
-  estimation.compute(*normals);
-  return normals;
-}
-
 Peer
 surfaceVariation(const std::vector<double>& radii)
 {
@@ -79,6 +89,10 @@ surfaceVariation(const std::vector<double>& radii)
     peer.settings.push_back({millimetres(radius), [=](const LabelledCloud& cloud) {
                                return variationOf(cloud.points, radius);
                              }});
+    peer.settings.push_back(
+        {millimetres(radius) + " × (z/m)²", [=](const LabelledCloud& cloud) {
+           return variationByDepth(cloud.points, radius);
+         }});
   }
   return peer;
 }

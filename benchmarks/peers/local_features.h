@@ -9,18 +9,16 @@
 
 #pragma once
 
+#include "../common/pcl_regions.h"
 #include "peer.h"
 
 namespace peers {
 
-using Normals = pcl::PointCloud<pcl::Normal>;
+using pcl_regions::Normals;
+using pcl_regions::normalsOf;
 
 /** \brief "12 mm" */
 std::string millimetres(double radius);
-
-/** \brief PCL's normals over a radius, on one thread, with the faster, unsorted search.
- */
-Normals::Ptr normalsOf(const Cloud::ConstPtr& cloud, double radius);
 
 /** \brief Surface variation: the smallest eigenvalue over the sum of all. */
 Peer surfaceVariation(const std::vector<double>& radii);
