@@ -31,18 +31,20 @@ variationOf(const Cloud::ConstPtr& cloud, double radius)
   return scores;
 }
 
-/** The same over a radius that grows with the square of the depth, as a depth camera's
- * noise does: what it is at a depth of one metre, and a quarter to four times that. */
+/** The same over a radius that grows with the square of the depth from 0.8 m on, as a
+ * depth camera's noise does, to four times as much. */
 Scores
 variationByDepth(const Cloud::ConstPtr& cloud, double radius)
 {
+  constexpr double near = 0.8;
   pcl::search::KdTree<pcl::PointXYZ> tree(false);
   tree.setInputCloud(cloud);
   Scores scores;
   pcl::Indices neighbors;
   std::vector<float> squares;
   for (const pcl::PointXYZ& point : *cloud) {
-    const double scale = std::clamp(double{point.z} * double{point.z}, 0.25, 4.0);
+    const double scale =
+        std::clamp(double{point.z} * double{point.z} / (near * near), 1.0, 4.0);
     tree.radiusSearch(point, scale * radius, neighbors, squares);
     Eigen::Vector4f plane;
     float variation = std::numeric_limits<float>::quiet_NaN();
@@ -90,7 +92,7 @@ surfaceVariation(const std::vector<double>& radii)
                                return variationOf(cloud.points, radius);
                              }});
     peer.settings.push_back(
-        {millimetres(radius) + " × (z/m)²", [=](const LabelledCloud& cloud) {
+        {millimetres(radius) + " × (z / 0.8 m)²", [=](const LabelledCloud& cloud) {
            return variationByDepth(cloud.points, radius);
          }});
   }
