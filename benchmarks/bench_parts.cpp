@@ -110,9 +110,7 @@ addLookups(const Inputs& in)
     benchmark::DoNotOptimize(histogram.total());
   });
   add("likelihood", in, [&in] {
-    for (const pcl::INAD& pair : in.inad) {
-      benchmark::DoNotOptimize(in.histogram.likelihood(pair));
-    }
+    benchmark::DoNotOptimize(in.histogram.backProject(in.inad, in.threads));
   });
 }
 

@@ -11,6 +11,8 @@
 
 #include "common/clouds.h"
 
+#include <pcl/features/inad_point.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -31,7 +33,9 @@ struct Pipeline {
 };
 
 struct PipelineResult {
-  std::vector<std::vector<float>> mu, sigma, likelihood; ///< of each radius
+  std::vector<pcl::PointCloud<pcl::INAD>> inad; ///< of each radius, of runShape()
+  std::vector<std::vector<float>> mu, sigma;    ///< of runPcl(), and of splitINAD()
+  std::vector<std::vector<float>> likelihood;
   std::uint64_t neighbors = 0; ///< of all INAD, the points themselves not counted
 };
 
@@ -47,6 +51,9 @@ PipelineResult runPcl(const Pipeline& pipeline,
 /** \brief The same with NormalEstimationSweep and INADEstimation. */
 PipelineResult
 runShape(const Pipeline& pipeline, const Cloud::ConstPtr& cloud, unsigned threads);
+
+/** \brief Set mu and sigma from the clouds. */
+void splitINAD(PipelineResult& result);
 
 /** \brief The neighbors that runShape() goes through. */
 std::uint64_t

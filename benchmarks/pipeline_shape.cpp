@@ -60,21 +60,11 @@ histogramOf(const Inad& inad, bool own_histogram)
 }
 
 void
-backProject(const Inad& inad, bool own_histogram, PipelineResult& result)
+backProject(Inad& inad, bool own_histogram, unsigned threads, PipelineResult& result)
 {
   const pcl::ShapeHistogram histogram = histogramOf(inad, own_histogram);
-  std::vector<float> mu, sigma, likelihood;
-  for (auto* values : {&mu, &sigma, &likelihood}) {
-    values->reserve(inad.size());
-  }
-  for (const pcl::INAD& value : inad) {
-    mu.push_back(value.mu);
-    sigma.push_back(value.sigma);
-    likelihood.push_back(histogram.likelihood(value));
-  }
-  result.mu.push_back(std::move(mu));
-  result.sigma.push_back(std::move(sigma));
-  result.likelihood.push_back(std::move(likelihood));
+  result.likelihood.push_back(histogram.backProject(inad, threads));
+  result.inad.push_back(std::move(inad));
 }
 
 } // namespace
@@ -100,10 +90,24 @@ runShape(const Pipeline& pipeline, const Cloud::ConstPtr& cloud, unsigned thread
   runEstimations(pipeline, cloud, threads, [&](auto& estimation, auto& output) {
     estimation.compute(output);
     if constexpr (std::is_same_v<std::decay_t<decltype(output)>, Inad>) {
-      backProject(output, pipeline.own_histogram, result);
+      backProject(output, pipeline.own_histogram, threads, result);
     }
   });
   return result;
+}
+
+void
+splitINAD(PipelineResult& result)
+{
+  for (const Inad& inad : result.inad) {
+    std::vector<float> mu, sigma;
+    for (const pcl::INAD& value : inad) {
+      mu.push_back(value.mu);
+      sigma.push_back(value.sigma);
+    }
+    result.mu.push_back(std::move(mu));
+    result.sigma.push_back(std::move(sigma));
+  }
 }
 
 std::uint64_t

@@ -94,6 +94,7 @@ run(int argc, char** argv)
   const double extra_bytes = mostExtraBytes(pipeline, cloud, settings.threads);
   PipelineResult theirs, ours;
   const Times times = measure(settings, pipeline, cloud, theirs, ours);
+  splitINAD(ours);
   const double pcl_ms = median(times.sorted);
   const double pcl_unsorted_ms = median(times.unsorted);
   const double pcl_shape_ms = median(times.shape);

@@ -7,6 +7,7 @@
  * All rights reserved
  */
 
+#include "../kernels/parallel.h"
 #include "errors.h"
 
 #include <pcl/features/shape_histogram.h>
@@ -93,9 +94,21 @@ ShapeHistogram::add(const INAD& inad)
 void
 ShapeHistogram::add(const PointCloud<INAD>& cloud)
 {
+  // Local: a count that is written might be a member.
+  std::uint64_t* const counts = counts_.data();
+  const std::size_t beyond = counts_.size();
+  std::uint64_t added = 0, peak = peak_;
   for (const INAD& inad : cloud) {
-    add(inad);
+    const std::size_t bin = binOf(inad);
+    if (bin == beyond) {
+      outside_ += isNaN(inad) ? 0 : 1;
+      continue;
+    }
+    peak = std::max(peak, ++counts[bin]);
+    ++added;
   }
+  total_ += added;
+  peak_ = peak;
 }
 
 void
@@ -151,17 +164,43 @@ ShapeHistogram::merge(const ShapeHistogram& other)
 }
 
 float
-ShapeHistogram::likelihood(const INAD& inad) const
+ShapeHistogram::likelihoodOf(std::size_t bin) const
 {
-  if (isNaN(inad)) {
-    return std::numeric_limits<float>::quiet_NaN();
-  }
-  const std::size_t bin = binOf(inad);
   if (bin == counts_.size() || peak_ == 0) {
     return 0.0f;
   }
   return static_cast<float>(static_cast<double>(counts_[bin]) /
                             static_cast<double>(peak_));
+}
+
+float
+ShapeHistogram::likelihood(const INAD& inad) const
+{
+  if (isNaN(inad)) {
+    return std::numeric_limits<float>::quiet_NaN();
+  }
+  return likelihoodOf(binOf(inad));
+}
+
+std::vector<float>
+ShapeHistogram::backProject(const PointCloud<INAD>& cloud, unsigned threads) const
+{
+  const bool has_few_bins = counts_.size() < cloud.size();
+  std::vector<float> of_bins(has_few_bins ? counts_.size() + 1 : 0);
+  for (std::size_t bin = 0; bin < of_bins.size(); ++bin) {
+    of_bins[bin] = likelihoodOf(bin);
+  }
+  std::vector<float> likelihoods(cloud.size());
+  kernels::parallelForRanges(
+      cloud.size(), threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const std::size_t bin = binOf(cloud[i]);
+          const float known = has_few_bins ? of_bins[bin] : likelihoodOf(bin);
+          likelihoods[i] =
+              isNaN(cloud[i]) ? std::numeric_limits<float>::quiet_NaN() : known;
+        }
+      });
+  return likelihoods;
 }
 
 double

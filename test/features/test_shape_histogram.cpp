@@ -96,6 +96,66 @@ TEST(ShapeHistogram, LikelihoodIsNormalisedByThePeak)
   EXPECT_EQ(0.0f, small().likelihood({0.25f, 0.15f}));
 }
 
+/** \brief Pairs in all bins, beyond them, and unknown ones. */
+pcl::PointCloud<pcl::INAD>
+allKindsOfPairs(std::size_t count)
+{
+  pcl::PointCloud<pcl::INAD> cloud;
+  for (std::size_t i = 0; i < count; ++i) {
+    cloud.push_back(
+        {0.07f * static_cast<float>(i % 17), 0.05f * static_cast<float>(i % 11)});
+  }
+  cloud.push_back({nan, 0.1f});
+  cloud.push_back({0.1f, nan});
+  cloud.push_back({-0.1f, 0.1f});
+  return cloud;
+}
+
+TEST(ShapeHistogram, ACloudIsCountedAsItsPairsAre)
+{
+  const auto cloud = allKindsOfPairs(1000);
+  ShapeHistogram at_once = small(), one_by_one = small();
+  at_once.add(2, 1, 3);
+  one_by_one.add(2, 1, 3);
+  at_once.add(cloud);
+  for (const pcl::INAD& pair : cloud) {
+    one_by_one.add(pair);
+  }
+  EXPECT_LT(100u, one_by_one.outside());
+  EXPECT_EQ(one_by_one.outside(), at_once.outside());
+  EXPECT_EQ(one_by_one.total(), at_once.total());
+  EXPECT_EQ(one_by_one.peak(), at_once.peak());
+  for (std::size_t i = 0; i < at_once.muBins(); ++i) {
+    for (std::size_t j = 0; j < at_once.sigmaBins(); ++j) {
+      EXPECT_EQ(one_by_one.count(i, j), at_once.count(i, j)) << i << ", " << j;
+    }
+  }
+}
+
+TEST(ShapeHistogram, BackProjectionIsTheLikelihoodOfEachPair)
+{
+  // Fewer pairs than bins, more, and more than a thread takes at once.
+  for (const std::size_t count : {0u, 3u, 1000u, 20000u}) {
+    const auto cloud = allKindsOfPairs(count);
+    for (const ShapeHistogram& empty : {small(), ShapeHistogram()}) {
+      ShapeHistogram histogram = empty;
+      for (int fill = 0; fill < 2; ++fill) {
+        for (const unsigned threads : {1u, 2u, 0u}) {
+          const std::vector<float> found = histogram.backProject(cloud, threads);
+          ASSERT_EQ(cloud.size(), found.size());
+          for (std::size_t i = 0; i < cloud.size(); ++i) {
+            const float expected = histogram.likelihood(cloud[i]);
+            EXPECT_TRUE(found[i] == expected ||
+                        (std::isnan(found[i]) && std::isnan(expected)))
+                << i << " of " << count << ": " << found[i] << ", not " << expected;
+          }
+        }
+        histogram.add(cloud);
+      }
+    }
+  }
+}
+
 TEST(ShapeHistogram, DensityIntegratesToOne)
 {
   ShapeHistogram histogram = small();

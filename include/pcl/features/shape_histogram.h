@@ -58,6 +58,11 @@ public:
    * ranges and in an empty histogram, NaN for NaN. */
   float likelihood(const INAD& inad) const;
 
+  /** \brief The likelihood of each pair of a cloud: its back-projection.
+   * \param[in] threads 0 for all cores */
+  std::vector<float> backProject(const PointCloud<INAD>& cloud,
+                                 unsigned threads = 1) const;
+
   /** \brief Probability density of the pair, 1/rad^2; 0 beyond the ranges and in an
    * empty histogram, NaN for NaN. */
   double density(const INAD& inad) const;
@@ -119,6 +124,8 @@ private:
   /** \brief Position of the pair's bin in counts_, or counts_.size() beyond the ranges.
    */
   std::size_t binOf(const INAD& inad) const;
+
+  float likelihoodOf(std::size_t bin) const;
 
   std::size_t mu_bins_;
   std::size_t sigma_bins_;
