@@ -57,7 +57,7 @@ public:
     const std::size_t count = queries_.clusters.size();
     parallelFor(
         (count + blocks_a_task - 1) / blocks_a_task, threads, [&](std::size_t t) {
-          RunFinder finder(surface_);
+          RunFinder finder(surface_, kernels_);
           double reach = queries_.edge;
           const std::size_t end = std::min(count, (t + 1) * blocks_a_task);
           const auto visitBlock = [&](std::size_t b, SweepBlock& block) {

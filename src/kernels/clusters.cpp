@@ -34,6 +34,9 @@ splitRows(RowIndex& index)
           std::min(end, first + static_cast<std::uint32_t>(block_size));
       std::uint32_t last = first + 1;
       // Points far apart would share too large a box.
+      if (!(x[most - 1] - x[first] > far)) {
+        last = most;
+      }
       while (last < most && !(x[last] - x[last - 1] > far)) {
         ++last;
       }
@@ -44,20 +47,27 @@ splitRows(RowIndex& index)
   begin.push_back(static_cast<std::uint32_t>(index.size()));
 }
 
+/** \brief The least and the most of at most block_size values, behind which as many may
+ * be read. */
 void
-setRange(const std::vector<float>& values,
-         std::uint32_t begin,
-         std::uint32_t end,
-         float& least,
-         float& most)
+setRange(const float* values, std::uint32_t count, float& least, float& most)
 {
-  float low = values[begin], high = values[begin];
-  for (std::uint32_t i = begin + 1; i < end; ++i) {
-    low = std::min(low, values[i]);
-    high = std::max(high, values[i]);
+  // Without branches, and with numbers as wide as floats: compilers make vectors of it.
+  constexpr std::uint32_t size = block_size;
+  float low[size], high[size];
+  const float first = values[0];
+  for (std::uint32_t i = 0; i < size; ++i) {
+    const float value = values[i];
+    low[i] = high[i] = i < count ? value : first;
   }
-  least = low;
-  most = high;
+  for (std::uint32_t half = size / 2; half > 0; half /= 2) {
+    for (std::uint32_t i = 0; i < half; ++i) {
+      low[i] = std::min(low[i], low[i + half]);
+      high[i] = std::max(high[i], high[i + half]);
+    }
+  }
+  least = low[0];
+  most = high[0];
 }
 
 } // namespace
@@ -73,9 +83,11 @@ makeClusters(RowIndex& index, unsigned threads)
   parallelForRanges(clusters.size(), threads, [&](std::size_t first, std::size_t last) {
     for (std::size_t c = first; c < last; ++c) {
       const std::uint32_t begin = clusters.begin[c], end = clusters.begin[c + 1];
-      setRange(index.x, begin, end, clusters.box[0][c], clusters.box[3][c]);
-      setRange(index.y, begin, end, clusters.box[1][c], clusters.box[4][c]);
-      setRange(index.z, begin, end, clusters.box[2][c], clusters.box[5][c]);
+      const std::uint32_t count = end - begin;
+      clusters.box[0][c] = index.x[begin];
+      clusters.box[3][c] = index.x[end - 1];
+      setRange(index.y.data() + begin, count, clusters.box[1][c], clusters.box[4][c]);
+      setRange(index.z.data() + begin, count, clusters.box[2][c], clusters.box[5][c]);
     }
   });
 }

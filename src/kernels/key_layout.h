@@ -19,7 +19,7 @@
 namespace pcl::kernels {
 
 /** Points are first sorted by cells of this fraction of the edge along x. */
-inline constexpr double x_cells_an_edge = 32.0;
+inline constexpr double x_cells_an_edge = 256.0;
 
 /** More digits of x than these are left to the sort within the rows. */
 inline constexpr int most_x_bits = 16;
@@ -67,9 +67,8 @@ struct Cells {
 /** \brief How the bits of a key are shared by (z cell, y cell, x cell). */
 class KeyLayout {
 public:
-  KeyLayout(const Cells& all, double cells_a_metre)
+  explicit KeyLayout(const Cells& all)
   : all_(all)
-  , cells_a_metre_(cells_a_metre)
   , y_bits_(all.y.bits())
   , row_bits_(y_bits_ + all.z.bits())
   , x_bits_(std::min({all.x.bits(), most_x_bits, 64 - row_bits_}))
@@ -89,13 +88,14 @@ public:
     return x_bits_ + row_bits_;
   }
 
+  /** \brief The key of a point in these cells. */
   template <typename Key>
   Key
-  keyOf(const float* p) const
+  keyOf(std::int32_t x_cell, std::int32_t y_cell, std::int32_t z_cell) const
   {
-    const Key x = offset<Key>(cellOf(p[0], x_cells_an_edge * cells_a_metre_), all_.x);
-    const Key y = offset<Key>(cellOf(p[1], cells_a_metre_), all_.y);
-    const Key z = offset<Key>(cellOf(p[2], cells_a_metre_), all_.z);
+    const Key x = offset<Key>(x_cell, all_.x);
+    const Key y = offset<Key>(y_cell, all_.y);
+    const Key z = offset<Key>(z_cell, all_.z);
     return static_cast<Key>(((shifted(z, y_bits_) | y) << x_bits_) | (x >> x_shift_));
   }
 
@@ -134,7 +134,6 @@ private:
   }
 
   const Cells& all_;
-  double cells_a_metre_;
   int y_bits_, row_bits_, x_bits_, x_shift_;
 };
 

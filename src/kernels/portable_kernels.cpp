@@ -9,6 +9,7 @@
 
 #include "geometry_check.h"
 #include "neighborhood.h"
+#include "portable_index.h"
 #include "sweep_block.h"
 
 #include <algorithm>
@@ -215,7 +216,8 @@ narrowToNearest(SweepBlock& block, std::size_t query, std::size_t k)
 const KernelTable&
 portableKernels()
 {
-  static const KernelTable table{normals, inad, count, nearest};
+  static const KernelTable table{
+      normals, inad, count, nearest, cellsOfCoordinates, countLess};
   return table;
 }
 

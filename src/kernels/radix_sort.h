@@ -35,46 +35,53 @@ public:
             int digit_bits,
             unsigned threads)
   : from_(from)
-  , shift_(shift)
+  , digit_{shift, (std::size_t{1} << digit_bits) - 1}
   , digits_(std::size_t{1} << digit_bits)
   , threads_(threads)
   , parts_(partsFor(from.size(), threads))
   , histograms_(parts_)
   {
     parallelFor(parts_, threads, [this](std::size_t part) {
-      auto& histogram = histograms_[part];
-      histogram.assign(digits_, 0);
-      for (std::size_t i = begin(part); i < begin(part + 1); ++i) {
-        ++histogram[digitOf(from_[i])];
+      histograms_[part].assign(digits_, 0);
+      std::uint32_t* const histogram = histograms_[part].data();
+      // Local: what is written might be a member.
+      const Digit digit = digit_;
+      const Keyed<Key>* const end = from_.data() + begin(part + 1);
+      for (const Keyed<Key>* entry = from_.data() + begin(part); entry < end; ++entry) {
+        ++histogram[digit.of(*entry)];
       }
     });
   }
 
-  /** \brief Whether all keys have the same digit: there is nothing to sort. */
-  bool
-  isConstant() const
-  {
-    const std::size_t digit = digitOf(from_.front());
-    std::size_t count = 0;
-    for (const auto& histogram : histograms_) {
-      count += histogram[digit];
-    }
-    return count == from_.size();
-  }
-
-  void
+  /** \return where each digit's entries end */
+  std::vector<std::uint32_t>
   scatter(std::vector<Keyed<Key>>& to)
   {
     turnIntoPositions();
     parallelFor(parts_, threads_, [&](std::size_t part) {
-      auto& position = histograms_[part];
-      for (std::size_t i = begin(part); i < begin(part + 1); ++i) {
-        to[position[digitOf(from_[i])]++] = from_[i];
+      std::uint32_t* const position = histograms_[part].data();
+      Keyed<Key>* const out = to.data();
+      const Digit digit = digit_;
+      const Keyed<Key>* const end = from_.data() + begin(part + 1);
+      for (const Keyed<Key>* entry = from_.data() + begin(part); entry < end; ++entry) {
+        out[position[digit.of(*entry)]++] = *entry;
       }
     });
+    return histograms_.back();
   }
 
 private:
+  struct Digit {
+    int shift;
+    std::size_t mask;
+
+    std::size_t
+    of(const Keyed<Key>& entry) const
+    {
+      return static_cast<std::size_t>(entry.key >> shift) & mask;
+    }
+  };
+
   /** \brief How many parts entries are split into: few, so that counting digits stays
    * cheap. */
   static std::size_t
@@ -82,12 +89,6 @@ private:
   {
     constexpr std::size_t least_a_part = 16384;
     return std::clamp<std::size_t>(entries / least_a_part, 1, threadCount(threads));
-  }
-
-  std::size_t
-  digitOf(const Keyed<Key>& entry) const
-  {
-    return static_cast<std::size_t>(entry.key >> shift_) & (digits_ - 1);
   }
 
   std::size_t
@@ -110,33 +111,79 @@ private:
   }
 
   const std::vector<Keyed<Key>>& from_;
-  int shift_;
+  Digit digit_;
   std::size_t digits_;
   unsigned threads_;
   std::size_t parts_;
   std::vector<std::vector<std::uint32_t>> histograms_;
 };
 
-/** \brief Stable sort by the lowest `bits` bits of the keys. The result does not depend
- * on the number of threads. */
+/** \brief Stable sorts of few entries at a time, between two arrays. */
+template <typename Key>
+class BucketSort {
+public:
+  /** \param[in] bits the lowest ones, to sort by */
+  explicit BucketSort(int bits)
+  : passes_((bits + most_digit_bits - 1) / most_digit_bits)
+  , digit_bits_(passes_ > 0 ? (bits + passes_ - 1) / passes_ : 0)
+  {}
+
+  /** \brief Whether sorted entries end where they were not. */
+  bool
+  changesArray() const
+  {
+    return passes_ % 2 == 1;
+  }
+
+  /** \brief Sort what is from here on; as many may be written to the other array. */
+  void
+  sort(Keyed<Key>* entries, Keyed<Key>* other, std::size_t count) const
+  {
+    for (int pass = 0; pass < passes_; ++pass, std::swap(entries, other)) {
+      const int shift = pass * digit_bits_;
+      const Key mask = static_cast<Key>((Key{1} << digit_bits_) - 1);
+      std::uint32_t position[std::size_t{1} << most_digit_bits] = {};
+      for (std::size_t i = 0; i < count; ++i) {
+        ++position[(entries[i].key >> shift) & mask];
+      }
+      std::uint32_t sum = 0;
+      for (std::size_t digit = 0; digit <= mask; ++digit) {
+        sum += std::exchange(position[digit], sum);
+      }
+      for (std::size_t i = 0; i < count; ++i) {
+        other[position[(entries[i].key >> shift) & mask]++] = entries[i];
+      }
+    }
+  }
+
+private:
+  static constexpr int most_digit_bits = 10;
+
+  int passes_, digit_bits_;
+};
+
+/** \brief Stable sort by the lowest `bits` bits of the keys: by the highest ones first,
+ * which neighbors often share, then bucket by bucket, each of which fits in the
+ * first-level cache. The result does not depend on the number of threads. */
 template <typename Key>
 void
 radixSort(std::vector<Keyed<Key>>& entries, int bits, unsigned threads)
 {
-  // A histogram of digits of this many bits fits in the first-level cache.
-  constexpr int most_digit_bits = 11;
+  constexpr int most_top_bits = 8;
   if (entries.size() < 2) {
     return;
   }
+  const int top_bits = std::min(bits, most_top_bits);
   std::vector<Keyed<Key>> other(entries.size());
-  const int passes = (bits + most_digit_bits - 1) / most_digit_bits;
-  const int digit_bits = passes > 0 ? (bits + passes - 1) / passes : 0;
-  for (int shift = 0; shift < bits; shift += digit_bits) {
-    RadixPass<Key> pass(entries, shift, digit_bits, threads);
-    if (!pass.isConstant()) {
-      pass.scatter(other);
-      std::swap(entries, other);
-    }
+  RadixPass<Key> pass(entries, bits - top_bits, top_bits, threads);
+  const std::vector<std::uint32_t> ends = pass.scatter(other);
+  const BucketSort<Key> buckets(bits - top_bits);
+  parallelFor(ends.size(), threads, [&](std::size_t i) {
+    const std::size_t begin = i > 0 ? ends[i - 1] : 0;
+    buckets.sort(other.data() + begin, entries.data() + begin, ends[i] - begin);
+  });
+  if (!buckets.changesArray()) {
+    std::swap(entries, other);
   }
 }
 

@@ -18,32 +18,31 @@ namespace pcl::kernels {
 namespace {
 
 /** \brief The first position in [begin, end) whose value is not less than the bound.
- * Looks a few steps around a guess, then bisects. */
+ * Looks around a guess, then bisects. block_size values behind the last may be read. */
 std::uint32_t
-slide(const float* values,
+slide(const KernelTable& kernels,
+      const float* values,
       std::uint32_t begin,
       std::uint32_t end,
       std::uint32_t guess,
-      double bound)
+      float bound)
 {
-  constexpr int steps = 6;
-  std::uint32_t position = guess;
-  for (int i = 0; i < steps && position < end && values[position] < bound; ++i) {
-    ++position;
+  constexpr std::uint32_t window = block_size, steps_back = 6;
+  const bool is_short = end - begin <= window;
+  const std::uint32_t first =
+      is_short || guess - begin <= steps_back ? begin : guess - steps_back;
+  const std::uint32_t count = std::min(end - first, window);
+  // Without branches: how far the bound has moved cannot be predicted.
+  const std::uint32_t less = kernels.countLess(values + first, count, bound);
+  const bool is_after_first = less > 0 || first == begin;
+  const bool is_before_last = less < count || first + count == end;
+  if (is_after_first && is_before_last) {
+    return first + less;
   }
-  for (int i = 0; i < steps && position > begin && values[position - 1] >= bound; ++i) {
-    --position;
-  }
-  const bool is_first = position == begin || values[position - 1] < bound;
-  const bool is_enough = position == end || values[position] >= bound;
-  if (is_first && is_enough) {
-    return position;
-  }
-  const float* first = is_first ? values + position : values + begin;
-  const float* last = is_first ? values + end : values + position;
+  const float* from = is_after_first ? values + first + count : values + begin;
+  const float* to = is_after_first ? values + end : values + first;
   return static_cast<std::uint32_t>(
-      std::partition_point(first, last, [bound](float v) { return v < bound; }) -
-      values);
+      std::partition_point(from, to, [bound](float v) { return v < bound; }) - values);
 }
 
 /** \brief By how much intervals are apart, 0 if they overlap. */
@@ -134,8 +133,10 @@ RunFinder::find(const Box& box, double reach)
     selectRows(window);
   }
 
-  const double x_first = box.x_min - far;
-  const double x_last = box.x_max + far;
+  // Rounded outwards.
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const float x_first = std::nextafter(static_cast<float>(box.x_min - far), -infinity);
+  const float x_last = std::nextafter(static_cast<float>(box.x_max + far), infinity);
   const float* least = surface_.clusters.box[0].data();
   const float* most = surface_.clusters.box[3].data();
   runs_.clear();
@@ -146,8 +147,9 @@ RunFinder::find(const Box& box, double reach)
       continue;
     }
     ClusterRun& run = row.cursor;
-    run.begin = slide(most, row.begin, row.end, run.begin, x_first);
-    run.end = slide(least, row.begin, row.end, std::max(run.begin, run.end), x_last);
+    run.begin = slide(kernels_, most, row.begin, row.end, run.begin, x_first);
+    run.end = slide(
+        kernels_, least, row.begin, row.end, std::max(run.begin, run.end), x_last);
     if (run.begin < run.end) {
       runs_.push_back(run);
     }

@@ -23,7 +23,10 @@ namespace pcl::kernels {
  */
 class RunFinder {
 public:
-  explicit RunFinder(const RowIndex& surface) : surface_(surface) {}
+  RunFinder(const RowIndex& surface, const KernelTable& kernels)
+  : surface_(surface)
+  , kernels_(kernels)
+  {}
 
   /** \brief Runs, in sorted order, that hold every point within `reach` of the box. */
   const std::vector<ClusterRun>& find(const Box& box, double reach);
@@ -45,6 +48,7 @@ private:
   void selectRows(const Window& window);
 
   const RowIndex& surface_;
+  const KernelTable& kernels_;
   Window window_{1, 0, 1, 0};
   std::vector<NearRow> rows_;
   std::vector<ClusterRun> runs_;

@@ -21,6 +21,7 @@
 // The static target of a generic build has no SIMD: the portable kernels serve there.
 #include "simd_target.h"
 #if PCL_SHAPE_SIMD_TARGET
+#include "simd_index-inl.h"
 #include "simd_count-inl.h"
 #include "simd_inad_block-inl.h"
 #include "simd_nearest-inl.h"
@@ -33,7 +34,7 @@ namespace pcl::kernels::HWY_NAMESPACE {
 const KernelTable&
 kernelTable()
 {
-  static const KernelTable table{normals, inad, count, nearest};
+  static const KernelTable table{normals, inad, count, nearest, cells, countLess};
   return table;
 }
 

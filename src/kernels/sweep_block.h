@@ -72,6 +72,15 @@ struct KernelTable {
    * kth_d2. False if some query has fewer than k: it is left as it is, with kth_d2 NaN.
    */
   bool (*nearest)(SweepBlock&, std::size_t k);
+  /** The cells (row_index.h) of finite coordinates, a multiple of block_size of them.
+   */
+  void (*cells)(const float* coordinates,
+                std::size_t count,
+                double cells_a_metre,
+                std::int32_t* cells);
+  /** How many of the first `count` values, at most block_size, are less than the bound.
+   * block_size are read. */
+  std::uint32_t (*countLess)(const float* values, std::size_t count, float bound);
 };
 
 /** \brief Plain C++, for any processor. */
