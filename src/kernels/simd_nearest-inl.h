@@ -87,6 +87,19 @@ setRadiusTo(SweepBlock& block, std::size_t i, float d2)
   block.r2[i] = std::nextafter(d2, std::numeric_limits<float>::infinity());
 }
 
+/** \brief Of the points at this squared distance, which is the k-th, those of the
+ * smallest indices are neighbors, too. */
+HWY_INLINE void
+setTieAt(SweepBlock& block,
+         std::size_t i,
+         const PackedPoints& candidates,
+         float d2,
+         std::size_t wanted)
+{
+  block.r2[i] = block.tie_d2[i] = d2;
+  block.tie_index[i] = nthIndexAt(block, i, candidates, d2, wanted);
+}
+
 /** \brief The k nearest of one query; false if it has fewer neighbors. */
 HWY_INLINE bool
 narrow(SweepBlock& block,
@@ -106,9 +119,31 @@ narrow(SweepBlock& block,
     setRadiusTo(block, i, kth.value);
     return true;
   }
-  block.r2[i] = block.tie_d2[i] = kth.value;
-  block.tie_index[i] = nthIndexAt(block, i, candidates, kth.value, k - kth.less);
+  setTieAt(block, i, candidates, kth.value, k - kth.less);
   return true;
+}
+
+/** \brief Few nearest: of all queries at once, the smallest distances are kept. */
+HWY_INLINE bool
+narrowToFew(SweepBlock& block, std::size_t k, const PackedPoints& candidates)
+{
+  constexpr std::size_t some = 12;
+  const KthOfQueries kth = k < some ? keepNearest<some>(block, k, candidates)
+                                    : keepNearest<most_kept>(block, k, candidates);
+  bool all = true;
+  for (std::size_t i = 0; i < block.size; ++i) {
+    const float d2 = block.kth_d2[i];
+    if (std::isnan(d2)) {
+      all = false;
+    }
+    else if (kth.has_tie[i]) {
+      setTieAt(block, i, candidates, d2, k - kth.less[i]);
+    }
+    else {
+      setRadiusTo(block, i, d2);
+    }
+  }
+  return all;
 }
 
 /** With more candidates than these, each query's own list of distances is faster. */
@@ -123,6 +158,9 @@ nearest(SweepBlock& block, std::size_t k)
     return portableKernels().nearest(block, k);
   }
   const PackedPoints candidates = packPoints<true>(block, near, 0, near.size());
+  if (k < most_kept) {
+    return narrowToFew(block, k, candidates);
+  }
   const bool in_lanes = candidates.size <= most_in_lanes;
   float* d2 =
       simdScratch().values.atLeast(candidates.size * (in_lanes ? lanes : 1) + lanes);

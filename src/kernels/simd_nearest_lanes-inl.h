@@ -14,10 +14,26 @@
 #define PCL_SHAPE_SIMD_NEAREST_LANES_INL_H_
 #endif
 
-#include "simd_packed_points-inl.h"
+#include "simd_few_nearest-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
+
+/** \brief One more where the mask is set. Whole numbers: adding floats takes four times
+ * as long. */
+template <class M>
+HWY_INLINE hn::VFromD<Ints>
+countWhere(M mask, hn::VFromD<Ints> count)
+{
+  const Ints w;
+#if HWY_TARGET <= HWY_AVX3
+  return hn::VFromD<Ints>{
+      _mm512_mask_add_epi32(count.raw, mask.raw, count.raw, hn::Set(w, 1).raw)};
+#else
+  // A mask's lanes are -1.
+  return hn::Sub(count, hn::VecFromMask(w, hn::RebindMask(w, mask)));
+#endif
+}
 
 /** \brief The k-th smallest squared distances of as many queries as there are lanes, by
  * closing in on all at once.
@@ -35,16 +51,16 @@ kthSmallestOfLanes(const float* d2,
   const Floats d;
   const auto one = hn::Set(d, 1.0f);
   const auto countBelow = [&](auto bound) {
-    // Whole numbers: adding floats takes four times as long.
-    const Ints w;
-    const auto int_one = hn::Set(w, 1);
-    auto count = hn::Zero(w);
-    for (std::size_t c = 0; c < size; ++c) {
-      const auto is_below =
-          hn::RebindMask(w, hn::Lt(hn::Load(d, d2 + c * lanes), bound));
-      count = hn::IfThenElse(is_below, hn::Add(count, int_one), count);
+    auto even = hn::Zero(Ints()), odd = even;
+    std::size_t c = 0;
+    for (; c + 1 < size; c += 2) {
+      even = countWhere(hn::Lt(hn::Load(d, d2 + c * lanes), bound), even);
+      odd = countWhere(hn::Lt(hn::Load(d, d2 + (c + 1) * lanes), bound), odd);
     }
-    return hn::ConvertTo(d, count);
+    if (c < size) {
+      even = countWhere(hn::Lt(hn::Load(d, d2 + c * lanes), bound), even);
+    }
+    return hn::ConvertTo(d, hn::Add(even, odd));
   };
   const auto wanted = hn::Set(d, static_cast<float>(k));
   auto low = hn::Zero(d), high = most;
@@ -88,14 +104,9 @@ narrowLanes(SweepBlock& block, std::size_t k, const PackedPoints& candidates, fl
 {
   const Floats d;
   for (std::size_t first = 0; first < block.size; first += lanes) {
-    const auto x = hn::LoadU(d, block.qx + first);
-    const auto y = hn::LoadU(d, block.qy + first);
-    const auto z = hn::LoadU(d, block.qz + first);
+    const LanesOfQueries queries(block, first);
     for (std::size_t c = 0; c < candidates.size; ++c) {
-      const auto v = squaredLength(hn::Sub(hn::Set(d, candidates.x[c]), x),
-                                   hn::Sub(hn::Set(d, candidates.y[c]), y),
-                                   hn::Sub(hn::Set(d, candidates.z[c]), z));
-      hn::Store(v, d, d2 + c * lanes);
+      hn::Store(queries.squaredDistances(candidates, c), d, d2 + c * lanes);
     }
     const auto r2 = hn::LoadU(d, block.r2 + first);
     hn::StoreU(kthSmallestOfLanes(d2, candidates.size, k, r2), d, block.kth_d2 + first);

@@ -88,7 +88,7 @@ TEST_P(SweepNeighborhoods, RadiusOfEachPoint)
 
 TEST_P(SweepNeighborhoods, NearestPoints)
 {
-  for (const std::size_t k : {6U, 17U, 64U, 300U}) {
+  for (const std::size_t k : {6U, 11U, 12U, 15U, 16U, 17U, 64U, 300U}) {
     SCOPED_TRACE(k);
     expectEqualToReference(
         scene_, NeighborhoodSize::ofNearest(k), nearestIn(scene_, k));
@@ -112,7 +112,7 @@ TEST_P(SweepNeighborhoods, TiesOfNearestPointsGoToTheSmallerIndex)
   for (float& value : cloud.normals) {
     value = static_cast<float>(random.uniform(-1, 1));
   }
-  for (const std::size_t k : {7U, 8U, 11U, 30U}) {
+  for (const std::size_t k : {7U, 8U, 11U, 12U, 15U, 16U, 30U}) {
     SCOPED_TRACE(k);
     expectEqualToReference(cloud, NeighborhoodSize::ofNearest(k), nearestIn(cloud, k));
   }
