@@ -95,21 +95,28 @@ private:
     }
   }
 
+  /** \brief All less the rejected ones, which are few: sums are exact. Moves angles. */
   void
   sumKeptOf(const INADSlots& slots,
-            const std::uint32_t* angles,
+            std::uint32_t* angles,
             const BlockSums& all,
             BlockSums& kept) const
   {
+    kept = all;
+    std::size_t rejected[block_size];
+    // One after the other, what is packed would be read before it is there.
+    for (std::size_t i = 0; i < block_.size; ++i) {
+      rejected[i] = packRejected(angles + anglesBegin(slots, i),
+                                 all.count[i],
+                                 ranges_.least[i],
+                                 ranges_.width[i]);
+    }
     for (std::size_t i = 0; i < block_.size; ++i) {
       AngleAdder adder;
-      kept.count[i] = sumKept(angles + anglesBegin(slots, i),
-                              all.count[i],
-                              ranges_.least[i],
-                              ranges_.width[i],
-                              adder);
-      kept.sum[i] = adder.total();
-      kept.squares[i] = adder.totalOfSquares();
+      addAngles(angles + anglesBegin(slots, i), rejected[i], adder);
+      kept.count[i] -= rejected[i];
+      kept.sum[i] -= adder.total();
+      kept.squares[i] -= adder.totalOfSquares();
     }
   }
 
@@ -119,7 +126,7 @@ private:
     return simdScratch().angles.atLeast(anglesBegin(slots, block_size));
   }
 
-  /** \brief Angles are kept for the second pass. */
+  /** \brief Angles are there for the second pass. */
   void
   sumOnePortion()
   {

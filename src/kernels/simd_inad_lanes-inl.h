@@ -130,31 +130,44 @@ chordsToAngles(std::uint32_t* HWY_RESTRICT values, std::size_t count, AngleAdder
   hn::StoreU(hn::Set(w, no_angle), w, values + count);
 }
 
-/** \brief Sums over the angles in a range, of angles that a vector of no_angle follows.
- * \return how many they are */
+/** \brief Packs the angles that are not in a range, in place, of angles that a vector
+ * of no_angle follows. \return how many they are */
 HWY_INLINE std::size_t
-sumKept(const std::uint32_t* HWY_RESTRICT angles,
-        std::size_t count,
-        std::uint32_t least,
-        std::uint32_t width,
-        AngleAdder& adder)
+packRejected(std::uint32_t* HWY_RESTRICT angles,
+             std::size_t count,
+             std::uint32_t least,
+             std::uint32_t width)
 {
   const Words w;
   // One unsigned comparison: what is below the least wraps around.
   const auto from = hn::Set(w, least);
   const auto most = hn::Set(w, width);
-  std::size_t kept = 0;
+  std::size_t rejected = 0;
+  for (std::size_t c = 0; c < count; c += lanes) {
+    const auto units = hn::Load(w, angles + c);
+    const auto is_rejected = hn::Gt(hn::Sub(units, from), most);
+    rejected += packStore(w, units, is_rejected, angles + rejected);
+  }
+  // What fills the last vector is in no range, and behind all others.
+  rejected -= (count + lanes - 1) / lanes * lanes - count;
+  hn::StoreU(hn::Zero(w), w, angles + rejected);
+  return rejected;
+}
+
+/** \brief Sums over angles that a vector of zeros follows. */
+HWY_INLINE void
+addAngles(const std::uint32_t* HWY_RESTRICT angles,
+          std::size_t count,
+          AngleAdder& adder)
+{
+  const Words w;
   for (std::size_t c = 0; c < count;) {
     const std::size_t end = std::min(count, c + additions_between_widening * lanes);
     for (; c < end; c += lanes) {
-      const auto units = hn::Load(w, angles + c);
-      const auto is_kept = hn::Not(hn::Gt(hn::Sub(units, from), most));
-      adder.add(hn::IfThenElseZero(is_kept, units));
-      kept += hn::CountTrue(w, is_kept);
+      adder.add(hn::Load(w, angles + c));
     }
     adder.widen();
   }
-  return kept;
 }
 
 } // namespace pcl::kernels::HWY_NAMESPACE

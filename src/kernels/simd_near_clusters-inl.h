@@ -69,16 +69,24 @@ class NearClusters {
 public:
   explicit NearClusters(const SweepBlock& block) : block_(block)
   {
-    float largest = 0.0f;
-    float smallest = std::numeric_limits<float>::max();
-    for (std::size_t i = 0; i < block.size; ++i) {
-      largest = std::max({largest, block.r2[i], block.tie_d2[i]});
-      smallest = std::min(smallest, block.r2[i]);
-      has_ties_ = has_ties_ || block.tie_d2[i] >= 0.0f;
+    const Floats d;
+    auto largest = hn::Zero(d), largest_tie = hn::Set(d, -1.0f);
+    auto smallest = hn::Set(d, std::numeric_limits<float>::max());
+    for (std::size_t i = 0; i < block.size; i += lanes) {
+      const auto is_query = hn::FirstN(d, block.size - i);
+      const auto r2 = hn::LoadU(d, block.r2 + i);
+      const auto tie =
+          hn::IfThenElse(is_query, hn::LoadU(d, block.tie_d2 + i), hn::Set(d, -1.0f));
+      largest = hn::Max(largest, hn::IfThenElseZero(is_query, r2));
+      smallest = hn::Min(smallest, hn::IfThenElse(is_query, r2, smallest));
+      largest_tie = hn::Max(largest_tie, tie);
     }
+    const float tie = hn::GetLane(hn::MaxOfLanes(d, largest_tie));
+    has_ties_ = tie >= 0.0f;
     // A box may be nearer than its points, never further, but for rounding.
-    reach2_ = largest * (1.0f + 1e-5f) + std::numeric_limits<float>::min();
-    sure_reach2_ = smallest * (1.0f - 1e-5f);
+    reach2_ = std::max(hn::GetLane(hn::MaxOfLanes(d, largest)), tie) * (1.0f + 1e-5f) +
+              std::numeric_limits<float>::min();
+    sure_reach2_ = hn::GetLane(hn::MinOfLanes(d, smallest)) * (1.0f - 1e-5f);
     list();
   }
 
@@ -133,15 +141,17 @@ private:
     std::uint32_t* near = simdScratch().near.atLeast(run_ends_ + block_.run_count);
     const Words w;
     const Floats d;
+    std::size_t size = 0;
     for (std::size_t r = 0; r < block_.run_count; ++r) {
       const ClusterRun run = block_.runs[r];
       for (std::uint32_t c = run.begin; c < run.end; c += lanes) {
         auto mask = isNear(c);
         mask = hn::And(mask, hn::FirstN(d, run.end - c));
-        size_ += packStore(w, hn::Iota(w, c), hn::RebindMask(w, mask), near + size_);
+        size += packStore(w, hn::Iota(w, c), hn::RebindMask(w, mask), near + size);
       }
-      near[run_ends_ + r] = static_cast<std::uint32_t>(size_);
+      near[run_ends_ + r] = static_cast<std::uint32_t>(size);
     }
+    size_ = size;
   }
 
   HWY_INLINE MaskOf<Floats>

@@ -25,8 +25,20 @@ namespace pcl::kernels::HWY_NAMESPACE {
 struct alignas(64) OrderedMoments {
   enum Second : std::size_t { xx = sum_z + 1, xy, xz, yy, yz, zz, size };
 
-  float counts[block_size] = {};
-  float sums[size][block_size] = {};
+  float counts[block_size];
+  float sums[size][block_size];
+
+  HWY_INLINE
+  OrderedMoments()
+  {
+    const Floats d;
+    for (std::size_t i = 0; i < block_size; i += lanes) {
+      hn::Store(hn::Zero(d), d, counts + i);
+      for (auto& sum : sums) {
+        hn::Store(hn::Zero(d), d, sum + i);
+      }
+    }
+  }
 };
 
 /** \brief sum += a b and sum += a where the mask is set. */

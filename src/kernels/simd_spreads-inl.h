@@ -87,19 +87,31 @@ private:
   hn::VFromD<Floats> furthest_, anchor_x_, anchor_y_, anchor_z_, spreads_;
 };
 
-/** \brief Whether the queries, which are surface points, spread over a surface. */
+/** \brief Whether every `step`-th of the queries, which are surface points, spread over
+ * a surface. */
 HWY_INLINE void
-findSpreadsAmongQueries(const SweepBlock& block, bool* spreads)
+findSpreadsAmongQueries(const SweepBlock& block, std::size_t step, bool* spreads)
 {
   for (std::size_t first = 0; first < block.size; first += lanes) {
     SpreadFinder finder(block, first);
-    for (std::size_t j = 0; j < block.size; ++j) {
+    for (std::size_t j = 0; j < block.size; j += step) {
       finder.anchorAt(block.qx[j], block.qy[j], block.qz[j]);
     }
-    for (std::size_t j = 0; j < block.size; ++j) {
+    for (std::size_t j = 0; j < block.size; j += step) {
       finder.compare(block.qx[j], block.qy[j], block.qz[j]);
     }
     finder.store(first, spreads);
+  }
+}
+
+/** \brief Whether the queries do: mostly, a few of them tell. */
+HWY_INLINE void
+findSpreadsAmongQueries(const SweepBlock& block, bool* spreads)
+{
+  constexpr std::size_t few = 5;
+  findSpreadsAmongQueries(block, few, spreads);
+  if (!std::all_of(spreads, spreads + block.size, [](bool found) { return found; })) {
+    findSpreadsAmongQueries(block, 1, spreads);
   }
 }
 
