@@ -8,17 +8,11 @@
  */
 
 #include "common/options.h"
-#include "scene/grasp_scene.h"
-
-#include <pcl/point_types.h>
-#include <pcl/segmentation/suction_grasp_estimation.h>
-
-#include <nlohmann/json.hpp>
+#include "grasps/grasp_poses.h"
+#include "grasps/outcomes.h"
 
 #include <chrono>
 #include <iostream>
-#include <limits>
-#include <optional>
 
 // Suction grasps on generated scenes: large objects with smaller ones on them and
 // others before them. Beside them the centroid method: the point of the target nearest
@@ -27,9 +21,7 @@ namespace {
 
 namespace po = boost::program_options;
 namespace scene = pcl::scene;
-using Json = nlohmann::ordered_json;
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-using Eigen::Vector3f;
+using namespace grasps;
 
 constexpr double disc_step = 0.004; // metres: less than half of the smallest cup
 
@@ -39,34 +31,6 @@ struct Arguments {
   double cup_radius = 0.01;
   std::string noise = "kinect";
   bool verbose = false;
-};
-
-struct Pose {
-  Vector3f position, approach;
-};
-
-/** What became of one target. */
-struct Outcome {
-  bool has_face = false; ///< of twice the cup
-  bool is_curved = false;
-  bool seals = false;
-  bool is_on_one_face = false;
-  bool is_centroid_on_one_face = false;
-};
-
-struct Counts {
-  std::uint64_t targets = 0, sealed = 0, on_one_face = 0, centroid_on_one_face = 0;
-  std::uint64_t sealed_on_one_face = 0;
-
-  void
-  add(const Outcome& of)
-  {
-    ++targets;
-    sealed += of.seals ? 1 : 0;
-    on_one_face += of.is_on_one_face ? 1 : 0;
-    sealed_on_one_face += of.seals && of.is_on_one_face ? 1 : 0;
-    centroid_on_one_face += of.is_centroid_on_one_face ? 1 : 0;
-  }
 };
 
 bool
@@ -102,54 +66,6 @@ parseArguments(int argc, char** argv, Arguments& a)
   return true;
 }
 
-Cloud::Ptr
-cloudOf(const scene::GraspScene& scene)
-{
-  auto cloud = pcl::make_shared<Cloud>();
-  for (std::size_t i = 0; i < scene.object.size(); ++i) {
-    cloud->emplace_back(scene.xyz[3 * i], scene.xyz[3 * i + 1], scene.xyz[3 * i + 2]);
-  }
-  return cloud;
-}
-
-bool
-isOnOneFace(const scene::GraspScene& scene,
-            std::size_t target,
-            const Pose& pose,
-            double radius)
-{
-  const auto vec = [](const Vector3f& v) { return scene::Vec3{v.x(), v.y(), v.z()}; };
-  const scene::Pose& camera = scene.world.camera.pose;
-  return scene::isOnOneFace(scene.world,
-                            target,
-                            camera.toWorld(vec(pose.position)),
-                            camera.directionToWorld(vec(pose.approach)),
-                            radius,
-                            2.0 * radius);
-}
-
-/** Normals are those of the default mode. */
-Pose
-centroidGrasp(const Cloud& cloud, const pcl::Indices& target, const pcl::Surfaces& of)
-{
-  Vector3f mean = Vector3f::Zero();
-  for (const pcl::index_t i : target) {
-    mean += cloud[static_cast<std::size_t>(i)].getVector3fMap() /
-            static_cast<float>(target.size());
-  }
-  Pose pose{Vector3f::Zero(), Vector3f::Zero()};
-  float least = std::numeric_limits<float>::infinity();
-  for (const pcl::index_t i : target) {
-    const auto at = static_cast<std::size_t>(i);
-    const float squared = (cloud[at].getVector3fMap() - mean).squaredNorm();
-    if (squared < least && of.normals[at].getNormalVector3fMap().allFinite()) {
-      least = squared;
-      pose = {cloud[at].getVector3fMap(), -of.normals[at].getNormalVector3fMap()};
-    }
-  }
-  return pose;
-}
-
 class Comparison {
 public:
   explicit Comparison(const Arguments& arguments) : arguments_(arguments) {}
@@ -181,29 +97,21 @@ public:
   Json
   toJson() const
   {
-    return {{"noise", arguments_.noise},
-            {"cup_radius", arguments_.cup_radius},
-            {"first_seed", arguments_.first_seed},
-            {"scenes", arguments_.scenes},
-            {"targets", all_},
-            {"mean_seconds_without_back_projection",
-             seconds_ / static_cast<double>(std::max<std::uint64_t>(all_, 1))},
-            {"first_ranked_that_seal", sealing_},
-            {"of_these_on_one_face", sealing_on_one_face_},
-            {"with_a_face_of_twice_the_cup",
-             {{"planar", toJson(planar_)}, {"curved", toJson(curved_)}}}};
+    return {
+        {"noise", arguments_.noise},
+        {"cup_radius", arguments_.cup_radius},
+        {"first_seed", arguments_.first_seed},
+        {"scenes", arguments_.scenes},
+        {"targets", all_},
+        {"mean_seconds_without_back_projection",
+         seconds_ / static_cast<double>(std::max<std::uint64_t>(all_, 1))},
+        {"first_ranked_that_seal", sealing_},
+        {"of_these_on_one_face", sealing_on_one_face_},
+        {"with_a_face_of_twice_the_cup",
+         {{"planar", grasps::toJson(planar_)}, {"curved", grasps::toJson(curved_)}}}};
   }
 
 private:
-  static Json
-  toJson(const Counts& counts)
-  {
-    return {{"targets", counts.targets},
-            {"with_a_sealing_grasp", counts.sealed},
-            {"first_ranked_on_one_face", counts.on_one_face},
-            {"centroid_on_one_face", counts.centroid_on_one_face}};
-  }
-
   void
   addTarget(const scene::GraspScene& scene,
             const Cloud::Ptr& cloud,
@@ -256,29 +164,6 @@ private:
     }
     sealing_ += outcome.seals ? 1 : 0;
     sealing_on_one_face_ += outcome.seals && outcome.is_on_one_face ? 1 : 0;
-  }
-
-  static void
-  describe(std::uint64_t seed,
-           std::size_t target,
-           const char* shape,
-           std::size_t points,
-           const Outcome& outcome,
-           const std::vector<pcl::SuctionGrasp>& grasps)
-  {
-    std::cerr << "seed " << seed << " target " << target << ' ' << shape << ' '
-              << points << " points, face " << outcome.has_face << " seals "
-              << outcome.seals << " one face " << outcome.is_on_one_face << " centroid "
-              << outcome.is_centroid_on_one_face << ", " << grasps.size() << " grasps";
-    if (!grasps.empty()) {
-      const pcl::SuctionGrasp& first = grasps[0];
-      std::cerr << "; score " << first.score << " border " << first.border_distance
-                << " edge " << first.edge_distance << " obstacle "
-                << first.obstacle_distance << " margin " << first.margin << " sag "
-                << first.sag << " residual " << first.residual << " of "
-                << first.residual_allowed << " likelihood " << first.likelihood;
-    }
-    std::cerr << '\n';
   }
 
   Arguments arguments_;

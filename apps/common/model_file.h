@@ -12,10 +12,10 @@
 #include "arguments.h"
 #include "cloud_file.h"
 #include "report.h"
+#include "sample_options.h"
 
 #include <pcl/features/shape_model.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,20 +24,6 @@ namespace pcl::app {
 /** \brief Read a model file. \throws InputError that names it, what is wrong and
  * allowed */
 pcl::ShapeModel loadModel(const std::string& path);
-
-/** \brief Which points of a sample are counted, and how its class is called. */
-struct SampleOptions {
-  std::string name = "plane";
-  std::string field; ///< empty: all points
-  std::uint32_t value = 0;
-  std::optional<double> prior; ///< else that of -prior, or of the model
-};
-
-/** \brief One for each class: that of -name and -value, or those of -classes.
- * \throws UsageError for a name that could not be part of a field's name, for one of
- * -field and -value without the other, or for -classes that are not
- * NAME=VALUE[:PRIOR],... */
-std::vector<SampleOptions> sampleOptions(const Arguments& arguments);
 
 /** \brief A model file that is made, or extended, with labelled samples. */
 class ModelFile {
@@ -62,8 +48,6 @@ public:
   }
 
 private:
-  pcl::ShapeHistogram emptyHistogram() const;
-
   double priorOf(const SampleOptions& options) const;
 
   void addClasses();

@@ -10,12 +10,11 @@
 #include "face_contacts.h"
 
 #include "../kernels/parallel.h"
-#include "primitive_model.h"
+#include "face_meetings.h"
+#include "primitive_geometry.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <tuple>
 
 namespace pcl::segmentation {
 namespace {
@@ -24,19 +23,10 @@ using detail::InstanceInput;
 using Eigen::Vector3f;
 
 // In spacings; doc/instances.md has the reason of each number.
-constexpr float reach = 1.0f;
 constexpr float fit_spacings = 3.0f, fit_per_noise = 10.0f;
 constexpr int least_points = 5;
 constexpr float flat_cosine = 0.94f; // of 20 degrees
 constexpr float flat_sine = 0.34f;
-
-/** A place where two faces meet. */
-struct Meeting {
-  std::int32_t first, second;
-  std::array<float, 3> cell;
-  std::array<float, 3> position;
-  float spacing;
-};
 
 /** What the border of two faces is like at a place. */
 struct Bend {
@@ -56,50 +46,18 @@ public:
   Contacts(const InstanceInput& input,
            const PointGrid& grid,
            const Labels& faces,
-           const std::vector<Face>& properties,
-           const Labels& grown)
+           const std::vector<Face>& properties)
   : input_(input)
   , grid_(grid)
   , faces_(faces)
   , properties_(properties)
-  , grown_(grown)
-  , cell_(medianSpacing(input))
   , step_(stepLimit(input))
   {}
-
-  /** One meeting a pair of faces in each cell of space. */
-  std::vector<Meeting>
-  meetings() const
-  {
-    constexpr std::size_t part = 8192;
-    std::vector<std::vector<Meeting>> found((grown_.size() + part - 1) / part);
-    kernels::parallelFor(found.size(), input_.threads, [&](std::size_t p) {
-      const std::size_t end = std::min(grown_.size(), (p + 1) * part);
-      for (std::size_t i = p * part; i < end; ++i)
-        if (grown_[i] >= 0)
-          collect(i, found[p]);
-    });
-    std::vector<Meeting> all;
-    for (const auto& some : found)
-      all.insert(all.end(), some.begin(), some.end());
-    std::sort(all.begin(), all.end(), [](const Meeting& a, const Meeting& b) {
-      return std::tie(a.first, a.second, a.cell, a.position) <
-             std::tie(b.first, b.second, b.cell, b.position);
-    });
-    all.erase(std::unique(all.begin(),
-                          all.end(),
-                          [](const Meeting& a, const Meeting& b) {
-                            return std::tie(a.first, a.second, a.cell) ==
-                                   std::tie(b.first, b.second, b.cell);
-                          }),
-              all.end());
-    return all;
-  }
 
   /** Above 0 if the border is convex or no border at all, below if concave or a step,
    * 0 if that cannot be told. */
   Bend
-  bendAt(const Meeting& meeting) const
+  bendAt(const FaceMeeting& meeting) const
   {
     Side a, b;
     const Vector3f position = Eigen::Map<const Vector3f>(meeting.position.data());
@@ -126,37 +84,13 @@ public:
     const Vector3f foot_a = continueTo(first, position, a);
     const Vector3f foot_b = continueTo(second, position, b);
     const float sine = a.normal.cross(b.normal).norm();
-    const float limit = step_ + reach * sine;
+    const float limit = step_ + contact_reach * sine;
     const float gap = (foot_a - foot_b).norm() / meeting.spacing;
     const bool is_flat = a.normal.dot(b.normal) > flat_cosine;
     return {is_flat ? 1.0f : opening(a, b), gap / limit};
   }
 
 private:
-  void
-  collect(std::size_t i, std::vector<Meeting>& meetings) const
-  {
-    const Vector3f position = positionOf(input_.points, i);
-    const float* p = input_.points[i];
-    const Eigen::Array3f cell = (position.array() / cell_).floor();
-    std::array<std::int32_t, 8> seen{};
-    std::size_t count = 0;
-    grid_.forEachWithin(
-        position, reach * input_.spacings[i], [&](std::uint32_t j, float) {
-          const std::int32_t other = grown_[j];
-          const auto end = seen.begin() + static_cast<std::ptrdiff_t>(count);
-          if (other < 0 || other == grown_[i] || count == seen.size() ||
-              std::find(seen.begin(), end, other) != end)
-            return;
-          seen[count++] = other;
-          meetings.push_back({std::min(grown_[i], other),
-                              std::max(grown_[i], other),
-                              {cell.x(), cell.y(), cell.z()},
-                              {p[0], p[1], p[2]},
-                              input_.spacings[i]});
-        });
-  }
-
   void
   add(std::size_t j, const Vector3f& origin, Side& side) const
   {
@@ -200,8 +134,6 @@ private:
   const PointGrid& grid_;
   const Labels& faces_;
   const std::vector<Face>& properties_;
-  const Labels& grown_;
-  float cell_;
   float step_;
 };
 
@@ -214,8 +146,8 @@ faceContacts(const InstanceInput& input,
              const std::vector<Face>& properties,
              const Labels& grown)
 {
-  const Contacts contacts(input, grid, faces, properties, grown);
-  const std::vector<Meeting> meetings = contacts.meetings();
+  const Contacts contacts(input, grid, faces, properties);
+  const std::vector<FaceMeeting> meetings = faceMeetings(input, grid, grown);
   std::vector<Bend> bends(meetings.size());
   kernels::parallelForRanges(
       meetings.size(), input.threads, [&](std::size_t begin, std::size_t end) {

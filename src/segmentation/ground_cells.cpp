@@ -10,105 +10,22 @@
 #include "ground_cells.h"
 
 #include "../kernels/parallel.h"
-
-#include <Eigen/Geometry>
+#include "ground_frame.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace pcl::segmentation {
 namespace {
 
-// A squared range as a float: its exponent and three bits of its mantissa are a scale
-// of 8 steps an octave, 16 an octave of the range: cells 4 % deeper than the last one.
-constexpr int key_shift = 20;
-constexpr int keys_an_octave = 8;
-constexpr std::uint32_t keys = 1U << (31 - key_shift);
 constexpr std::uint32_t ring_octaves = 16; // of the squared range: 1 to 256
 constexpr std::uint32_t sectors = 256;     // about as wide as cells are deep
-constexpr std::uint32_t no_cell = std::numeric_limits<std::uint32_t>::max();
 // An evenly sampled disc has half of its points within 0.73 of the range of 95 %, a
 // straight road 0.53. A spinning laser has the same number in each octave of elevation.
 constexpr double laser_ratio = 0.47;
 constexpr double points_a_square = 8.0;
 constexpr float most_squares = 2048.0f; // in a line, and lines
-
-std::uint32_t
-keyOf(float squared_range)
-{
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &squared_range, sizeof bits);
-  return bits >> key_shift;
-}
-
-float
-leastOf(std::uint32_t key)
-{
-  const std::uint32_t bits = key << key_shift;
-  float squared_range = 0.0f;
-  std::memcpy(&squared_range, &bits, sizeof bits);
-  return squared_range;
-}
-
-/** The points in the frame of the sensor, z up. */
-struct Turned {
-  std::vector<float> x, y, z;
-  std::vector<std::uint32_t> cells; ///< first the keys of their ranges
-};
-
-Turned
-turned(const detail::GroundQuery& input, const std::array<float, 3>& direction)
-{
-  const Eigen::Vector3f up = Eigen::Map<const Eigen::Vector3f>(direction.data());
-  const Eigen::Matrix3f turn =
-      Eigen::Quaternionf::FromTwoVectors(up, Eigen::Vector3f::UnitZ())
-          .toRotationMatrix();
-  const Eigen::Vector3f origin = Eigen::Map<const Eigen::Vector3f>(input.origin.data());
-  const auto make = [&](auto& values) { values.resize(input.size); };
-  Turned t;
-  make(t.x), make(t.y), make(t.z), make(t.cells);
-  kernels::parallelForRanges(
-      input.size, input.threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          const std::size_t at =
-              input.indices ? static_cast<std::size_t>(input.indices[i]) : i;
-          const Eigen::Vector3f p =
-              turn * (Eigen::Map<const Eigen::Vector3f>(input.points[at]) - origin);
-          t.x[i] = p.x();
-          t.y[i] = p.y();
-          t.z[i] = p.z();
-          const float squared = p.x() * p.x() + p.y() * p.y();
-          const bool is_finite = (squared - squared) + (p.z() - p.z()) == 0.0f;
-          t.cells[i] = is_finite ? keyOf(squared) : no_cell;
-        }
-      });
-  return t;
-}
-
-/** How many finite points have each key. */
-std::vector<std::uint32_t>
-countKeys(const Turned& points)
-{
-  std::vector<std::uint32_t> counts(keys, 0);
-  for (const std::uint32_t key : points.cells)
-    if (key != no_cell)
-      ++counts[key];
-  return counts;
-}
-
-/** The key that a share of the points does not exceed. */
-std::uint32_t
-keyAt(const std::vector<std::uint32_t>& counts, std::uint64_t points, double share)
-{
-  std::uint64_t sum = 0;
-  std::uint32_t key = 0;
-  while (key + 1 < keys &&
-         static_cast<double>(sum += counts[key]) < share * static_cast<double>(points))
-    ++key;
-  return key;
-}
 
 struct Layout {
   std::uint32_t lines = 0;

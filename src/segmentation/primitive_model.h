@@ -9,11 +9,11 @@
 
 #pragma once
 
+#include "primitive_geometry.h"
 #include "surface_graph.h"
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
-#include <pcl/segmentation/shape_primitive.h>
 
 namespace pcl::segmentation {
 
@@ -40,14 +40,5 @@ void refine(const PrimitiveSample& sample, ShapePrimitive& primitive);
 /** \brief Root mean square distance of the points from the cone nearest to them;
  * infinite if there is none. */
 double coneResidual(const PrimitiveSample& sample);
-
-/** \brief The primitive in a unit that is so many times smaller. */
-void enlarge(float times, ShapePrimitive& primitive);
-
-/** \brief The nearest point of a primitive. */
-Eigen::Vector3f footOn(const ShapePrimitive& primitive, const Eigen::Vector3f& point);
-
-/** \brief The normal of a primitive at the foot of a point; the sign is any. */
-Eigen::Vector3f normalOf(const ShapePrimitive& primitive, const Eigen::Vector3f& point);
 
 } // namespace pcl::segmentation

@@ -9,19 +9,16 @@
 
 #pragma once
 
+#include "label_order.h"
 #include "point_grid.h"
 
 #include <pcl/segmentation/instance_detection.h>
 
 #include <Eigen/Core>
 
-#include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace pcl::segmentation {
-
-using Labels = std::vector<std::int32_t>; ///< of points; -1 none
 
 constexpr float edge_threshold = 0.5f;
 
@@ -53,10 +50,5 @@ float stepLimit(const detail::InstanceInput& input);
 Labels smoothPieces(const detail::InstanceInput& input,
                     const PointGrid& grid,
                     const std::vector<char>& members);
-
-/** \brief Sort labels by their number of points, the largest first, ties by the first
- * point in the order of coordinates; drop those with fewer points. */
-void
-sortLabels(const detail::InstanceInput& input, std::size_t min_points, Labels& labels);
 
 } // namespace pcl::segmentation

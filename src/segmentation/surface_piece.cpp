@@ -9,11 +9,8 @@
 
 #include "surface_piece.h"
 
-#include "disjoint_sets.h"
-
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -21,13 +18,9 @@ namespace pcl::segmentation {
 namespace {
 
 // doc/instances.md has the reason of each number.
-constexpr std::size_t least_nodes = 12;
 constexpr double least_share = 0.1;
 constexpr std::size_t most_fitted = 2000;
-constexpr std::size_t most_parts = 16;
-constexpr double all_but_noise = 0.95; // of the nodes
 constexpr double mostly_plane = 0.4;
-constexpr double simpler = 1.5;
 constexpr double loose = 3.0;
 
 /** About the first, in units of the mean spacing: PCL's fits have limits of their own.
@@ -129,29 +122,6 @@ SurfacePiece::residualOf(const ShapePrimitive& surface, const NodeIndices& nodes
   return std::sqrt(squares / static_cast<float>(nodes.size()));
 }
 
-std::vector<SurfacePart>
-SurfacePiece::parts() const
-{
-  NodeIndices left = nodes();
-  std::vector<SurfacePart> parts;
-  while (left.size() >= leastSize()) {
-    SurfacePart part = largestPart(left);
-    if (part.nodes.size() < least_nodes)
-      break;
-    if (parts.size() == most_parts)
-      return {};
-    NodeIndices others;
-    std::set_difference(left.begin(),
-                        left.end(),
-                        part.nodes.begin(),
-                        part.nodes.end(),
-                        std::back_inserter(others));
-    left = std::move(others);
-    parts.push_back(std::move(part));
-  }
-  return parts;
-}
-
 void
 SurfacePiece::refit(SurfacePart& part) const
 {
@@ -165,31 +135,6 @@ SurfacePiece::distanceTo(const ShapePrimitive& surface, std::uint32_t node) cons
   if (!(std::abs(normalOf(surface, center).dot(normal)) > same_surface))
     return std::numeric_limits<float>::infinity();
   return (footOn(surface, center) - center).norm() / spacing;
-}
-
-/** The connected nodes of a primitive that are most; of the simplest if others have
- * not many more. */
-SurfacePart
-SurfacePiece::largestPart(const NodeIndices& nodes) const
-{
-  const PrimitiveSample sample = sampleOf(nodes);
-  SurfacePart best;
-  for (const PrimitiveType type :
-       {PrimitiveType::Plane, PrimitiveType::Cylinder, PrimitiveType::Sphere}) {
-    SurfacePart part;
-    part.surface = fitTo(sample, type);
-    if (part.surface.type == PrimitiveType::None)
-      continue;
-    part.nodes = mostConnected(inliersOf(part.surface, nodes));
-    const double factor = best.nodes.empty() ? 0.0 : simpler;
-    if (static_cast<double>(part.nodes.size()) >
-        factor * static_cast<double>(best.nodes.size()))
-      best = std::move(part);
-    if (static_cast<double>(best.nodes.size()) >=
-        all_but_noise * static_cast<double>(nodes.size()))
-      break;
-  }
-  return best;
 }
 
 PrimitiveSample
@@ -217,31 +162,6 @@ SurfacePiece::inliersOf(const ShapePrimitive& surface, const NodeIndices& nodes)
     if (distanceTo(surface, k) < tolerance_)
       inliers.push_back(k);
   return inliers;
-}
-
-NodeIndices
-SurfacePiece::mostConnected(const NodeIndices& nodes) const
-{
-  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> place(nodes_.size(), none);
-  for (std::uint32_t k = 0; k < nodes.size(); ++k)
-    place[nodes[k]] = k;
-  DisjointSets sets(nodes.size());
-  for (std::uint32_t k = 0; k < nodes.size(); ++k)
-    forEachAround(nodes[k], [&](std::uint32_t other) {
-      if (place[other] != none)
-        sets.unite(k, place[other]);
-    });
-  std::vector<std::size_t> sizes(nodes.size(), 0);
-  for (std::uint32_t k = 0; k < nodes.size(); ++k)
-    ++sizes[sets.find(k)];
-  const auto largest = static_cast<std::uint32_t>(
-      std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
-  NodeIndices connected;
-  for (std::uint32_t k = 0; k < nodes.size(); ++k)
-    if (sets.find(k) == largest)
-      connected.push_back(nodes[k]);
-  return connected;
 }
 
 } // namespace pcl::segmentation

@@ -101,6 +101,9 @@ public:
 
 private:
   static constexpr float around_spacings = 3.0f; // two cells of nodes
+  // doc/instances.md has the reason of each number.
+  static constexpr std::size_t least_nodes = 12;
+  static constexpr double all_but_noise = 0.95; // of the nodes
 
   SurfacePart largestPart(const NodeIndices& nodes) const;
   PrimitiveSample sampleOf(const NodeIndices& nodes) const;

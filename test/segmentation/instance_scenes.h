@@ -14,6 +14,7 @@
 #include <pcl/segmentation/shape_instance_segmentation.h>
 
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,6 +59,31 @@ describedIn(const Cloud::Ptr& cloud,
   std::vector<ShapeInstance> instances;
   segmentation.segment(instances);
   return instances;
+}
+
+/** \brief The same points in another order: order[k] is the old place of point k. */
+inline Cloud::Ptr
+reordered(const Cloud& cloud, const Indices& order)
+{
+  // Not copyPointCloud(): it leaves the order as it is when all points are asked for.
+  const auto result = make_shared<Cloud>();
+  for (const index_t i : order) {
+    result->push_back(cloud[i]);
+  }
+  result->is_dense = cloud.is_dense;
+  return result;
+}
+
+inline Indices
+shuffled(std::size_t size)
+{
+  Indices order(size);
+  std::iota(order.begin(), order.end(), 0);
+  Random random(5);
+  for (std::size_t i = size; i > 1; --i) {
+    std::swap(order[i - 1], order[random.index(i)]);
+  }
+  return order;
 }
 
 /** \brief True instances, and those of them that were found. */

@@ -1,0 +1,35 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include "detection_scenes.h"
+
+#include <pcl/segmentation/shape_labeling.h>
+
+/** What the tests of labels share. */
+namespace pcl::test {
+
+constexpr std::uint32_t planar = 1, curved = 2, edge = 3;
+
+inline PointLabels
+labelsOf(const Cloud::ConstPtr& cloud, double confidence = -1.0, unsigned threads = 0)
+{
+  ShapeLabeling<PointXYZ> labeling;
+  labeling.setInputCloud(cloud);
+  labeling.setNumberOfThreads(threads);
+  if (confidence >= 0.0) {
+    labeling.setConfidence(confidence);
+  }
+  PointLabels labels;
+  labeling.label(labels);
+  return labels;
+}
+
+} // namespace pcl::test

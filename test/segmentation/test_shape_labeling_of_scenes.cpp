@@ -1,0 +1,112 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "labeling_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+// Labels for training on scenes with truth. The floors are what the labels are for: of
+// those kept .99 right, .80 of the points kept; of each class precision .95, recall .5.
+namespace {
+
+using namespace pcl;
+using namespace pcl::test;
+
+/** \brief Planar 1, curved 2, edge 3; 0 where the truth leaves it open. */
+Labels
+truthOf(const scene::Scene& scene)
+{
+  Labels truth(scene.edge.size(), 0);
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (scene.edge[i] == scene::EdgeCrease) {
+      truth[i] = edge;
+    }
+    else if (scene.edge[i] == scene::EdgeNot && scene.surface[i] <= curved) {
+      truth[i] = scene.surface[i];
+    }
+  }
+  return truth;
+}
+
+struct Quality {
+  double points = 0, kept = 0, right = 0;
+  std::array<double, 4> truths{}, labelled{}, hits{};
+
+  void
+  add(const Labels& truth, const PointLabels& labels)
+  {
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      const std::uint32_t label = labels.labels[i];
+      if (truth[i] == 0) {
+        continue;
+      }
+      points += 1;
+      truths[truth[i]] += 1;
+      kept += label != 0 ? 1 : 0;
+      labelled[label] += 1;
+      hits[label] += label == truth[i] ? 1 : 0;
+    }
+    right = hits[planar] + hits[curved] + hits[edge];
+  }
+
+  void
+  expectGood() const
+  {
+    EXPECT_GE(right / kept, 0.99);
+    EXPECT_GE(kept / points, 0.80);
+    for (const std::uint32_t label : {planar, curved, edge}) {
+      EXPECT_GE(hits[label] / labelled[label], 0.95) << "label " << label;
+      EXPECT_GE(hits[label] / truths[label], 0.5) << "label " << label;
+    }
+  }
+};
+
+TEST(ShapeLabeling, KeepsRightLabelsOfCameraScenes)
+{
+  Quality all;
+  for (const std::uint64_t seed : {71, 72, 73}) {
+    const scene::Scene scene = cameraScene(seed);
+    all.add(truthOf(scene), labelsOf(cloudOf(scene)));
+  }
+  all.expectGood();
+}
+
+TEST(ShapeLabeling, ConfidenceIsTheShareOfRightLabels)
+{
+  std::array<double, 5> limits{0.0, 0.7, 0.9, 0.97, 1.01};
+  std::array<double, 4> count{}, sum{}, right{};
+  for (const std::uint64_t seed : {76, 77}) {
+    const scene::Scene scene = cameraScene(seed);
+    const Labels truth = truthOf(scene);
+    const PointLabels labels = labelsOf(cloudOf(scene), 0.0);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      if (truth[i] == 0 || labels.labels[i] == 0) {
+        continue;
+      }
+      const auto bin = static_cast<std::size_t>(
+          std::upper_bound(limits.begin(), limits.end(), labels.confidence[i]) -
+          limits.begin() - 1);
+      count[bin] += 1;
+      sum[bin] += labels.confidence[i];
+      right[bin] += labels.labels[i] == truth[i] ? 1 : 0;
+    }
+  }
+  for (std::size_t bin = 0; bin < count.size(); ++bin) {
+    ASSERT_GT(count[bin], 100);
+    EXPECT_NEAR(right[bin] / count[bin], sum[bin] / count[bin], 0.15) << bin;
+    if (bin > 0) {
+      EXPECT_GT(right[bin] / count[bin], right[bin - 1] / count[bin - 1]);
+    }
+  }
+}
+
+} // namespace
