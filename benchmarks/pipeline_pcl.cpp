@@ -29,7 +29,8 @@ binOf(float value)
 std::vector<float>
 backProject(const std::vector<float>& mu,
             const std::vector<float>& sigma,
-            bool own_histogram)
+            bool own_histogram,
+            int threads)
 {
   std::vector<float> counts(bins * bins, 0.0f);
   const auto binAt = [&](std::size_t i) {
@@ -43,6 +44,7 @@ backProject(const std::vector<float>& mu,
   }
   const float peak = *std::max_element(counts.begin(), counts.end());
   std::vector<float> likelihood(mu.size());
+#pragma omp parallel for num_threads(threads)
   for (std::size_t i = 0; i < mu.size(); ++i) {
     likelihood[i] = std::isnan(mu[i])          ? mu[i]
                     : binAt(i) < counts.size() ? counts[binAt(i)] / peak
@@ -82,7 +84,8 @@ runPcl(const Pipeline& pipeline, const Cloud::ConstPtr& cloud, bool sorted, int 
       mu[i] = inad.mean;
       sigma[i] = inad.deviation;
     }
-    result.likelihood.push_back(backProject(mu, sigma, pipeline.own_histogram));
+    result.likelihood.push_back(
+        backProject(mu, sigma, pipeline.own_histogram, threads));
     result.mu.push_back(std::move(mu));
     result.sigma.push_back(std::move(sigma));
   }

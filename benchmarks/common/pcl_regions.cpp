@@ -18,6 +18,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <sstream>
 
 namespace pcl_regions {
 namespace {
@@ -147,6 +148,17 @@ cylinders(const Cloud::ConstPtr& cloud, const CylinderFit& fit, std::size_t coun
       break;
   }
   return found;
+}
+
+std::string
+describe(const CylinderFit& fit)
+{
+  std::ostringstream text;
+  text << 1000.0 * fit.distance << " mm";
+  if (fit.normal_weight > 0.0) {
+    text << ", normals weigh " << fit.normal_weight;
+  }
+  return text.str();
 }
 
 std::vector<CylinderFit>

@@ -14,6 +14,7 @@
 #include <pcl/point_types.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 /** \brief What PCL offers to find whole surfaces, as its users set it up: one thread,
@@ -48,6 +49,9 @@ struct CylinderFit {
 /** \brief RANSAC cylinders of what the largest plane has left. */
 std::vector<pcl::Indices>
 cylinders(const Cloud::ConstPtr& cloud, const CylinderFit& fit, std::size_t count);
+
+/** \brief For reports: "10 mm, normals weigh 0.1". */
+std::string describe(const CylinderFit& fit);
 
 /** \brief The settings of cylinders() that peers choose from. */
 std::vector<CylinderFit> cylinderFits();

@@ -128,13 +128,6 @@ millimetres(double metres)
   return std::to_string(static_cast<int>(std::lround(1000.0 * metres))) + " mm";
 }
 
-std::string
-settingOf(const pcl_regions::CylinderFit& fit)
-{
-  return millimetres(fit.distance) +
-         (fit.normal_weight > 0.0 ? ", normals weigh 0.1" : "");
-}
-
 /** The same with several distances. */
 void
 addWithDistances(const std::string& name,
@@ -173,7 +166,7 @@ peersFor(Task task)
     for (const pcl_regions::CylinderFit& fit : pcl_regions::cylinderFits())
       methods.push_back(
           {"RANSAC cylinders, true count",
-           settingOf(fit),
+           pcl_regions::describe(fit),
            [fit](const InstanceCloud& cloud) { return ransacCylinders(cloud, fit); }});
   if (task == Task::faces)
     addWithDistances(

@@ -100,9 +100,8 @@ regionPeers()
   }
   Peer cylinders{"RANSAC cylinders, true count", {}, is_member};
   for (const pcl_regions::CylinderFit& fit : pcl_regions::cylinderFits()) {
-    const std::string normals = fit.normal_weight > 0.0 ? ", normals weigh 0.1" : "";
     cylinders.settings.push_back(
-        {millimetres(fit.distance) + normals,
+        {pcl_regions::describe(fit),
          [=](const LabelledCloud& cloud) { return onCylinders(cloud, fit); }});
   }
   return {growing, planes, cylinders};

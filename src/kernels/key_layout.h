@@ -19,7 +19,7 @@
 namespace pcl::kernels {
 
 /** Points are first sorted by cells of this fraction of the edge along x. */
-inline constexpr double x_cells_an_edge = 256.0;
+inline constexpr double x_cells_an_edge = 64.0;
 
 /** More digits of x than these are left to the sort within the rows. */
 inline constexpr int most_x_bits = 16;

@@ -138,8 +138,8 @@ count(const SweepBlock& block, std::uint32_t* results)
 {
   for (std::size_t i = 0; i < block.size; ++i) {
     const Neighbors& neighbors = findNeighbors(block, i);
-    results[i] = static_cast<std::uint32_t>(neighbors.size() -
-                                            (containsItself(block, neighbors) ? 1 : 0));
+    const bool has_own = !neighbors.empty() && containsItself(block, neighbors);
+    results[i] = static_cast<std::uint32_t>(neighbors.size() - (has_own ? 1 : 0));
   }
 }
 

@@ -53,6 +53,21 @@ public:
     });
   }
 
+  /** \brief How many entries share the most frequent digit. */
+  std::size_t
+  largestBucket() const
+  {
+    std::size_t largest = 0;
+    for (std::size_t digit = 0; digit < digits_; ++digit) {
+      std::size_t count = 0;
+      for (const auto& histogram : histograms_) {
+        count += histogram[digit];
+      }
+      largest = std::max(largest, count);
+    }
+    return largest;
+  }
+
   /** \return where each digit's entries end */
   std::vector<std::uint32_t>
   scatter(std::vector<Keyed<Key>>& to)
@@ -162,20 +177,46 @@ private:
   int passes_, digit_bits_;
 };
 
+/** \brief Stable sort by one digit after the other, all entries in each pass. */
+template <typename Key>
+void
+sortByPasses(std::vector<Keyed<Key>>& entries,
+             std::vector<Keyed<Key>>& other,
+             int bits,
+             unsigned threads)
+{
+  constexpr int most_digit_bits = 11;
+  const int passes = (bits + most_digit_bits - 1) / most_digit_bits;
+  const int digit_bits = passes > 0 ? (bits + passes - 1) / passes : 0;
+  for (int shift = 0; shift < bits; shift += digit_bits) {
+    RadixPass<Key> pass(entries, shift, digit_bits, threads);
+    if (pass.largestBucket() < entries.size()) {
+      pass.scatter(other);
+      std::swap(entries, other);
+    }
+  }
+}
+
 /** \brief Stable sort by the lowest `bits` bits of the keys: by the highest ones first,
- * which neighbors often share, then bucket by bucket, each of which fits in the
- * first-level cache. The result does not depend on the number of threads. */
+ * which neighbors often share, then bucket by bucket, which mostly are small enough for
+ * the cache. If one holds too many, threads would wait for it: then pass by pass. The
+ * result does not depend on the number of threads. */
 template <typename Key>
 void
 radixSort(std::vector<Keyed<Key>>& entries, int bits, unsigned threads)
 {
   constexpr int most_top_bits = 8;
+  constexpr std::size_t large = std::size_t{1} << 16;
   if (entries.size() < 2) {
     return;
   }
   const int top_bits = std::min(bits, most_top_bits);
   std::vector<Keyed<Key>> other(entries.size());
   RadixPass<Key> pass(entries, bits - top_bits, top_bits, threads);
+  if (pass.largestBucket() > std::max(large, entries.size() / 4)) {
+    sortByPasses(entries, other, bits, threads);
+    return;
+  }
   const std::vector<std::uint32_t> ends = pass.scatter(other);
   const BucketSort<Key> buckets(bits - top_bits);
   parallelFor(ends.size(), threads, [&](std::size_t i) {

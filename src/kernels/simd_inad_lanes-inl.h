@@ -145,11 +145,10 @@ packRejected(std::uint32_t* HWY_RESTRICT angles,
   std::size_t rejected = 0;
   for (std::size_t c = 0; c < count; c += lanes) {
     const auto units = hn::Load(w, angles + c);
-    const auto is_rejected = hn::Gt(hn::Sub(units, from), most);
+    const auto is_angle = hn::FirstN(w, count - c);
+    const auto is_rejected = hn::And(is_angle, hn::Gt(hn::Sub(units, from), most));
     rejected += packStore(w, units, is_rejected, angles + rejected);
   }
-  // What fills the last vector is in no range, and behind all others.
-  rejected -= (count + lanes - 1) / lanes * lanes - count;
   hn::StoreU(hn::Zero(w), w, angles + rejected);
   return rejected;
 }

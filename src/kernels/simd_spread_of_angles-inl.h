@@ -68,7 +68,9 @@ keptRanges(const BlockSpreads& spreads, double outlier_rate, BlockRanges& ranges
     const auto mean = hn::LoadU(d, spreads.mean + i);
     const auto sd = hn::LoadU(d, spreads.sd + i);
     const auto width = hn::Mul(sd, hn::Set(d, outlier_rate * (1.0 + 1e-5)));
-    const auto all = hn::Eq(width, hn::Zero(d));
+    // The product may be infinite: with no deviation it would not be a number.
+    const auto all =
+        hn::Or(hn::Eq(sd, hn::Zero(d)), hn::Eq(hn::Set(d, outlier_rate), hn::Zero(d)));
     const auto first = hn::IfThenZeroElse(
         all, hn::Ceil(hn::Min(most, hn::Max(hn::Zero(d), hn::Sub(mean, width)))));
     const auto last =

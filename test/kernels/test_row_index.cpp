@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 // What the sorted index is made with.
@@ -65,9 +66,34 @@ TEST(RadixSort, IsAsStableSort)
       for (const int bits : {0, 1, 7, 8, 9, 17, 18, 19, 28, 31, 32}) {
         expectSortedAsByStableSort<std::uint32_t>(count, bits, threads);
       }
-      for (const int bits : {33, 48, 52}) {
+      for (const int bits : {33, 48, 52, 63, 64}) {
         expectSortedAsByStableSort<std::uint64_t>(count, bits, threads);
       }
+    }
+  }
+}
+
+/** \brief As of a cloud with a far outlier: the highest bits are the same of all but
+ * one.
+ */
+TEST(RadixSort, OfKeysThatShareTheHighestBits)
+{
+  constexpr int bits = 44, low_bits = 30;
+  constexpr std::size_t count = 200000;
+  Random random(7);
+  auto entries = randomEntries<std::uint64_t>(count, low_bits, random);
+  entries[count / 3].key = (std::uint64_t{1} << bits) - 1;
+  auto expected = entries;
+  std::stable_sort(expected.begin(), expected.end(), [](const auto& a, const auto& b) {
+    return a.key < b.key;
+  });
+  for (const unsigned threads : {1U, 3U}) {
+    auto sorted = entries;
+    radixSort(sorted, bits, threads);
+    ASSERT_EQ(count, sorted.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      ASSERT_EQ(expected[i].key, sorted[i].key) << i;
+      ASSERT_EQ(expected[i].index, sorted[i].index) << i;
     }
   }
 }
@@ -142,7 +168,9 @@ expectInOrder(const RowIndex& index)
     for (std::uint32_t i = row.begin; i < next.begin; ++i) {
       ASSERT_EQ(cellOf(index.y[i], index.cellsAMetre()), row.iy);
       ASSERT_EQ(cellOf(index.z[i], index.cellsAMetre()), row.iz);
-      ASSERT_TRUE(i == row.begin || index.x[i - 1] <= index.x[i]);
+      ASSERT_TRUE(i == row.begin ||
+                  std::tie(index.x[i - 1], index.y[i - 1], index.z[i - 1]) <=
+                      std::tie(index.x[i], index.y[i], index.z[i]));
     }
   }
 }

@@ -1,0 +1,92 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "../support/kernel_targets.h"
+#include "../support/random.h"
+#include "../support/shapes.h"
+#include "../support/sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+// The largest and the smallest numbers that are allowed.
+namespace {
+
+using namespace pcl;
+using namespace pcl::test;
+
+class SweepLimits : public testing::TestWithParam<std::string> {
+protected:
+  ForcedTarget target_{GetParam()};
+  Random random_{3};
+};
+
+void
+expectNothingRejected(const Surface& cloud, const NeighborhoodSize& size)
+{
+  const NeighborhoodSweep sweep(cloud.points());
+  const auto all = sweptINAD(sweep, size, cloud.trueNormals(), 0.0);
+  constexpr double most = std::numeric_limits<double>::max();
+  EXPECT_EQ(all, sweptINAD(sweep, size, cloud.trueNormals(), most));
+  for (const float value : all) {
+    EXPECT_GE(value, 0.0f);
+  }
+}
+
+TEST_P(SweepLimits, TheLargestOutlierRateRejectsNothing)
+{
+  // Without any deviation, the range is of 0 times infinity.
+  Surface cloud = plane(3000, 0.1, random_);
+  expectNothingRejected(cloud, NeighborhoodSize::ofNearest(6));
+  expectNothingRejected(cloud, NeighborhoodSize::ofRadius(0.01));
+  for (float& value : cloud.normals) {
+    value = static_cast<float>(random_.uniform(-1, 1));
+  }
+  expectNothingRejected(cloud, NeighborhoodSize::ofNearest(6));
+  expectNothingRejected(cloud, NeighborhoodSize::ofRadius(0.01));
+}
+
+TEST_P(SweepLimits, ARadiusWhoseSquareIsZeroFindsNothing)
+{
+  const Surface cloud = plane(100, 0.1, random_);
+  const NeighborhoodSweep sweep(cloud.points());
+  EXPECT_EQ(std::vector<std::uint32_t>(cloud.size(), 0),
+            sweptCounts(sweep, NeighborhoodSize::ofRadius(1e-300)));
+}
+
+TEST_P(SweepLimits, TheLargestCoordinatesFindThoseInTheSamePlace)
+{
+  constexpr float large = 3e38f;
+  std::vector<float> xyz;
+  std::vector<std::uint32_t> expected;
+  for (std::uint32_t place = 0; place < 27; ++place) {
+    const std::uint32_t others = place % 5;
+    for (std::uint32_t i = 0; i <= others; ++i) {
+      for (const std::uint32_t digit : {place % 3, place / 3 % 3, place / 9}) {
+        xyz.push_back(large * (static_cast<float>(digit) - 1.0f));
+      }
+      expected.push_back(others);
+    }
+  }
+  const NeighborhoodSweep sweep({xyz.data(), 3, expected.size()});
+  for (const double radius : {1e-3, 1.0, 1e10, 1e30}) {
+    EXPECT_EQ(expected, sweptCounts(sweep, NeighborhoodSize::ofRadius(radius)))
+        << radius;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets,
+                         SweepLimits,
+                         testing::ValuesIn(kernelTargets()),
+                         TargetName());
+
+} // namespace
