@@ -71,28 +71,6 @@ covarianceOf(const Neighbors& neighbors)
           central(zz, sz, sz)};
 }
 
-/** \brief Whether floats cannot do better. */
-inline bool
-isUnit(const float* normal)
-{
-  const double x = normal[0], y = normal[1], z = normal[2];
-  return std::abs(x * x + y * y + z * z - 1.0) < 2.5e-7;
-}
-
-UnitNormal
-normalized(const float* normal)
-{
-  const double x = normal[0], y = normal[1], z = normal[2];
-  const double squared_length = x * x + y * y + z * z;
-  const double length = std::sqrt(squared_length);
-  if (!(length > 0.0) || !std::isfinite(length)) {
-    return {nan, nan, nan};
-  }
-  return {static_cast<float>(x / length),
-          static_cast<float>(y / length),
-          static_cast<float>(z / length)};
-}
-
 /** \brief The angles to all neighbors with a normal, in units; the query's own is left
  * out. */
 void
@@ -148,10 +126,17 @@ toINAD(const Spread& spread)
 }
 
 UnitNormal
-unitNormal(const float* normal)
+normalized(const float* normal)
 {
-  return isUnit(normal) ? UnitNormal{normal[0], normal[1], normal[2]}
-                        : normalized(normal);
+  const double x = normal[0], y = normal[1], z = normal[2];
+  const double squared_length = x * x + y * y + z * z;
+  const double length = std::sqrt(squared_length);
+  if (!(length > 0.0) || !std::isfinite(length)) {
+    return {nan, nan, nan};
+  }
+  return {static_cast<float>(x / length),
+          static_cast<float>(y / length),
+          static_cast<float>(z / length)};
 }
 
 UnitNormals

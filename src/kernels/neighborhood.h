@@ -15,6 +15,7 @@
 
 #include <pcl/features/neighborhood_sweep.h>
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -58,7 +59,17 @@ struct UnitNormals {
 INADResult toINAD(const Spread& spread);
 
 /** \brief NaN for a normal that is not finite or of length 0. */
-UnitNormal unitNormal(const float* normal);
+UnitNormal normalized(const float* normal);
+
+/** \brief As normalized(); a normal that floats cannot bring nearer to length 1 as it
+ * is. */
+inline UnitNormal
+unitNormal(const float* normal)
+{
+  const double x = normal[0], y = normal[1], z = normal[2];
+  const bool is_unit = std::abs(x * x + y * y + z * z - 1.0) < 2.5e-7;
+  return is_unit ? UnitNormal{normal[0], normal[1], normal[2]} : normalized(normal);
+}
 
 /** \brief The normals of points order[0], order[1], ...; of all points if order is
  * null. */

@@ -51,6 +51,11 @@ distanceToNearest(const XYZView& surface,
   if (squares.size() < k) {
     return std::numeric_limits<float>::infinity();
   }
+  if (16 * k < squares.size()) {
+    std::vector<float> least(k);
+    std::partial_sort_copy(squares.begin(), squares.end(), least.begin(), least.end());
+    return std::sqrt(least.back());
+  }
   const auto kth = squares.begin() + static_cast<std::ptrdiff_t>(k - 1);
   std::nth_element(squares.begin(), kth, squares.end());
   return std::sqrt(*kth);

@@ -43,7 +43,7 @@ public:
     const auto squares = distances_.of(points.x, points.y, points.z);
     const auto mask = hn::And(hn::Lt(squares.least2, reach2_), counts);
     size_ += packStore(w,
-                       hn::Iota(w, static_cast<std::uint32_t>(number)),
+                       numbersFrom(static_cast<std::uint32_t>(number)),
                        hn::RebindMask(w, mask),
                        numbers_ + size_);
   }

@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
@@ -59,6 +60,17 @@ packStore(D d, V v, M mask, hn::TFromD<D>* out)
   hn::StoreU(hn::TableLookupLanes(v, hn::SetTableIndices(d, table)), d, out);
   return hn::CountTrue(d, mask);
 #endif
+}
+
+/** \brief first, first + 1, ... Highway's Iota may pass them through memory, which then
+ * waits for each of them. */
+HWY_INLINE hn::VFromD<Words>
+numbersFrom(std::uint32_t first)
+{
+  alignas(64) static constexpr std::uint32_t numbers[] = {
+      0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  static_assert(std::size(numbers) == block_size);
+  return hn::Add(hn::Load(Words(), numbers), hn::Set(Words(), first));
 }
 
 /** Highway's NearestInt also takes care of values that do not fit. */

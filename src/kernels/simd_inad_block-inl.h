@@ -79,6 +79,7 @@ private:
       sums.sum[i] = adder.total();
       sums.squares[i] = adder.totalOfSquares();
     }
+    sums.clearFrom(block_.size);
   }
 
   void
@@ -218,6 +219,7 @@ private:
   setSpreads(const AngleSums* sums, BlockSpreads& spreads)
   {
     BlockSums few;
+    few.clearFrom(0);
     for (std::size_t i = 0; i < block_size; ++i) {
       if (sums[i].count <= most_for_64_bits) {
         few.count[i] = sums[i].count;
@@ -235,16 +237,25 @@ private:
     }
   }
 
+  /** \brief Mostly, a few of the candidates tell. */
   void
   findMissingSpreads(const INADSlots& slots)
+  {
+    for (const std::size_t step : {8, 1}) {
+      if (!knowsSpreads()) {
+        findSpreads(block_, slots, step, spreads_);
+      }
+    }
+  }
+
+  bool
+  knowsSpreads() const
   {
     bool all = true;
     for (std::size_t i = 0; i < block_.size; ++i) {
       all = all && (spreads_[i] || !hasNeighbors(i));
     }
-    if (!all) {
-      findSpreads(block_, slots, spreads_);
-    }
+    return all;
   }
 
   bool

@@ -21,9 +21,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
 
-/** \brief Stands for what is no angle to a neighbor: it is in no range. */
-constexpr std::uint32_t no_angle = 0x80000000u;
-
 /** \brief One query, and which of the packed candidates are its neighbors. */
 template <bool with_ties>
 class OneQuery {
@@ -127,11 +124,10 @@ chordsToAngles(std::uint32_t* HWY_RESTRICT values, std::size_t count, AngleAdder
     }
     adder.widen();
   }
-  hn::StoreU(hn::Set(w, no_angle), w, values + count);
 }
 
-/** \brief Packs the angles that are not in a range, in place, of angles that a vector
- * of no_angle follows. \return how many they are */
+/** \brief Packs the angles that are not in a range, in place; of what follows them, a
+ * vector is overwritten. \return how many they are */
 HWY_INLINE std::size_t
 packRejected(std::uint32_t* HWY_RESTRICT angles,
              std::size_t count,
@@ -143,10 +139,11 @@ packRejected(std::uint32_t* HWY_RESTRICT angles,
   const auto from = hn::Set(w, least);
   const auto most = hn::Set(w, width);
   std::size_t rejected = 0;
+  // So that nothing that follows is rejected.
+  hn::StoreU(from, w, angles + count);
   for (std::size_t c = 0; c < count; c += lanes) {
     const auto units = hn::Load(w, angles + c);
-    const auto is_angle = hn::FirstN(w, count - c);
-    const auto is_rejected = hn::And(is_angle, hn::Gt(hn::Sub(units, from), most));
+    const auto is_rejected = hn::Gt(hn::Sub(units, from), most);
     rejected += packStore(w, units, is_rejected, angles + rejected);
   }
   hn::StoreU(hn::Zero(w), w, angles + rejected);

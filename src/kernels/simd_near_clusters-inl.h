@@ -64,6 +64,41 @@ private:
   hn::VFromD<Floats> x_min_, x_max_, y_min_, y_max_, z_min_, z_max_;
 };
 
+/** \brief How far the boxes of clusters are from a box. */
+class BoxToBoxes {
+public:
+  /** \param[in] sides least x, y, z, most x, y, z of the clusters */
+  HWY_INLINE
+  BoxToBoxes(const Box& box, const float* const* sides)
+  : least_{hn::Set(Floats(), box.x_min),
+           hn::Set(Floats(), box.y_min),
+           hn::Set(Floats(), box.z_min)}
+  , most_{hn::Set(Floats(), box.x_max),
+          hn::Set(Floats(), box.y_max),
+          hn::Set(Floats(), box.z_max)}
+  {
+    std::copy_n(sides, std::size(sides_), sides_);
+  }
+
+  /** \brief Of a vector of clusters from this one on. */
+  HWY_INLINE hn::VFromD<Floats>
+  squaredDistances(std::uint32_t first) const
+  {
+    const Floats d;
+    const auto apart = [&](std::size_t axis) {
+      const auto low = hn::LoadU(d, sides_[axis] + first);
+      const auto high = hn::LoadU(d, sides_[axis + 3] + first);
+      return hn::Max(hn::Max(hn::Sub(least_[axis], high), hn::Sub(low, most_[axis])),
+                     hn::Zero(d));
+    };
+    return squaredLength(apart(0), apart(1), apart(2));
+  }
+
+private:
+  hn::VFromD<Floats> least_[3], most_[3];
+  const float* sides_[6];
+};
+
 /** \brief The clusters near a block: by boxes, not by points. */
 class NearClusters {
 public:
@@ -141,35 +176,19 @@ private:
     std::uint32_t* near = simdScratch().near.atLeast(run_ends_ + block_.run_count);
     const Words w;
     const Floats d;
+    const BoxToBoxes boxes(block_.box, block_.cluster_box);
+    const auto reach2 = hn::Set(d, reach2_);
     std::size_t size = 0;
     for (std::size_t r = 0; r < block_.run_count; ++r) {
       const ClusterRun run = block_.runs[r];
       for (std::uint32_t c = run.begin; c < run.end; c += lanes) {
-        auto mask = isNear(c);
-        mask = hn::And(mask, hn::FirstN(d, run.end - c));
-        size += packStore(w, hn::Iota(w, c), hn::RebindMask(w, mask), near + size);
+        const auto mask = hn::And(hn::Lt(boxes.squaredDistances(c), reach2),
+                                  hn::FirstN(d, run.end - c));
+        size += packStore(w, numbersFrom(c), hn::RebindMask(w, mask), near + size);
       }
       near[run_ends_ + r] = static_cast<std::uint32_t>(size);
     }
     size_ = size;
-  }
-
-  HWY_INLINE MaskOf<Floats>
-  isNear(std::uint32_t c) const
-  {
-    const Floats d;
-    const auto apart = [&](std::size_t axis, float least, float most) {
-      const auto low = hn::LoadU(d, block_.cluster_box[axis] + c);
-      const auto high = hn::LoadU(d, block_.cluster_box[axis + 3] + c);
-      return hn::Max(
-          hn::Max(hn::Sub(hn::Set(d, least), high), hn::Sub(low, hn::Set(d, most))),
-          hn::Zero(d));
-    };
-    const Box& box = block_.box;
-    const auto d2 = squaredLength(apart(0, box.x_min, box.x_max),
-                                  apart(1, box.y_min, box.y_max),
-                                  apart(2, box.z_min, box.z_max));
-    return hn::Lt(d2, hn::Set(d, reach2_));
   }
 
   const SweepBlock& block_;

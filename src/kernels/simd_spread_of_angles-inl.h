@@ -22,9 +22,17 @@ namespace pcl::kernels::HWY_NAMESPACE {
 
 /** \brief Sums over the angles of each query of a block, in units (angle.h). */
 struct BlockSums {
-  std::uint64_t count[block_size] = {};
-  std::uint64_t sum[block_size] = {};
-  std::uint64_t squares[block_size] = {};
+  std::uint64_t count[block_size];
+  std::uint64_t sum[block_size];
+  std::uint64_t squares[block_size];
+
+  void
+  clearFrom(std::size_t first)
+  {
+    for (std::size_t i = first; i < block_size; ++i) {
+      count[i] = sum[i] = squares[i] = 0;
+    }
+  }
 };
 
 /** \brief Means and standard deviations of a block's queries. */
@@ -78,8 +86,7 @@ keptRanges(const BlockSpreads& spreads, double outlier_rate, BlockRanges& ranges
     const auto store = [&](auto values, std::uint32_t* to) {
       hn::StoreU(hn::DemoteTo(ints, values), ints, reinterpret_cast<std::int32_t*>(to));
     };
-    // Nothing is in an empty range: angles are less than the largest number, no_angle
-    // more.
+    // Nothing is in an empty range: angles are less than the largest number.
     const auto is_empty = hn::Lt(last, first);
     store(hn::IfThenElse(is_empty, most, first), ranges.least + i);
     store(hn::IfThenZeroElse(is_empty, hn::Sub(last, first)), ranges.width + i);

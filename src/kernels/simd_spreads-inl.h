@@ -115,19 +115,23 @@ findSpreadsAmongQueries(const SweepBlock& block, bool* spreads)
   }
 }
 
-/** \brief Whether candidates do, those left aside that surely are neighbors. */
+/** \brief Whether every `step`-th candidate does, those left aside that surely are
+ * neighbors. */
 HWY_INLINE void
-findSpreads(const SweepBlock& block, const INADSlots& slots, bool* spreads)
+findSpreads(const SweepBlock& block,
+            const INADSlots& slots,
+            std::size_t step,
+            bool* spreads)
 {
   const float* x = slots.arrays[INADSlots::x];
   const float* y = slots.arrays[INADSlots::y];
   const float* z = slots.arrays[INADSlots::z];
   for (std::size_t first = 0; first < block.size; first += lanes) {
     SpreadFinder finder(block, first);
-    for (std::size_t c = 0; c < slots.size; ++c) {
+    for (std::size_t c = 0; c < slots.size; c += step) {
       finder.anchorAt(x[c], y[c], z[c]);
     }
-    for (std::size_t c = 0; c < slots.size; ++c) {
+    for (std::size_t c = 0; c < slots.size; c += step) {
       finder.compare(x[c], y[c], z[c]);
     }
     finder.store(first, spreads);
