@@ -46,6 +46,32 @@ isNaN(const INAD& inad)
   return std::isnan(inad.mu) || std::isnan(inad.sigma);
 }
 
+/** \brief The bins of many pairs: numbers that a loop keeps in registers. */
+class Binning {
+public:
+  Binning(const ShapeHistogram& histogram)
+  : mu_bins_(static_cast<double>(histogram.muBins()))
+  , sigma_bins_(static_cast<double>(histogram.sigmaBins()))
+  , mu_range_(histogram.muRange())
+  , sigma_range_(histogram.sigmaRange())
+  {}
+
+  /** \brief Position of the pair's bin, or the number of bins beyond the ranges. */
+  std::int32_t
+  operator()(const INAD& inad) const
+  {
+    const double i = inad.mu * mu_bins_ / mu_range_;
+    const double j = inad.sigma * sigma_bins_ / sigma_range_;
+    const bool is_inside = i >= 0.0 && i < mu_bins_ && j >= 0.0 && j < sigma_bins_;
+    const auto row = static_cast<std::int32_t>(is_inside ? i : mu_bins_);
+    const auto column = static_cast<std::int32_t>(is_inside ? j : 0.0);
+    return row * static_cast<std::int32_t>(sigma_bins_) + column;
+  }
+
+private:
+  double mu_bins_, sigma_bins_, mu_range_, sigma_range_;
+};
+
 } // namespace
 
 ShapeHistogram::ShapeHistogram(std::size_t mu_bins,
@@ -67,13 +93,7 @@ ShapeHistogram::ShapeHistogram(std::size_t mu_bins,
 std::size_t
 ShapeHistogram::binOf(const INAD& inad) const
 {
-  const double i = inad.mu * static_cast<double>(mu_bins_) / mu_range_;
-  const double j = inad.sigma * static_cast<double>(sigma_bins_) / sigma_range_;
-  const bool is_inside = i >= 0.0 && i < static_cast<double>(mu_bins_) && j >= 0.0 &&
-                         j < static_cast<double>(sigma_bins_);
-  return is_inside
-             ? static_cast<std::size_t>(i) * sigma_bins_ + static_cast<std::size_t>(j)
-             : counts_.size();
+  return static_cast<std::size_t>(Binning(*this)(inad));
 }
 
 void
@@ -96,10 +116,11 @@ ShapeHistogram::add(const PointCloud<INAD>& cloud)
 {
   // Local: a count that is written might be a member.
   std::uint64_t* const counts = counts_.data();
+  const Binning binning(*this);
   const std::size_t beyond = counts_.size();
   std::uint64_t added = 0, peak = peak_;
   for (const INAD& inad : cloud) {
-    const std::size_t bin = binOf(inad);
+    const auto bin = static_cast<std::size_t>(binning(inad));
     if (bin == beyond) {
       outside_ += isNaN(inad) ? 0 : 1;
       continue;
@@ -191,10 +212,11 @@ ShapeHistogram::backProject(const PointCloud<INAD>& cloud, unsigned threads) con
     of_bins[bin] = likelihoodOf(bin);
   }
   std::vector<float> likelihoods(cloud.size());
+  const Binning binning(*this);
   kernels::parallelForRanges(
       cloud.size(), threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-          const std::size_t bin = binOf(cloud[i]);
+          const auto bin = static_cast<std::size_t>(binning(cloud[i]));
           const float known = has_few_bins ? of_bins[bin] : likelihoodOf(bin);
           likelihoods[i] =
               isNaN(cloud[i]) ? std::numeric_limits<float>::quiet_NaN() : known;
