@@ -31,13 +31,16 @@ runEstimations(const Pipeline& pipeline,
                unsigned threads,
                const Estimate& estimate)
 {
+  const auto index = std::make_shared<pcl::SweepIndex>();
   pcl::NormalEstimationSweep<pcl::PointXYZ, pcl::Normal> estimation(threads);
+  estimation.setSweepIndex(index);
   const auto normals = pcl::make_shared<Normals>();
   estimation.setInputCloud(cloud);
   estimation.setRadiusSearch(pipeline.normal_radius);
   estimate(estimation, *normals);
 
   pcl::INADEstimation<pcl::PointXYZ, pcl::Normal> inad_estimation(threads);
+  inad_estimation.setSweepIndex(index);
   inad_estimation.setInputCloud(cloud);
   inad_estimation.setInputNormals(normals);
   inad_estimation.setOutlierRate(outlier_rate);
@@ -128,13 +131,18 @@ countShapeNeighbors(const Pipeline& pipeline, const Cloud& cloud, unsigned threa
 double
 mostExtraBytes(const Pipeline& pipeline, const Cloud::ConstPtr& cloud, unsigned threads)
 {
-  double most = 0.0;
+  double most = 0.0, of_normals = 0.0;
+  startCountingHeap();
   runEstimations(pipeline, cloud, threads, [&](auto& estimation, auto& output) {
-    startCountingHeap();
+    takeHeapPeak();
     estimation.compute(output);
-    const auto peak = static_cast<double>(stopCountingHeap());
+    const auto peak = static_cast<double>(takeHeapPeak());
     const auto returned = static_cast<double>(output.size() * sizeof(output[0]));
-    most = std::max(most, (peak - returned) / static_cast<double>(cloud->size()));
+    most = std::max(most, peak - of_normals - returned);
+    if constexpr (std::is_same_v<std::decay_t<decltype(output)>, Normals>) {
+      of_normals = returned;
+    }
   });
-  return most;
+  stopCountingHeap();
+  return most / static_cast<double>(cloud->size());
 }

@@ -113,9 +113,14 @@ startCountingHeap()
   is_counting = true;
 }
 
-std::ptrdiff_t
+void
 stopCountingHeap()
 {
   is_counting = false;
-  return peak;
+}
+
+std::ptrdiff_t
+takeHeapPeak()
+{
+  return peak.exchange(in_use);
 }

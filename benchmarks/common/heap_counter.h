@@ -14,5 +14,8 @@
 /** \brief Count what the program allocates and frees from now on. */
 void startCountingHeap();
 
-/** \brief The most bytes in use since startCountingHeap(), more than then. */
-std::ptrdiff_t stopCountingHeap();
+void stopCountingHeap();
+
+/** \brief The most bytes in use since the last call, or startCountingHeap(): more than
+ * when counting began. */
+std::ptrdiff_t takeHeapPeak();

@@ -13,6 +13,7 @@
 #include "../kernels/targets.h"
 
 #include <pcl/features/neighborhood_sweep.h>
+#include <pcl/features/sweep_index.h>
 
 #include <algorithm>
 #include <cmath>
@@ -85,28 +86,26 @@ public:
     const bool by_radius = rows == Rows::by_radius && size.radius > 0.0;
     const double edge = by_radius ? rowWidthOf(size.radius)
                                   : rowWidth(size, sweep.surface_, sweep.size());
-    surface_ = buildRowIndex(
-        sweep.surface_, nullptr, sweep.surface_.size, edge, sweep.threads_);
+    SweepIndex index;
+    surface_ = (sweep.index_ ? *sweep.index_ : index)
+                   .rowsOf(sweep.surface_, finite, {edge, by_radius}, sweep.threads_);
     if (sweep.own_queries_ || sweep.has_indices_) {
-      own_queries_ = buildRowIndex(
-          sweep.queryPoints(), sweep.indices_, sweep.size(), edge, sweep.threads_);
+      own_queries_ = buildRowIndex(sweep.queryPoints(),
+                                   sweep.indices_,
+                                   sweep.size(),
+                                   surface_->edge,
+                                   sweep.threads_);
     }
-    blocks_.emplace(surface_, queries(), size, kernels::chosenKernels());
+    blocks_.emplace(*surface_, queries(), size, kernels::chosenKernels());
     blocks_->setQueriesOnSurface(!sweep.own_queries_);
     blocks_->setRowsByRadius(by_radius);
-  }
-
-  const RowIndex&
-  surface() const
-  {
-    return surface_;
   }
 
   void
   setNormals(const XYZView& normals)
   {
     if (blocks_) {
-      normals_ = unitNormals(normals, &surface_, sweep_.threads_);
+      normals_ = unitNormals(normals, surface_.get(), sweep_.threads_);
       blocks_->setNormals(normals_);
     }
   }
@@ -140,11 +139,11 @@ private:
   const RowIndex&
   queries() const
   {
-    return own_queries_ ? *own_queries_ : surface_;
+    return own_queries_ ? *own_queries_ : *surface_;
   }
 
   const NeighborhoodSweep& sweep_;
-  RowIndex surface_;
+  std::shared_ptr<const RowIndex> surface_;
   std::optional<RowIndex> own_queries_;
   UnitNormals normals_;
   std::optional<BlockSweep> blocks_;

@@ -12,6 +12,7 @@
 #include <pcl/features/adaptive_radius.h>
 #include <pcl/features/feature.h>
 #include <pcl/features/inad_point.h>
+#include <pcl/features/sweep_index.h>
 
 namespace pcl {
 
@@ -59,6 +60,21 @@ public:
     threads_ = threads;
   }
 
+  /** \brief Share the sorted search surface with other computations over the same
+   * cloud, or another radius of this one; null, the default, to sort it each time. With
+   * a search method it says nothing. */
+  void
+  setSweepIndex(const SweepIndex::Ptr& index)
+  {
+    index_ = index;
+  }
+
+  SweepIndex::Ptr
+  getSweepIndex() const
+  {
+    return index_;
+  }
+
   /** \brief c: angles further than c sigma from mu are rejected, once.
    * \param[in] rate 2 by default, 0 for no rejection, not negative
    */
@@ -82,6 +98,7 @@ private:
 
   double outlier_rate_ = 2.0;
   unsigned threads_;
+  SweepIndex::Ptr index_;
 };
 
 } // namespace pcl

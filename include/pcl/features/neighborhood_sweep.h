@@ -13,8 +13,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 namespace pcl {
+
+class SweepIndex;
 
 /** \brief Points (or normals) in memory: item i is the three floats at `first + i *
  * stride`. The view does not own them.
@@ -118,6 +121,14 @@ public:
     threads_ = threads;
   }
 
+  /** \brief Take the surface as it was sorted before, if it is the same, and keep what
+   * is sorted here. \param[in] index null to sort it at each call */
+  void
+  setIndex(const std::shared_ptr<SweepIndex>& index)
+  {
+    index_ = index;
+  }
+
   /** \brief The number of results. */
   std::size_t
   size() const
@@ -189,6 +200,7 @@ private:
   const std::int32_t* indices_ = nullptr;
   std::size_t indices_size_ = 0;
   unsigned threads_ = 0;
+  std::shared_ptr<SweepIndex> index_;
 };
 
 } // namespace pcl

@@ -11,6 +11,7 @@
 
 #include <pcl/features/adaptive_radius.h>
 #include <pcl/features/feature.h>
+#include <pcl/features/sweep_index.h>
 
 #include <vector>
 
@@ -55,6 +56,21 @@ public:
     threads_ = threads;
   }
 
+  /** \brief Share the sorted search surface with other computations over the same
+   * cloud, or another radius of this one; null, the default, to sort it each time. With
+   * a search method it says nothing. */
+  void
+  setSweepIndex(const SweepIndex::Ptr& index)
+  {
+    index_ = index;
+  }
+
+  SweepIndex::Ptr
+  getSweepIndex() const
+  {
+    return index_;
+  }
+
   /** \brief Flip the normals towards this point, metres, instead of the sensor origin.
    */
   void
@@ -79,6 +95,7 @@ private:
   Eigen::Vector3f viewpoint_ = Eigen::Vector3f::Zero();
   bool use_sensor_origin_ = true;
   unsigned threads_;
+  SweepIndex::Ptr index_;
 };
 
 } // namespace pcl

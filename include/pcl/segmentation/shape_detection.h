@@ -12,6 +12,7 @@
 #include <pcl/PointIndices.h>
 #include <pcl/features/inad_point.h>
 #include <pcl/features/shape_model.h>
+#include <pcl/features/sweep_index.h>
 #include <pcl/pcl_base.h>
 #include <pcl/point_types.h>
 #include <pcl/search/search.h>
@@ -96,6 +97,20 @@ public:
   getSearchMethod() const
   {
     return search_;
+  }
+
+  /** \brief Share the sorted search surface with other detectors and estimations over
+   * the same cloud. \param[in] index null, the default, for one of this computation */
+  void
+  setSweepIndex(const SweepIndex::Ptr& index)
+  {
+    index_ = index;
+  }
+
+  SweepIndex::Ptr
+  getSweepIndex() const
+  {
+    return index_;
   }
 
   /** \param[in] radius metres */
@@ -258,7 +273,8 @@ private:
   /** \brief What is wrong with the input or the settings; empty if nothing is. */
   std::string findProblem() const;
 
-  PointCloudNConstPtr estimateNormals(const INADParameters& parameters) const;
+  PointCloudNConstPtr estimateNormals(const INADParameters& parameters,
+                                      const SweepIndex::Ptr& index) const;
 
   void computeINAD(pcl::PointCloud<INAD>& inad) const;
 
@@ -270,6 +286,7 @@ private:
   INADCloudConstPtr inad_;
   PointCloudConstPtr surface_;
   SearchPtr search_;
+  SweepIndex::Ptr index_;
   std::optional<double> normal_radius_;
   std::optional<double> radius_;
   std::optional<int> k_;

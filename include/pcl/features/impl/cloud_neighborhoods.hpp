@@ -13,6 +13,7 @@
 #include <pcl/features/adaptive_radius.h>
 #include <pcl/features/listed_neighborhoods.h>
 #include <pcl/features/neighborhood_sweep.h>
+#include <pcl/features/sweep_index.h>
 #include <pcl/point_cloud.h>
 #include <pcl/search/search.h>
 
@@ -96,6 +97,14 @@ public:
     search_ = search;
   }
 
+  /** \brief Of several computations the first sorts the surface, for those of others
+   * too. Null for an index of its own. */
+  void
+  setIndex(const SweepIndex::Ptr& index)
+  {
+    index_ = index ? index : std::make_shared<SweepIndex>();
+  }
+
   bool
   computeNormals(const NeighborhoodSize& size,
                  float* normals,
@@ -146,6 +155,7 @@ public:
     auto some =
         std::make_unique<CloudNeighborhoods>(input_, surface_, points, threads_);
     some->setSearch(search_);
+    some->setIndex(index_);
     return some;
   }
 
@@ -200,6 +210,7 @@ private:
   {
     NeighborhoodSweep sweep(xyzOf(*surface_));
     setQueries(sweep);
+    sweep.setIndex(index_);
     return sweep;
   }
 
@@ -244,6 +255,7 @@ private:
   const pcl::Indices& indices_;
   unsigned threads_;
   SearchPtr search_;
+  SweepIndex::Ptr index_ = std::make_shared<SweepIndex>();
 };
 
 /** \brief The noise of a cloud, see noiseOf(). */

@@ -63,6 +63,7 @@ INADEstimation<PointInT, PointNT, PointOutT>::computeFeature(PointCloudOut& outp
   detail::CloudNeighborhoods<PointInT> neighborhoods(
       this->input_, this->surface_, *this->indices_, threads_);
   neighborhoods.setSearch(this->tree_);
+  neighborhoods.setIndex(index_);
   const auto computeInto = [&](float* mu_sigma) {
     std::vector<float> radii;
     return neighborhoods.computeINAD(

@@ -54,6 +54,7 @@ NormalEstimationSweep<PointInT, PointOutT>::computeFeature(PointCloudOut& output
   detail::CloudNeighborhoods<PointInT> neighborhoods(
       this->input_, this->surface_, *this->indices_, threads_);
   neighborhoods.setSearch(this->tree_);
+  neighborhoods.setIndex(index_);
   std::vector<float> radii;
   output.is_dense = neighborhoods.computeNormals(
       neighborhoods.sizeOf(this->search_radius_, this->k_, this->radius_mode_, radii),

@@ -22,12 +22,14 @@ namespace pcl {
 
 template <typename PointT, typename PointNT>
 typename ShapeDetection<PointT, PointNT>::PointCloudNConstPtr
-ShapeDetection<PointT, PointNT>::estimateNormals(const INADParameters& parameters) const
+ShapeDetection<PointT, PointNT>::estimateNormals(const INADParameters& parameters,
+                                                 const SweepIndex::Ptr& index) const
 {
   NormalEstimationSweep<PointT, PointNT> estimation(threads_);
   estimation.setInputCloud(surface_ ? surface_ : this->input_);
   estimation.setRadiusMode(parameters.radius_mode);
   estimation.setSearchMethod(search_);
+  estimation.setSweepIndex(index);
   estimation.setRadiusSearch(parameters.normal_radius);
   estimation.setKSearch(parameters.k);
   const auto normals = pcl::make_shared<pcl::PointCloud<PointNT>>();
@@ -49,6 +51,7 @@ ShapeDetection<PointT, PointNT>::computeINAD(pcl::PointCloud<INAD>& inad) const
     return;
   }
   const INADParameters parameters = getParameters();
+  const auto index = index_ ? index_ : std::make_shared<SweepIndex>();
   INADEstimation<PointT, PointNT> estimation(threads_);
   estimation.setInputCloud(this->input_);
   estimation.setIndices(this->indices_);
@@ -56,7 +59,8 @@ ShapeDetection<PointT, PointNT>::computeINAD(pcl::PointCloud<INAD>& inad) const
     estimation.setSearchSurface(surface_);
   }
   estimation.setSearchMethod(search_);
-  estimation.setInputNormals(normals_ ? normals_ : estimateNormals(parameters));
+  estimation.setInputNormals(normals_ ? normals_ : estimateNormals(parameters, index));
+  estimation.setSweepIndex(index);
   estimation.setRadiusSearch(parameters.radius);
   estimation.setKSearch(parameters.k);
   estimation.setOutlierRate(parameters.outlier_rate);
@@ -74,6 +78,7 @@ ShapeDetection<PointT, PointNT>::withAdaptiveInput(const Use& use) const
   std::iota(all.begin(), all.end(), 0);
   detail::CloudNeighborhoods<PointT> neighborhoods(surface, surface, all, threads_);
   neighborhoods.setSearch(search_);
+  neighborhoods.setIndex(index_);
   const XYZView points = detail::xyzOf(*surface);
   use(detail::AdaptiveInput{
       neighborhoods, points, detail::countFinite(points), threads_});

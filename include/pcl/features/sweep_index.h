@@ -1,0 +1,73 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include <pcl/features/neighborhood_sweep.h>
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+
+namespace pcl {
+
+namespace kernels {
+struct RowIndex;
+}
+
+/** \brief The points of a search surface, sorted for pcl::NeighborhoodSweep, kept from
+ * one computation to the next: of one class with another radius, or of several classes
+ * that work on the same cloud.
+ *
+ * \code
+ * const auto index = std::make_shared<pcl::SweepIndex>();
+ * normal_estimation.setSweepIndex(index);
+ * inad_estimation.setSweepIndex(index);
+ * \endcode
+ *
+ * Only the time changes, not a bit of the results: before it is used again every point
+ * is compared with the surface, so that another cloud, or one that was edited in place,
+ * is sorted anew. It is sorted anew, too, where its rows of cells would be far wider or
+ * narrower than a neighborhood asks for; and normals over one radius for all points
+ * need rows of their own: compute normals first. The last one sorted is kept, about 20
+ * bytes a point, until clear() or the object's end. Threads may share it. \ingroup
+ * features
+ */
+class PCL_SHAPE_EXPORTS SweepIndex {
+public:
+  using Ptr = std::shared_ptr<SweepIndex>;
+  using ConstPtr = std::shared_ptr<const SweepIndex>;
+
+  /** \brief Free the memory. */
+  void clear();
+
+private:
+  friend class NeighborhoodSweep;
+
+  /** \brief How wide rows are to be, metres. */
+  struct RowWidth {
+    double width;
+    bool is_exact; ///< otherwise about as wide will do
+  };
+
+  /** \brief What is kept, if it will do, else the points sorted anew. */
+  std::shared_ptr<const kernels::RowIndex> rowsOf(const XYZView& points,
+                                                  std::size_t finite_points,
+                                                  const RowWidth& width,
+                                                  unsigned threads);
+
+  std::shared_ptr<const kernels::RowIndex>
+  keptFor(const XYZView& points, std::size_t finite_points, const RowWidth& width);
+
+  std::mutex mutex_;
+  std::shared_ptr<const kernels::RowIndex> rows_;
+  std::size_t points_ = 0; ///< how many were given, finite or not
+};
+
+} // namespace pcl

@@ -1,0 +1,88 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "../kernels/parallel.h"
+#include "../kernels/row_index.h"
+
+#include <pcl/features/sweep_index.h>
+
+#include <atomic>
+
+namespace pcl {
+namespace {
+
+using namespace kernels;
+
+/** \brief Rows may be this many times as wide, or as narrow, as they are to be: it
+ * hardly takes longer. */
+constexpr double times_wider = 4.0, times_narrower = 2.5;
+
+bool
+areEqual(const RowIndex& rows, const XYZView& points, unsigned threads)
+{
+  std::atomic<bool> are_equal{true};
+  parallelForRanges(rows.size(), threads, [&](std::size_t begin, std::size_t end) {
+    bool differ = false;
+    for (std::size_t i = begin; i < end; ++i) {
+      const float* p = points[rows.order[i]];
+      differ |= (rows.x[i] != p[0]) | (rows.y[i] != p[1]) | (rows.z[i] != p[2]);
+    }
+    if (differ) {
+      are_equal = false;
+    }
+  });
+  return are_equal;
+}
+
+} // namespace
+
+void
+SweepIndex::clear()
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  rows_.reset();
+}
+
+std::shared_ptr<const RowIndex>
+SweepIndex::keptFor(const XYZView& points,
+                    std::size_t finite_points,
+                    const RowWidth& width)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!rows_ || points_ != points.size || rows_->size() != finite_points) {
+    return nullptr;
+  }
+  const bool fits = width.is_exact ? rows_->edge == width.width
+                                   : rows_->edge <= times_wider * width.width &&
+                                         rows_->edge * times_narrower >= width.width;
+  return fits ? rows_ : nullptr;
+}
+
+std::shared_ptr<const RowIndex>
+SweepIndex::rowsOf(const XYZView& points,
+                   std::size_t finite_points,
+                   const RowWidth& width,
+                   unsigned threads)
+{
+  auto rows = keptFor(points, finite_points, width);
+  if (rows && areEqual(*rows, points, threads)) {
+    return rows;
+  }
+  // Not both at a time.
+  rows.reset();
+  clear();
+  rows = std::make_shared<const RowIndex>(
+      buildRowIndex(points, nullptr, points.size, width.width, threads));
+  const std::lock_guard<std::mutex> lock(mutex_);
+  rows_ = rows;
+  points_ = points.size;
+  return rows;
+}
+
+} // namespace pcl
