@@ -49,6 +49,13 @@ SweepIndex::clear()
   rows_.reset();
 }
 
+std::size_t
+SweepIndex::getSortCount() const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return sort_count_;
+}
+
 std::shared_ptr<const RowIndex>
 SweepIndex::keptFor(const XYZView& points,
                     std::size_t finite_points,
@@ -82,6 +89,7 @@ SweepIndex::rowsOf(const XYZView& points,
   const std::lock_guard<std::mutex> lock(mutex_);
   rows_ = rows;
   points_ = points.size;
+  ++sort_count_;
   return rows;
 }
 

@@ -81,18 +81,19 @@ expectSameAsAlone(const Surface& surface, const SweepIndex::Ptr& index)
   }
 }
 
-/** \brief Heap that a computation of INAD uses, beside what was there before. */
-std::ptrdiff_t
-bytesOfINAD(const Surface& surface, const SweepIndex::Ptr& index)
+std::vector<float>
+inadOf(const Surface& surface, const SweepIndex::Ptr& index)
 {
-  std::vector<float> mu_sigma(2 * surface.size());
-  return peakBytesOf([&] {
-    sweepOf(surface, index)
-        .computeINAD(NeighborhoodSize::ofRadius(radius),
-                     surface.trueNormals(),
-                     2.0,
-                     mu_sigma.data());
-  });
+  return sweptINAD(sweepOf(surface, index),
+                   NeighborhoodSize::ofRadius(radius),
+                   surface.trueNormals());
+}
+
+/** \brief One computation, so that nothing but the points can be a reason to sort. */
+void
+expectSameINADAsAlone(const Surface& surface, const SweepIndex::Ptr& index)
+{
+  EXPECT_TRUE(sameBits(inadOf(surface, index), inadOf(surface, nullptr)));
 }
 
 TEST(SweepIndex, ResultsAreThoseWithoutIt)
@@ -123,12 +124,15 @@ TEST(SweepIndex, QueriesOfAnotherCloudAndSomePointsOnly)
 TEST(SweepIndex, SeesThatTheCloudIsAnother)
 {
   const auto index = std::make_shared<SweepIndex>();
-  expectSameAsAlone(someSurface(4), index);
-  expectSameAsAlone(someSurface(5), index);
-  Surface smaller = someSurface(5);
-  smaller.xyz.resize(smaller.xyz.size() - 30);
-  smaller.normals.resize(smaller.xyz.size());
-  expectSameAsAlone(smaller, index);
+  expectSameINADAsAlone(someSurface(4), index);
+  Surface surface = someSurface(5);
+  expectSameINADAsAlone(surface, index);
+  surface.add({{0.9, 0.9, 0}, {0, 0, 1}});
+  expectSameINADAsAlone(surface, index);
+  surface.xyz.resize(surface.xyz.size() - 300);
+  surface.normals.resize(surface.xyz.size());
+  expectSameINADAsAlone(surface, index);
+  EXPECT_EQ(index->getSortCount(), 4U);
 }
 
 TEST(SweepIndex, SeesThatOnePointWasEditedInPlace)
@@ -136,39 +140,73 @@ TEST(SweepIndex, SeesThatOnePointWasEditedInPlace)
   const auto index = std::make_shared<SweepIndex>();
   Surface surface = someSurface(6);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    expectSameAsAlone(surface, index);
+    expectSameINADAsAlone(surface, index);
     surface.xyz[3 * 1234 + axis] += 0.05f;
   }
-  expectSameAsAlone(surface, index);
-  // As many finite points as before.
-  std::swap(surface.xyz[2], surface.xyz[3 * 6000 + 2]);
-  expectSameAsAlone(surface, index);
+  expectSameINADAsAlone(surface, index);
+  EXPECT_EQ(index->getSortCount(), 4U);
 }
 
-TEST(SweepIndex, IsNotSortedAgainForAnotherComputation)
+TEST(SweepIndex, SeesThatAnotherPointIsFinite)
 {
-  const Surface surface = someSurface(7);
   const auto index = std::make_shared<SweepIndex>();
-  const std::ptrdiff_t first = bytesOfINAD(surface, index);
-  const std::ptrdiff_t second = bytesOfINAD(surface, index);
-  const auto coordinates_and_order = static_cast<std::ptrdiff_t>(16 * surface.size());
-  EXPECT_LT(second, first - coordinates_and_order);
+  Surface surface = someSurface(7);
+  expectSameINADAsAlone(surface, index);
+  std::swap(surface.xyz.back(), surface.xyz[3 * 1234 + 2]);
+  expectSameINADAsAlone(surface, index);
+  surface.xyz[3 * 1234 + 2] = 1.0f;
+  expectSameINADAsAlone(surface, index);
+  EXPECT_EQ(index->getSortCount(), 3U);
+}
+
+TEST(SweepIndex, SortsOnceForNormalsAndINADOverTwoRadii)
+{
+  const Surface surface = someSurface(8);
+  const auto index = std::make_shared<SweepIndex>();
+  const NeighborhoodSweep sweep = sweepOf(surface, index);
+  sweptNormals(sweep, NeighborhoodSize::ofRadius(0.3));
+  for (const double r : {0.2, 0.6}) {
+    sweptINAD(sweep, NeighborhoodSize::ofRadius(r), surface.trueNormals());
+  }
+  EXPECT_EQ(index->getSortCount(), 1U);
+}
+
+TEST(SweepIndex, NormalsOverOneRadiusHaveRowsOfTheirOwn)
+{
+  const Surface surface = someSurface(13);
+  const auto index = std::make_shared<SweepIndex>();
+  const NeighborhoodSweep sweep = sweepOf(surface, index);
+  sweptINAD(sweep, NeighborhoodSize::ofRadius(0.4), surface.trueNormals());
+  const auto size = NeighborhoodSize::ofRadius(0.3);
+  EXPECT_TRUE(sameBits(sweptNormals(sweep, size),
+                       sweptNormals(sweepOf(surface, nullptr), size)));
+}
+
+TEST(SweepIndex, SortsAnewWhereRowsWouldBeFarTooNarrow)
+{
+  const Surface surface = someSurface(9);
+  const auto index = std::make_shared<SweepIndex>();
+  const NeighborhoodSweep sweep = sweepOf(surface, index);
+  for (const double r : {radius, 100.0 * radius}) {
+    sweptINAD(sweep, NeighborhoodSize::ofRadius(r), surface.trueNormals());
+  }
+  EXPECT_EQ(index->getSortCount(), 2U);
 }
 
 TEST(SweepIndex, ClearFreesItsMemory)
 {
-  const Surface surface = someSurface(8);
+  const Surface surface = someSurface(10);
   const auto index = std::make_shared<SweepIndex>();
-  bytesOfINAD(surface, index);
+  inadOf(surface, index);
   const std::ptrdiff_t before = heapInUse();
   index->clear();
   EXPECT_LT(heapInUse(), before - static_cast<std::ptrdiff_t>(16 * surface.size()));
-  expectSameAsAlone(surface, index);
+  expectSameINADAsAlone(surface, index);
 }
 
 TEST(SweepIndex, TwoThreadsMayShareIt)
 {
-  const Surface one = someSurface(9), other = someSurface(10);
+  const Surface one = someSurface(11), other = someSurface(12);
   const auto index = std::make_shared<SweepIndex>();
   std::thread concurrent([&] { expectSameAsAlone(one, index); });
   expectSameAsAlone(other, index);

@@ -47,6 +47,10 @@ public:
   /** \brief Free the memory. */
   void clear();
 
+  /** \brief How many times points were sorted: computations that could use what was
+   * kept did not add to it. */
+  std::size_t getSortCount() const;
+
 private:
   friend class NeighborhoodSweep;
 
@@ -65,9 +69,10 @@ private:
   std::shared_ptr<const kernels::RowIndex>
   keptFor(const XYZView& points, std::size_t finite_points, const RowWidth& width);
 
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::shared_ptr<const kernels::RowIndex> rows_;
   std::size_t points_ = 0; ///< how many were given, finite or not
+  std::size_t sort_count_ = 0;
 };
 
 } // namespace pcl
