@@ -7,7 +7,7 @@
  * All rights reserved
  */
 
-#include "support/clouds.h"
+#include "support/bits.h"
 #include "support/heap_count.h"
 #include "support/shapes.h"
 #include "support/sweep.h"

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include "support/bits.h"
 #include "support/shapes.h"
 
 #include <pcl/features/inad_point.h>
@@ -17,7 +18,6 @@
 #include <pcl/point_cloud.h>
 
 #include <cmath>
-#include <cstring>
 #include <vector>
 
 namespace pcl {
@@ -76,13 +76,6 @@ normalValuesOf(const pcl::PointCloud<PointNT>& cloud)
     values.insert(values.end(), {n.normal_x, n.normal_y, n.normal_z, n.curvature});
   }
   return values;
-}
-
-inline bool
-sameBits(const std::vector<float>& a, const std::vector<float>& b)
-{
-  return a.size() == b.size() &&
-         std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
 }
 
 /** \brief What a depth camera sees of a plane with a ball in front of it: organized,
