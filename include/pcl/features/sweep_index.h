@@ -35,9 +35,11 @@ struct RowIndex;
  * is compared with the surface, so that another cloud, or one that was edited in place,
  * is sorted anew. It is sorted anew, too, where its rows of cells would be far wider or
  * narrower than a neighborhood asks for; and normals over one radius for all points
- * need rows of their own: compute normals first. The last one sorted is kept, about 20
- * bytes a point, until clear() or the object's end. Threads may share it. \ingroup
- * features
+ * need rows of their own: compute normals first. The last one sorted is kept until
+ * clear() or the object's end: about 20 bytes a point of a surface, up to 60 where
+ * points are sparse. Threads may share it; it helps those that work on the same cloud.
+ *
+ * \ingroup features
  */
 class PCL_SHAPE_EXPORTS SweepIndex {
 public:
