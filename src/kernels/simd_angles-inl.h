@@ -107,16 +107,17 @@ public:
     sum_ = hn::Zero(Words());
   }
 
-  HWY_INLINE std::uint64_t
-  total() const
+  /** \brief What lanes add up to. */
+  HWY_INLINE hn::VFromD<Longs>
+  parts() const
   {
-    return hn::GetLane(hn::SumOfLanes(Longs(), hn::Add(even_, odd_)));
+    return hn::Add(even_, odd_);
   }
 
-  HWY_INLINE std::uint64_t
-  totalOfSquares() const
+  HWY_INLINE hn::VFromD<Longs>
+  partsOfSquares() const
   {
-    return hn::GetLane(hn::SumOfLanes(Longs(), hn::Add(even_squares_, odd_squares_)));
+    return hn::Add(even_squares_, odd_squares_);
   }
 
 private:

@@ -97,6 +97,14 @@ squaredLength(V x, V y, V z)
   return hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
 }
 
+/** \brief The same but for the rounding. */
+template <class V>
+HWY_INLINE V
+roughSquaredLength(V x, V y, V z)
+{
+  return hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
+}
+
 using Doubles = hn::CappedTag<double, block_size>;
 
 constexpr std::size_t double_lanes =

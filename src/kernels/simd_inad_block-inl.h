@@ -15,7 +15,7 @@
 #endif
 
 #include "neighborhood.h"
-#include "simd_inad_lanes-inl.h"
+#include "simd_block_angles-inl.h"
 #include "simd_spreads-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -48,83 +48,16 @@ public:
   {
     near_.size() <= most_clusters ? sumOnePortion() : sumManyPortions();
     for (std::size_t i = 0; i < block_.size; ++i) {
-      const bool any_kept = kept_count_[i] != 0;
-      const Spread spread{(any_kept ? kept_ : all_).mean[i],
-                          (any_kept ? kept_ : all_).sd[i]};
-      results[i] = isKnown(i) ? toINAD(spread) : unknown_inad;
+      const BlockSpreads& spreads = kept_count_[i] != 0 ? kept_ : all_;
+      results[i] = isKnown(i) ? toINAD({spreads.mean[i], spreads.sd[i]}) : unknown_inad;
     }
   }
 
 private:
-  /** \brief Where the angles of query i begin: vectors, and one more for what ends
-   * them. */
-  static std::size_t
-  anglesBegin(const INADSlots& slots, std::size_t i)
-  {
-    return i * ((slots.total() + block_size - 1) / block_size + 1) * block_size;
-  }
-
-  template <bool with_ties, bool is_smooth>
   void
-  collect(const INADSlots& slots, std::uint32_t* angles, BlockSums& sums) const
+  find(BlockAngles& angles, BlockSums& sums) const
   {
-    auto* chords = reinterpret_cast<float*>(angles);
-    for (std::size_t i = 0; i < block_.size; ++i) {
-      sums.count[i] = collectChords<with_ties, is_smooth>(
-          block_, own_, i, slots, chords + anglesBegin(slots, i));
-    }
-    for (std::size_t i = 0; i < block_.size; ++i) {
-      AngleAdder adder;
-      chordsToAngles(angles + anglesBegin(slots, i), sums.count[i], adder);
-      sums.sum[i] = adder.total();
-      sums.squares[i] = adder.totalOfSquares();
-    }
-    sums.clearFrom(block_.size);
-  }
-
-  void
-  collect(const INADSlots& slots, std::uint32_t* angles, BlockSums& sums) const
-  {
-    const bool is_smooth = candidates_.isSmooth();
-    if (near_.hasTies()) {
-      is_smooth ? collect<true, true>(slots, angles, sums)
-                : collect<true, false>(slots, angles, sums);
-    }
-    else {
-      is_smooth ? collect<false, true>(slots, angles, sums)
-                : collect<false, false>(slots, angles, sums);
-    }
-  }
-
-  /** \brief All less the rejected ones, which are few: sums are exact. Moves angles. */
-  void
-  sumKeptOf(const INADSlots& slots,
-            std::uint32_t* angles,
-            const BlockSums& all,
-            BlockSums& kept) const
-  {
-    kept = all;
-    std::size_t rejected[block_size];
-    // One after the other, what is packed would be read before it is there.
-    for (std::size_t i = 0; i < block_.size; ++i) {
-      rejected[i] = packRejected(angles + anglesBegin(slots, i),
-                                 all.count[i],
-                                 ranges_.least[i],
-                                 ranges_.width[i]);
-    }
-    for (std::size_t i = 0; i < block_.size; ++i) {
-      AngleAdder adder;
-      addAngles(angles + anglesBegin(slots, i), rejected[i], adder);
-      kept.count[i] -= rejected[i];
-      kept.sum[i] -= adder.total();
-      kept.squares[i] -= adder.totalOfSquares();
-    }
-  }
-
-  static std::uint32_t*
-  anglesOfAll(const INADSlots& slots)
-  {
-    return simdScratch().angles.atLeast(anglesBegin(slots, block_size));
+    angles.find(near_.hasTies(), candidates_.isSmooth(), sums);
   }
 
   /** \brief Angles are there for the second pass. */
@@ -132,66 +65,34 @@ private:
   sumOnePortion()
   {
     const INADSlots slots = candidates_.list(0, near_.size());
-    std::uint32_t* angles = anglesOfAll(slots);
-    BlockSums found, all, kept;
-    collect(slots, angles, found);
-    all = found;
-    setAll(all);
+    BlockAngles angles(block_, own_, slots);
+    BlockSums found, kept;
+    find(angles, found);
+    BlockSums all = found;
+    const BlockRanges ranges = setAll(all);
     findMissingSpreads(slots);
-    sumKeptOf(slots, angles, found, kept);
-    for (std::size_t i = 0; i < block_size; ++i) {
-      kept_count_[i] = kept.count[i] -= std::min(kept.count[i], ownKept(i));
-    }
-    spreadsOf(kept, kept_);
-  }
-
-  /** \brief The ranges that follow from the sums over all angles, own points included.
-   */
-  void
-  setAll(BlockSums& all)
-  {
-    for (std::size_t i = 0; i < block_size; ++i) {
-      const std::uint64_t own = own_.is_neighbor[i];
-      count_[i] = all.count[i] -= std::min(all.count[i], own);
-    }
-    spreadsOf(all, all_);
-    keptRanges(all_, outlier_rate_, ranges_);
+    angles.sumKept(ranges, found, kept);
+    setKept(ranges, kept);
   }
 
   /** \brief However many candidates: their angles are computed twice. */
   void
   sumManyPortions()
   {
-    AngleSums all[block_size], kept[block_size];
-    forEachPortion([&](const INADSlots& slots) {
+    ManySums all, kept;
+    forEachPortion([&](BlockAngles angles) {
       BlockSums part;
-      collect(slots, anglesOfAll(slots), part);
-      add(part, all);
+      find(angles, part);
+      all.add(part);
     });
-    for (std::size_t i = 0; i < block_size; ++i) {
-      const std::uint64_t own = own_.is_neighbor[i];
-      count_[i] = all[i].count -= std::min(all[i].count, own);
-    }
-    setSpreads(all, all_);
-    keptRanges(all_, outlier_rate_, ranges_);
-    forEachPortion([&](const INADSlots& slots) {
+    const BlockRanges ranges = setAll(all);
+    forEachPortion([&](BlockAngles angles) {
       BlockSums found, part;
-      std::uint32_t* angles = anglesOfAll(slots);
-      collect(slots, angles, found);
-      sumKeptOf(slots, angles, found, part);
-      add(part, kept);
+      find(angles, found);
+      angles.sumKept(ranges, found, part);
+      kept.add(part);
     });
-    for (std::size_t i = 0; i < block_size; ++i) {
-      kept_count_[i] = kept[i].count -= std::min(kept[i].count, ownKept(i));
-    }
-    setSpreads(kept, kept_);
-  }
-
-  /** \brief How many own points are among the angles kept: their angle is 0. */
-  std::uint64_t
-  ownKept(std::size_t i) const
-  {
-    return ranges_.least[i] == 0 ? own_.is_neighbor[i] : 0;
+    setKept(ranges, kept);
   }
 
   template <typename Visit>
@@ -199,41 +100,39 @@ private:
   forEachPortion(const Visit& visit)
   {
     for (std::size_t begin = 0; begin < near_.size(); begin += most_clusters) {
-      visit(candidates_.list(begin, std::min(most_clusters, near_.size() - begin)));
+      const std::size_t count = std::min(most_clusters, near_.size() - begin);
+      const INADSlots slots = candidates_.list(begin, count);
+      visit(BlockAngles(block_, own_, slots));
     }
   }
 
-  static void
-  add(const BlockSums& part, AngleSums* sums)
+  /** \brief From the sums over all angles. \return the ranges that follow from them */
+  template <typename Sums>
+  BlockRanges
+  setAll(Sums& sums)
   {
-    for (std::size_t i = 0; i < block_size; ++i) {
-      sums[i].count += part.count[i];
-      sums[i].sum += part.sum[i];
-      sums[i].squares += part.squares[i];
-    }
+    leaveOutOwn({}, sums.count);
+    std::copy_n(sums.count, block_size, count_);
+    spreadsOf(sums, all_);
+    return keptRanges(all_, outlier_rate_);
   }
 
-  /** \brief As of one portion, whatever the number of portions: the same angles give
-   * the same result. */
-  static void
-  setSpreads(const AngleSums* sums, BlockSpreads& spreads)
+  template <typename Sums>
+  void
+  setKept(const BlockRanges& ranges, Sums& sums)
   {
-    BlockSums few;
-    few.clearFrom(0);
+    leaveOutOwn(ranges, sums.count);
+    std::copy_n(sums.count, block_size, kept_count_);
+    spreadsOf(sums, kept_);
+  }
+
+  /** \brief Own points, whose angle is 0, are in ranges that begin there. */
+  void
+  leaveOutOwn(const BlockRanges& ranges, std::uint64_t* count) const
+  {
     for (std::size_t i = 0; i < block_size; ++i) {
-      if (sums[i].count <= most_for_64_bits) {
-        few.count[i] = sums[i].count;
-        few.sum[i] = sums[i].sum;
-        few.squares[i] = static_cast<std::uint64_t>(sums[i].squares);
-      }
-    }
-    spreadsOf(few, spreads);
-    for (std::size_t i = 0; i < block_size; ++i) {
-      if (sums[i].count > most_for_64_bits) {
-        const Spread spread = sums[i].spread();
-        spreads.mean[i] = spread.mean;
-        spreads.sd[i] = spread.sd;
-      }
+      const std::uint64_t own = ranges.least[i] == 0 ? own_.is_neighbor[i] : 0;
+      count[i] -= std::min(count[i], own);
     }
   }
 
@@ -241,7 +140,8 @@ private:
   void
   findMissingSpreads(const INADSlots& slots)
   {
-    for (const std::size_t step : {8, 1}) {
+    constexpr std::size_t some = 8, all = 1;
+    for (const std::size_t step : {some, all}) {
       if (!knowsSpreads()) {
         findSpreads(block_, slots, step, spreads_);
       }
@@ -278,7 +178,6 @@ private:
   bool spreads_[block_size] = {};
   std::uint64_t count_[block_size], kept_count_[block_size];
   BlockSpreads all_, kept_;
-  BlockRanges ranges_;
 };
 
 inline void

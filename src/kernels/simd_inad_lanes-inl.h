@@ -128,6 +128,7 @@ chordsToAngles(std::uint32_t* HWY_RESTRICT values, std::size_t count, AngleAdder
 
 /** \brief Packs the angles that are not in a range, in place; of what follows them, a
  * vector is overwritten. \return how many they are */
+template <bool from_zero>
 HWY_INLINE std::size_t
 packRejected(std::uint32_t* HWY_RESTRICT angles,
              std::size_t count,
@@ -143,11 +144,21 @@ packRejected(std::uint32_t* HWY_RESTRICT angles,
   hn::StoreU(from, w, angles + count);
   for (std::size_t c = 0; c < count; c += lanes) {
     const auto units = hn::Load(w, angles + c);
-    const auto is_rejected = hn::Gt(hn::Sub(units, from), most);
+    const auto is_rejected = hn::Gt(from_zero ? units : hn::Sub(units, from), most);
     rejected += packStore(w, units, is_rejected, angles + rejected);
   }
   hn::StoreU(hn::Zero(w), w, angles + rejected);
   return rejected;
+}
+
+HWY_INLINE std::size_t
+packRejected(std::uint32_t* angles,
+             std::size_t count,
+             std::uint32_t least,
+             std::uint32_t width)
+{
+  return least == 0 ? packRejected<true>(angles, count, least, width)
+                    : packRejected<false>(angles, count, least, width);
 }
 
 /** \brief Sums over angles that a vector of zeros follows. */

@@ -53,11 +53,11 @@ public:
     const auto x_low = hn::Sub(x_min_, x), x_high = hn::Sub(x, x_max_);
     const auto y_low = hn::Sub(y_min_, y), y_high = hn::Sub(y, y_max_);
     const auto z_low = hn::Sub(z_min_, z), z_high = hn::Sub(z, z_max_);
-    return {squaredLength(
+    return {roughSquaredLength(
                 outside(x_low, x_high), outside(y_low, y_high), outside(z_low, z_high)),
-            squaredLength(hn::Min(x_low, x_high),
-                          hn::Min(y_low, y_high),
-                          hn::Min(z_low, z_high))};
+            roughSquaredLength(hn::Min(x_low, x_high),
+                               hn::Min(y_low, y_high),
+                               hn::Min(z_low, z_high))};
   }
 
 private:
@@ -91,7 +91,7 @@ public:
       return hn::Max(hn::Max(hn::Sub(least_[axis], high), hn::Sub(low, most_[axis])),
                      hn::Zero(d));
     };
-    return squaredLength(apart(0), apart(1), apart(2));
+    return roughSquaredLength(apart(0), apart(1), apart(2));
   }
 
 private:

@@ -72,17 +72,17 @@ nthOfMany(float* values, std::size_t count, std::size_t n)
           n + static_cast<std::size_t>(std::count(nth + 1, values + count, *nth))};
 }
 
-/** \brief The k-th smallest of the distances, k at most their number. Moves them.
+/** \brief The k-th smallest of squared distances in [low, high), k at most their
+ * number. Moves them.
  *
  * On a surface the number of points within d grows like d^2: interpolating between
  * bounds finds the k-th in a few counts; halving between them, now and then, bounds
  * their number.
  */
 HWY_INLINE Ranked
-kthSmallest(float* d2, std::size_t count, std::size_t k, float most)
+kthSmallest(float* d2, std::size_t count, std::size_t k, float low, float high)
 {
   const Floats d;
-  float low = 0.0f, high = most;
   std::size_t below_low = 0, below_high = count;
   constexpr std::size_t few = 16;
   for (int step = 0; below_high - below_low > few; ++step) {

@@ -25,14 +25,6 @@ struct BlockSums {
   std::uint64_t count[block_size];
   std::uint64_t sum[block_size];
   std::uint64_t squares[block_size];
-
-  void
-  clearFrom(std::size_t first)
-  {
-    for (std::size_t i = first; i < block_size; ++i) {
-      count[i] = sum[i] = squares[i] = 0;
-    }
-  }
 };
 
 /** \brief Means and standard deviations of a block's queries. */
@@ -45,6 +37,23 @@ struct BlockSpreads {
 struct BlockRanges {
   std::uint32_t least[block_size] = {};
   std::uint32_t width[block_size] = {};
+};
+
+/** \brief As BlockSums, of however many angles. */
+struct ManySums {
+  std::uint64_t count[block_size] = {};
+  std::uint64_t sum[block_size] = {};
+  Wide squares[block_size] = {};
+
+  void
+  add(const BlockSums& part)
+  {
+    for (std::size_t i = 0; i < block_size; ++i) {
+      count[i] += part.count[i];
+      sum[i] += part.sum[i];
+      squares[i] += part.squares[i];
+    }
+  }
 };
 
 /** \brief From sums over at most most_for_64_bits angles. */
@@ -65,10 +74,34 @@ spreadsOf(const BlockSums& sums, BlockSpreads& spreads)
   }
 }
 
-/** \brief As keptRange(). */
-HWY_INLINE void
-keptRanges(const BlockSpreads& spreads, double outlier_rate, BlockRanges& ranges)
+/** \brief As of few angles, if they are few: the same angles give the same result. */
+inline void
+spreadsOf(const ManySums& sums, BlockSpreads& spreads)
 {
+  BlockSums few{};
+  for (std::size_t i = 0; i < block_size; ++i) {
+    if (sums.count[i] <= most_for_64_bits) {
+      few.count[i] = sums.count[i];
+      few.sum[i] = sums.sum[i];
+      few.squares[i] = static_cast<std::uint64_t>(sums.squares[i]);
+    }
+  }
+  spreadsOf(few, spreads);
+  for (std::size_t i = 0; i < block_size; ++i) {
+    if (sums.count[i] > most_for_64_bits) {
+      const Spread spread =
+          AngleSums{sums.count[i], sums.sum[i], sums.squares[i]}.spread();
+      spreads.mean[i] = spread.mean;
+      spreads.sd[i] = spread.sd;
+    }
+  }
+}
+
+/** \brief As keptRange(). */
+HWY_INLINE BlockRanges
+keptRanges(const BlockSpreads& spreads, double outlier_rate)
+{
+  BlockRanges ranges;
   const Doubles d;
   const hn::Rebind<std::int32_t, Doubles> ints;
   const auto most = hn::Set(d, std::numeric_limits<std::int32_t>::max());
@@ -91,6 +124,7 @@ keptRanges(const BlockSpreads& spreads, double outlier_rate, BlockRanges& ranges
     store(hn::IfThenElse(is_empty, most, first), ranges.least + i);
     store(hn::IfThenZeroElse(is_empty, hn::Sub(last, first)), ranges.width + i);
   }
+  return ranges;
 }
 
 } // namespace pcl::kernels::HWY_NAMESPACE

@@ -112,22 +112,9 @@ TEST_P(SweepNeighborhoods, TiesOfNearestPointsGoToTheSmallerIndex)
   for (float& value : cloud.normals) {
     value = static_cast<float>(random.uniform(-1, 1));
   }
-  for (const std::size_t k : {7U, 8U, 11U, 12U, 15U, 16U, 30U}) {
+  for (const std::size_t k : {7U, 8U, 11U, 12U, 15U, 16U, 30U, 100U, 200U}) {
     SCOPED_TRACE(k);
     expectEqualToReference(cloud, NeighborhoodSize::ofNearest(k), nearestIn(cloud, k));
-  }
-}
-
-TEST_P(SweepNeighborhoods, DistanceToNearest)
-{
-  std::vector<float> distances(scene_.size());
-  const XYZView points = scene_.points();
-  for (const std::size_t k : {1U, 12U}) {
-    NeighborhoodSweep(points).computeDistanceToNearest(k, distances.data());
-    for (std::size_t i = 0; i < scene_.size(); ++i) {
-      const std::uint32_t last = neighborsNearest(points, points[i], k).back();
-      ASSERT_EQ(std::sqrt(squaredDistance(points[last], points[i])), distances[i]);
-    }
   }
 }
 
