@@ -36,12 +36,14 @@ namespace pcl {
  * Bad settings (a null or empty cloud or search surface, one without a finite point,
  * normals of another number than the surface's points, an index out of range, both or
  * neither of radius and k, a radius that is not positive and finite, k above the number
- * of finite points) are reported by PCL_ERROR and give an empty output. \ingroup
- * features
+ * of finite points) are reported by PCL_ERROR and give an empty output.
+ *
+ * \ingroup features
  */
 template <typename PointInT, typename PointNT, typename PointOutT = pcl::INAD>
 class INADEstimation : public FeatureFromNormals<PointInT, PointNT, PointOutT>,
-                       public AdaptiveRadius {
+                       public AdaptiveRadius,
+                       public SweepIndexUser {
 public:
   using Ptr = shared_ptr<INADEstimation<PointInT, PointNT, PointOutT>>;
   using ConstPtr = shared_ptr<const INADEstimation<PointInT, PointNT, PointOutT>>;
@@ -58,21 +60,6 @@ public:
   setNumberOfThreads(unsigned threads = 0)
   {
     threads_ = threads;
-  }
-
-  /** \brief Share the sorted search surface with other computations over the same
-   * cloud, or another radius of this one; null, the default, to sort it each time. With
-   * a search method it says nothing. */
-  void
-  setSweepIndex(const SweepIndex::Ptr& index)
-  {
-    index_ = index;
-  }
-
-  SweepIndex::Ptr
-  getSweepIndex() const
-  {
-    return index_;
   }
 
   /** \brief c: angles further than c sigma from mu are rejected, once.
@@ -98,7 +85,6 @@ private:
 
   double outlier_rate_ = 2.0;
   unsigned threads_;
-  SweepIndex::Ptr index_;
 };
 
 } // namespace pcl

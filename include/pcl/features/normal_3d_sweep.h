@@ -37,7 +37,8 @@ namespace pcl {
  */
 template <typename PointInT, typename PointOutT>
 class NormalEstimationSweep : public Feature<PointInT, PointOutT>,
-                              public AdaptiveRadius {
+                              public AdaptiveRadius,
+                              public SweepIndexUser {
 public:
   using Ptr = shared_ptr<NormalEstimationSweep<PointInT, PointOutT>>;
   using ConstPtr = shared_ptr<const NormalEstimationSweep<PointInT, PointOutT>>;
@@ -54,21 +55,6 @@ public:
   setNumberOfThreads(unsigned threads = 0)
   {
     threads_ = threads;
-  }
-
-  /** \brief Share the sorted search surface with other computations over the same
-   * cloud, or another radius of this one; null, the default, to sort it each time. With
-   * a search method it says nothing. */
-  void
-  setSweepIndex(const SweepIndex::Ptr& index)
-  {
-    index_ = index;
-  }
-
-  SweepIndex::Ptr
-  getSweepIndex() const
-  {
-    return index_;
   }
 
   /** \brief Flip the normals towards this point, metres, instead of the sensor origin.
@@ -95,7 +81,6 @@ private:
   Eigen::Vector3f viewpoint_ = Eigen::Vector3f::Zero();
   bool use_sensor_origin_ = true;
   unsigned threads_;
-  SweepIndex::Ptr index_;
 };
 
 } // namespace pcl

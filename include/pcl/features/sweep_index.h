@@ -77,4 +77,30 @@ private:
   std::size_t sort_count_ = 0;
 };
 
+/** \brief The setting that the classes which sort a search surface share.
+ * \ingroup features
+ */
+class SweepIndexUser {
+public:
+  /** \brief Share the sorted search surface with other computations over the same
+   * cloud; null, the default, to sort it in each computation. With a search method it
+   * says nothing. */
+  void
+  setSweepIndex(const SweepIndex::Ptr& index)
+  {
+    index_ = index;
+  }
+
+  SweepIndex::Ptr
+  getSweepIndex() const
+  {
+    return index_;
+  }
+
+protected:
+  ~SweepIndexUser() = default;
+
+  SweepIndex::Ptr index_;
+};
+
 } // namespace pcl

@@ -47,7 +47,9 @@ PCL_SHAPE_EXPORTS std::string problemOfModel(const ShapeModel& model,
  * reported by PCL_ERROR and give empty outputs. \ingroup segmentation
  */
 template <typename PointT, typename PointNT = pcl::Normal>
-class ShapeDetection : public PCLBase<PointT>, public AdaptiveRadius {
+class ShapeDetection : public PCLBase<PointT>,
+                       public AdaptiveRadius,
+                       public SweepIndexUser {
 public:
   /** \brief PAPER: fixed radii, 10 x 10 bins, one histogram of an ideal plane,
    * threshold 0.5; it never changes. DEFAULT: the best that this version knows, if
@@ -97,20 +99,6 @@ public:
   getSearchMethod() const
   {
     return search_;
-  }
-
-  /** \brief Share the sorted search surface with other detectors and estimations over
-   * the same cloud. \param[in] index null, the default, for one of this computation */
-  void
-  setSweepIndex(const SweepIndex::Ptr& index)
-  {
-    index_ = index;
-  }
-
-  SweepIndex::Ptr
-  getSweepIndex() const
-  {
-    return index_;
   }
 
   /** \param[in] radius metres */
@@ -286,7 +274,6 @@ private:
   INADCloudConstPtr inad_;
   PointCloudConstPtr surface_;
   SearchPtr search_;
-  SweepIndex::Ptr index_;
   std::optional<double> normal_radius_;
   std::optional<double> radius_;
   std::optional<int> k_;
