@@ -98,8 +98,8 @@ public:
   }
 
   /** \brief All less the rejected ones, which are few: sums are exact. Moves angles. */
-  void
-  sumKept(const BlockRanges& ranges, const BlockSums& all, BlockSums& kept)
+  BlockSums
+  sumKept(const BlockRanges& ranges, const BlockSums& all)
   {
     std::size_t rejected[block_size] = {};
     // One after the other, what is packed would be read before it is there.
@@ -113,12 +113,14 @@ public:
       addAngles(angles(i), rejected[i], adder);
       totals.set(i, adder);
     }
+    BlockSums kept;
     totals.store(kept.sum, kept.squares);
     for (std::size_t i = 0; i < block_size; ++i) {
       kept.count[i] = all.count[i] - rejected[i];
       kept.sum[i] = all.sum[i] - kept.sum[i];
       kept.squares[i] = all.squares[i] - kept.squares[i];
     }
+    return kept;
   }
 
 private:

@@ -97,7 +97,7 @@ squaredLength(V x, V y, V z)
   return hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
 }
 
-/** \brief The same but for the rounding. */
+/** \brief The same but for the rounding: for bounds with a margin. */
 template <class V>
 HWY_INLINE V
 roughSquaredLength(V x, V y, V z)

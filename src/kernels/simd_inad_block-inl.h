@@ -24,10 +24,6 @@ namespace pcl::kernels::HWY_NAMESPACE {
 constexpr INADResult unknown_inad{std::numeric_limits<float>::quiet_NaN(),
                                   std::numeric_limits<float>::quiet_NaN()};
 
-/** Clusters are looked at in portions of this many, so that buffers stay small however
- * many points there are. */
-constexpr std::size_t most_clusters = 256;
-
 /** \brief The INAD of one block. */
 class BlockINAD {
 public:
@@ -66,12 +62,12 @@ private:
   {
     const INADSlots slots = candidates_.list(0, near_.size());
     BlockAngles angles(block_, own_, slots);
-    BlockSums found, kept;
+    BlockSums found;
     find(angles, found);
     BlockSums all = found;
     const BlockRanges ranges = setAll(all);
     findMissingSpreads(slots);
-    angles.sumKept(ranges, found, kept);
+    BlockSums kept = angles.sumKept(ranges, found);
     setKept(ranges, kept);
   }
 
@@ -87,10 +83,9 @@ private:
     });
     const BlockRanges ranges = setAll(all);
     forEachPortion([&](BlockAngles angles) {
-      BlockSums found, part;
+      BlockSums found;
       find(angles, found);
-      angles.sumKept(ranges, found, part);
-      kept.add(part);
+      kept.add(angles.sumKept(ranges, found));
     });
     setKept(ranges, kept);
   }

@@ -51,7 +51,6 @@ constexpr std::size_t most_in_lanes = 128;
 inline bool
 nearest(SweepBlock& block, std::size_t k)
 {
-  constexpr std::size_t most_clusters = 256;
   const NearClusters near(block);
   if (near.size() > most_clusters) {
     return portableKernels().nearest(block, k);

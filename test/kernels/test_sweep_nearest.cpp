@@ -16,6 +16,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <vector>
 
 // Distances to the k-th nearest points, which tell which points are neighbors, exactly
 // as brute force finds them.

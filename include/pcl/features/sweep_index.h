@@ -82,9 +82,9 @@ private:
  */
 class SweepIndexUser {
 public:
-  /** \brief Share the sorted search surface with other computations over the same
-   * cloud; null, the default, to sort it in each computation. With a search method it
-   * says nothing. */
+  /** \brief Share the sorted search surface with others that work on the same cloud,
+   * or another radius of this one; null, the default, to sort it in each computation
+   * (detectors: once for all their stages). With a search method it has no effect. */
   void
   setSweepIndex(const SweepIndex::Ptr& index)
   {
