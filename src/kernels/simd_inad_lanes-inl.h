@@ -140,13 +140,17 @@ packRejected(std::uint32_t* HWY_RESTRICT angles,
   const auto from = hn::Set(w, least);
   const auto most = hn::Set(w, width);
   std::size_t rejected = 0;
-  // So that nothing that follows is rejected.
-  hn::StoreU(from, w, angles + count);
-  for (std::size_t c = 0; c < count; c += lanes) {
+  const auto isRejected = [&](auto units) {
+    return hn::Gt(from_zero ? units : hn::Sub(units, from), most);
+  };
+  std::size_t c = 0;
+  for (; c + lanes <= count; c += lanes) {
     const auto units = hn::Load(w, angles + c);
-    const auto is_rejected = hn::Gt(from_zero ? units : hn::Sub(units, from), most);
-    rejected += packStore(w, units, is_rejected, angles + rejected);
+    rejected += packStore(w, units, isRejected(units), angles + rejected);
   }
+  const auto units = hn::Load(w, angles + c);
+  const auto mask = hn::And(isRejected(units), hn::FirstN(w, count - c));
+  rejected += packStore(w, units, mask, angles + rejected);
   hn::StoreU(hn::Zero(w), w, angles + rejected);
   return rejected;
 }
@@ -157,8 +161,10 @@ packRejected(std::uint32_t* angles,
              std::uint32_t least,
              std::uint32_t width)
 {
-  return least == 0 ? packRejected<true>(angles, count, least, width)
-                    : packRejected<false>(angles, count, least, width);
+  // In one vector, a subtraction takes less time than a branch that goes either way.
+  return least == 0 && count > lanes
+             ? packRejected<true>(angles, count, least, width)
+             : packRejected<false>(angles, count, least, width);
 }
 
 /** \brief Sums over angles that a vector of zeros follows. */
@@ -168,13 +174,16 @@ addAngles(const std::uint32_t* HWY_RESTRICT angles,
           AngleAdder& adder)
 {
   const Words w;
-  for (std::size_t c = 0; c < count;) {
+  // At least one: mostly there are one or none, and which cannot be predicted.
+  std::size_t c = 0;
+  do {
     const std::size_t end = std::min(count, c + additions_between_widening * lanes);
-    for (; c < end; c += lanes) {
+    do {
       adder.add(hn::Load(w, angles + c));
-    }
+      c += lanes;
+    } while (c < end);
     adder.widen();
-  }
+  } while (c < count);
 }
 
 } // namespace pcl::kernels::HWY_NAMESPACE

@@ -26,7 +26,7 @@ namespace pcl::kernels::HWY_NAMESPACE {
 HWY_INLINE bool
 narrowToFew(SweepBlock& block, std::size_t k, const PackedPoints& candidates)
 {
-  constexpr std::size_t some = 12;
+  constexpr std::size_t some = 11;
   const KthOfQueries kth = k < some ? keepNearest<some>(block, k, candidates)
                                     : keepNearest<most_kept>(block, k, candidates);
   bool all = true;

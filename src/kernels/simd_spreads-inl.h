@@ -40,36 +40,28 @@ public:
     spreads_ = hn::Zero(d);
   }
 
-  /** \brief The furthest neighbor becomes the anchor. */
+  /** \brief Compares a point with the anchor. The furthest neighbor so far becomes it.
+   */
   HWY_INLINE void
-  anchorAt(float x, float y, float z)
+  look(float x, float y, float z)
   {
     const Floats d;
     const auto dx = hn::Sub(hn::Set(d, x), x_);
     const auto dy = hn::Sub(hn::Set(d, y), y_);
     const auto dz = hn::Sub(hn::Set(d, z), z_);
     const auto d2 = squaredLength(dx, dy, dz);
-    const auto further = hn::And(hn::Lt(d2, r2_), hn::Gt(d2, furthest_));
+    const auto is_neighbor = hn::Lt(d2, r2_);
+    const auto cross2 =
+        roughSquaredLength(hn::MulSub(anchor_y_, dz, hn::Mul(anchor_z_, dy)),
+                           hn::MulSub(anchor_z_, dx, hn::Mul(anchor_x_, dz)),
+                           hn::MulSub(anchor_x_, dy, hn::Mul(anchor_y_, dx)));
+    const auto spreads = hn::And(is_neighbor, hn::Gt(cross2, least_cross2_));
+    spreads_ = hn::IfThenElse(spreads, hn::Set(d, 1.0f), spreads_);
+    const auto further = hn::And(is_neighbor, hn::Gt(d2, furthest_));
     furthest_ = hn::IfThenElse(further, d2, furthest_);
     anchor_x_ = hn::IfThenElse(further, dx, anchor_x_);
     anchor_y_ = hn::IfThenElse(further, dy, anchor_y_);
     anchor_z_ = hn::IfThenElse(further, dz, anchor_z_);
-  }
-
-  HWY_INLINE void
-  compare(float x, float y, float z)
-  {
-    const Floats d;
-    const auto dx = hn::Sub(hn::Set(d, x), x_);
-    const auto dy = hn::Sub(hn::Set(d, y), y_);
-    const auto dz = hn::Sub(hn::Set(d, z), z_);
-    const auto cross2 =
-        squaredLength(hn::Sub(hn::Mul(anchor_y_, dz), hn::Mul(anchor_z_, dy)),
-                      hn::Sub(hn::Mul(anchor_z_, dx), hn::Mul(anchor_x_, dz)),
-                      hn::Sub(hn::Mul(anchor_x_, dy), hn::Mul(anchor_y_, dx)));
-    const auto is_neighbor = hn::Lt(squaredLength(dx, dy, dz), r2_);
-    const auto spreads = hn::And(is_neighbor, hn::Gt(cross2, least_cross2_));
-    spreads_ = hn::IfThenElse(spreads, hn::Set(d, 1.0f), spreads_);
   }
 
   HWY_INLINE void
@@ -95,10 +87,7 @@ findSpreadsAmongQueries(const SweepBlock& block, std::size_t step, bool* spreads
   for (std::size_t first = 0; first < block.size; first += lanes) {
     SpreadFinder finder(block, first);
     for (std::size_t j = 0; j < block.size; j += step) {
-      finder.anchorAt(block.qx[j], block.qy[j], block.qz[j]);
-    }
-    for (std::size_t j = 0; j < block.size; j += step) {
-      finder.compare(block.qx[j], block.qy[j], block.qz[j]);
+      finder.look(block.qx[j], block.qy[j], block.qz[j]);
     }
     finder.store(first, spreads);
   }
@@ -129,10 +118,7 @@ findSpreads(const SweepBlock& block,
   for (std::size_t first = 0; first < block.size; first += lanes) {
     SpreadFinder finder(block, first);
     for (std::size_t c = 0; c < slots.size; c += step) {
-      finder.anchorAt(x[c], y[c], z[c]);
-    }
-    for (std::size_t c = 0; c < slots.size; c += step) {
-      finder.compare(x[c], y[c], z[c]);
+      finder.look(x[c], y[c], z[c]);
     }
     finder.store(first, spreads);
   }
