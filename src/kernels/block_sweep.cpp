@@ -64,13 +64,15 @@ BlockSweep::queriesOf(std::size_t index) const
   const std::uint32_t begin = clusters.begin[index];
   block.size = clusters.begin[index + 1] - begin;
   block.box = boxOf(index);
-  std::copy_n(queries_.x.data() + begin, block.size, block.qx);
-  std::copy_n(queries_.y.data() + begin, block.size, block.qy);
-  std::copy_n(queries_.z.data() + begin, block.size, block.qz);
+  // A whole block each time, with what follows the queries: compilers make vectors of
+  // it.
+  std::copy_n(queries_.x.data() + begin, block_size, block.qx);
+  std::copy_n(queries_.y.data() + begin, block_size, block.qy);
+  std::copy_n(queries_.z.data() + begin, block_size, block.qz);
   if (normals_ && &queries_ == &surface_) {
-    std::copy_n(block.nx + begin, block.size, block.qnx);
-    std::copy_n(block.ny + begin, block.size, block.qny);
-    std::copy_n(block.nz + begin, block.size, block.qnz);
+    std::copy_n(block.nx + begin, block_size, block.qnx);
+    std::copy_n(block.ny + begin, block_size, block.qny);
+    std::copy_n(block.nz + begin, block_size, block.qnz);
   }
   if (neighborhood_.k == 0) {
     setRadius(block, squared(neighborhood_.radius));
@@ -98,7 +100,7 @@ BlockSweep::boxOf(std::size_t block) const
 BlockSweep::BlockGroup
 BlockSweep::groupFrom(std::size_t first, std::size_t end) const
 {
-  constexpr std::size_t most_blocks = 4;
+  constexpr std::size_t most_blocks = 8;
   BlockGroup group{first, first + 1, boxOf(first)};
   while (group.end < std::min(end, first + most_blocks)) {
     const Box next = boxOf(group.end);
@@ -110,7 +112,7 @@ BlockSweep::groupFrom(std::size_t first, std::size_t end) const
                    std::max(group.box.z_max, next.z_max)};
     const double longest = std::max(
         {both.x_max - both.x_min, both.y_max - both.y_min, both.z_max - both.z_min});
-    if (!(longest <= 4.0 * queries_.edge)) {
+    if (!(longest <= 8.0 * queries_.edge)) {
       break;
     }
     group.box = both;
@@ -133,19 +135,19 @@ BlockSweep::largestRadius(const BlockGroup& group) const
   return std::sqrt(static_cast<double>(largest));
 }
 
-void
+bool
 BlockSweep::findNearest(SweepBlock& block, RunFinder& finder, double& reach) const
 {
-  while (true) {
+  bool is_far_enough = true;
+  setRadius(block, squared(reach));
+  // Beyond the largest float every distance has been looked at.
+  while (!kernels_.nearest(block, neighborhood_.k) && !std::isinf(squared(reach))) {
+    is_far_enough = false;
+    reach *= 1.5;
     const auto& runs = finder.find(block.box, reach);
     block.runs = runs.data();
     block.run_count = runs.size();
     setRadius(block, squared(reach));
-    // Beyond the largest float every distance has been looked at.
-    if (kernels_.nearest(block, neighborhood_.k) || std::isinf(squared(reach))) {
-      break;
-    }
-    reach *= 1.5;
   }
   float largest = 0.0f;
   for (std::size_t i = 0; i < block.size; ++i) {
@@ -153,6 +155,7 @@ BlockSweep::findNearest(SweepBlock& block, RunFinder& finder, double& reach) con
         std::isfinite(block.kth_d2[i]) ? std::max(largest, block.kth_d2[i]) : largest;
   }
   reach = std::max(1.1 * std::sqrt(static_cast<double>(largest)), 1e-3 * queries_.edge);
+  return is_far_enough;
 }
 
 } // namespace pcl::kernels

@@ -64,18 +64,19 @@ public:
             visit(block, queries_.order.data() + queries_.clusters.begin[b]);
           };
           for (std::size_t b = t * blocks_a_task; b < end;) {
-            if (neighborhood_.k > 0) {
-              SweepBlock block = queriesOf(b);
-              findNearest(block, finder, reach);
-              visitBlock(b++, block);
-              continue;
-            }
             const BlockGroup group = groupFrom(b, end);
-            const auto& runs = finder.find(group.box, largestRadius(group));
-            for (; b < group.end; ++b) {
+            const double group_reach =
+                neighborhood_.k > 0 ? 1.25 * reach : largestRadius(group);
+            const auto& runs = finder.find(group.box, group_reach);
+            bool same_runs = true;
+            for (; same_runs && b < group.end; ++b) {
               SweepBlock block = queriesOf(b);
               block.runs = runs.data();
               block.run_count = runs.size();
+              if (neighborhood_.k > 0) {
+                reach = std::min(reach, group_reach);
+                same_runs = findNearest(block, finder, reach);
+              }
               visitBlock(b, block);
             }
           }
@@ -98,7 +99,10 @@ private:
 
   double largestRadius(const BlockGroup& group) const;
 
-  void findNearest(SweepBlock& block, RunFinder& finder, double& reach) const;
+  /** \brief The k nearest of a block whose runs reach that far.
+   * \param[in,out] reach how far to look: about as far for the next block
+   * \return false if that was not far enough: the finder's runs are others */
+  bool findNearest(SweepBlock& block, RunFinder& finder, double& reach) const;
 
   const RowIndex& surface_;
   const RowIndex& queries_;

@@ -162,9 +162,8 @@ packRejected(std::uint32_t* angles,
              std::uint32_t width)
 {
   // In one vector, a subtraction takes less time than a branch that goes either way.
-  return least == 0 && count > lanes
-             ? packRejected<true>(angles, count, least, width)
-             : packRejected<false>(angles, count, least, width);
+  return least == 0 && count > lanes ? packRejected<true>(angles, count, least, width)
+                                     : packRejected<false>(angles, count, least, width);
 }
 
 /** \brief Sums over angles that a vector of zeros follows. */
@@ -181,9 +180,11 @@ addAngles(const std::uint32_t* HWY_RESTRICT angles,
     do {
       adder.add(hn::Load(w, angles + c));
       c += lanes;
-    } while (c < end);
+    }
+    while (c < end);
     adder.widen();
-  } while (c < count);
+  }
+  while (c < count);
 }
 
 } // namespace pcl::kernels::HWY_NAMESPACE
