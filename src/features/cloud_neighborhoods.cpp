@@ -54,6 +54,17 @@ problemOfIndices(const pcl::Indices& indices, std::size_t size)
          std::to_string(size - 1) + " are allowed";
 }
 
+/** \brief Whether at least that many points are finite: counts no further. */
+bool
+hasFinite(const XYZView& points, std::size_t count)
+{
+  std::size_t found = 0;
+  for (std::size_t i = 0; found < count && i < points.size; ++i) {
+    found += isFinite(points[i]) ? 1 : 0;
+  }
+  return found >= count;
+}
+
 std::string
 problemOfSize(double radius, int k, const XYZView& surface)
 {
@@ -65,10 +76,10 @@ problemOfSize(double radius, int k, const XYZView& surface)
     return "neither radius nor k is set: set one of them to a positive number";
   }
   if (k != 0) {
-    const std::size_t most = kernels::countFinite(surface);
-    return k > 0 && static_cast<std::size_t>(k) <= most
+    return k > 0 && hasFinite(surface, static_cast<std::size_t>(k))
                ? std::string()
-               : "k is " + std::to_string(k) + ": 1 to " + std::to_string(most) +
+               : "k is " + std::to_string(k) + ": 1 to " +
+                     std::to_string(kernels::countFinite(surface)) +
                      ", the number of finite points, is allowed";
   }
   return radius > 0.0 && std::isfinite(radius)

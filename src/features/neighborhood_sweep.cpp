@@ -16,6 +16,7 @@
 #include <pcl/features/sweep_index.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -156,6 +157,7 @@ NeighborhoodSweep::computeNormals(const NeighborhoodSize& neighborhood,
                                   std::size_t stride) const
 {
   const Prepared prepared(*this, neighborhood, Prepared::Rows::by_radius);
+  std::atomic<bool> is_finite{!prepared.leavesSomeOut()};
   if (prepared.leavesSomeOut()) {
     for (std::size_t i = 0; i < size(); ++i) {
       std::fill_n(normals + i * stride, 3, nan);
@@ -172,11 +174,10 @@ NeighborhoodSweep::computeNormals(const NeighborhoodSize& neighborhood,
         normal[1] = result.y;
         normal[2] = result.z;
         curvature[i * stride] = result.curvature;
+        if (std::isnan(result.x)) {
+          is_finite = false;
+        }
       });
-  bool is_finite = true;
-  for (std::size_t i = 0; i < size(); ++i) {
-    is_finite = is_finite && !std::isnan(normals[i * stride]);
-  }
   return is_finite;
 }
 
@@ -196,6 +197,7 @@ NeighborhoodSweep::computeINAD(const NeighborhoodSize& neighborhood,
   }
   Prepared prepared(*this, neighborhood);
   prepared.setNormals(normals);
+  std::atomic<bool> is_finite{!prepared.leavesSomeOut()};
   if (prepared.leavesSomeOut()) {
     std::fill_n(mu_sigma, 2 * size(), nan);
   }
@@ -214,9 +216,11 @@ NeighborhoodSweep::computeINAD(const NeighborhoodSize& neighborhood,
       [&](std::uint32_t i, const INADResult& result) {
         mu_sigma[std::size_t{2} * i] = result.mu;
         mu_sigma[std::size_t{2} * i + 1] = result.sigma;
+        if (std::isnan(result.mu)) {
+          is_finite = false;
+        }
       });
-  return std::none_of(
-      mu_sigma, mu_sigma + 2 * size(), [](float v) { return std::isnan(v); });
+  return is_finite;
 }
 
 void

@@ -68,6 +68,15 @@ upperBound(std::int32_t cell, double edge)
                            : (cell + 1.0 + 1e-5) * edge;
 }
 
+/** \brief As a float, not less far that way (1 or -1): rounding moves it by at most
+ * 2^-24 of it, or half the least positive float. */
+float
+roundedOutwards(double value, double way)
+{
+  constexpr double least = std::numeric_limits<float>::denorm_min();
+  return static_cast<float>(value + way * (0x1p-23 * std::abs(value) + least));
+}
+
 } // namespace
 
 /** The window of the box's own rows, so that it stays the same along them. */
@@ -133,10 +142,8 @@ RunFinder::find(const Box& box, double reach)
     selectRows(window);
   }
 
-  // Rounded outwards.
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  const float x_first = std::nextafter(static_cast<float>(box.x_min - far), -infinity);
-  const float x_last = std::nextafter(static_cast<float>(box.x_max + far), infinity);
+  const float x_first = roundedOutwards(box.x_min - far, -1.0);
+  const float x_last = roundedOutwards(box.x_max + far, 1.0);
   const float* least = surface_.clusters.box[0].data();
   const float* most = surface_.clusters.box[3].data();
   runs_.clear();
