@@ -145,7 +145,7 @@ unitNormals(const XYZView& normals, const RowIndex* surface, unsigned threads)
   const std::size_t count = surface ? surface->size() : normals.size;
   UnitNormals unit;
   for (auto* array : {&unit.x, &unit.y, &unit.z}) {
-    array->resize(count + row_padding);
+    resizePadded(*array, count);
   }
   parallelForRanges(count, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

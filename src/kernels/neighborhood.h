@@ -46,7 +46,7 @@ struct UnitNormal {
 /** \brief Unit normals as structure of arrays, padded as RowIndex; NaN where one is
  * missing. */
 struct UnitNormals {
-  std::vector<float> x, y, z;
+  RawVector<float> x, y, z;
 
   UnitNormal
   operator[](std::uint32_t position) const

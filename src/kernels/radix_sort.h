@@ -10,6 +10,7 @@
 #pragma once
 
 #include "parallel.h"
+#include "raw_vector.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -30,7 +31,7 @@ struct Keyed {
 template <typename Key>
 class RadixPass {
 public:
-  RadixPass(const std::vector<Keyed<Key>>& from,
+  RadixPass(const RawVector<Keyed<Key>>& from,
             int shift,
             int digit_bits,
             unsigned threads)
@@ -70,7 +71,7 @@ public:
 
   /** \return where each digit's entries end */
   std::vector<std::uint32_t>
-  scatter(std::vector<Keyed<Key>>& to)
+  scatter(RawVector<Keyed<Key>>& to)
   {
     turnIntoPositions();
     parallelFor(parts_, threads_, [&](std::size_t part) {
@@ -125,7 +126,7 @@ private:
     }
   }
 
-  const std::vector<Keyed<Key>>& from_;
+  const RawVector<Keyed<Key>>& from_;
   Digit digit_;
   std::size_t digits_;
   unsigned threads_;
@@ -180,8 +181,8 @@ private:
 /** \brief Stable sort by one digit after the other, all entries in each pass. */
 template <typename Key>
 void
-sortByPasses(std::vector<Keyed<Key>>& entries,
-             std::vector<Keyed<Key>>& other,
+sortByPasses(RawVector<Keyed<Key>>& entries,
+             RawVector<Keyed<Key>>& other,
              int bits,
              unsigned threads)
 {
@@ -203,7 +204,7 @@ sortByPasses(std::vector<Keyed<Key>>& entries,
  * result does not depend on the number of threads. */
 template <typename Key>
 void
-radixSort(std::vector<Keyed<Key>>& entries, int bits, unsigned threads)
+radixSort(RawVector<Keyed<Key>>& entries, int bits, unsigned threads)
 {
   constexpr int most_top_bits = 8;
   constexpr std::size_t large = std::size_t{1} << 16;
@@ -211,7 +212,7 @@ radixSort(std::vector<Keyed<Key>>& entries, int bits, unsigned threads)
     return;
   }
   const int top_bits = std::min(bits, most_top_bits);
-  std::vector<Keyed<Key>> other(entries.size());
+  RawVector<Keyed<Key>> other(entries.size());
   RadixPass<Key> pass(entries, bits - top_bits, top_bits, threads);
   if (pass.largestBucket() > std::max(large, entries.size() / 4)) {
     sortByPasses(entries, other, bits, threads);

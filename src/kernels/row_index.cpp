@@ -102,7 +102,7 @@ writeEntries(const PointChunk& chunk,
 }
 
 template <typename Key>
-std::vector<Keyed<Key>>
+RawVector<Keyed<Key>>
 sortedEntries(const Selection& points,
               const std::vector<Cells>& parts,
               std::size_t count,
@@ -114,7 +114,7 @@ sortedEntries(const Selection& points,
   for (std::size_t part = 0; part < parts.size(); ++part) {
     begins[part + 1] = begins[part] + parts[part].count;
   }
-  std::vector<Keyed<Key>> entries(begins.back());
+  RawVector<Keyed<Key>> entries(begins.back());
   parallelFor(parts.size(), threads, [&](std::size_t part) {
     Keyed<Key>* out = entries.data() + begins[part];
     const std::size_t end = std::min(count, (part + 1) * part_size);
@@ -130,15 +130,15 @@ sortedEntries(const Selection& points,
 template <typename Key>
 void
 fill(const Selection& points,
-     const std::vector<Keyed<Key>>& entries,
+     const RawVector<Keyed<Key>>& entries,
      const KeyLayout& layout,
      RowIndex& index,
      unsigned threads)
 {
   for (auto* array : {&index.x, &index.y, &index.z}) {
-    array->resize(entries.size() + row_padding);
+    resizePadded(*array, entries.size());
   }
-  index.order.resize(entries.size() + row_padding);
+  resizePadded(index.order, entries.size());
   parallelForRanges(entries.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const float* p = points[entries[i].index];

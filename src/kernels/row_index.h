@@ -10,6 +10,7 @@
 #pragma once
 
 #include "clusters.h"
+#include "raw_vector.h"
 
 #include <pcl/features/neighborhood_sweep.h>
 
@@ -33,6 +34,15 @@ struct Row {
  * read. */
 constexpr std::size_t row_padding = 16;
 
+/** \brief Room for `size` values that are still to be set, and padding that is 0. */
+template <typename T>
+void
+resizePadded(RawVector<T>& values, std::size_t size)
+{
+  values.resize(size + row_padding);
+  std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(size), row_padding, T{});
+}
+
 /** \brief Finite points sorted by (row, x, y, z), as structure of arrays.
  *
  * The grid is anchored at the origin, and only rows that hold points are stored: a far
@@ -40,11 +50,10 @@ constexpr std::size_t row_padding = 16;
  */
 struct RowIndex {
   double edge = 0.0;
-  std::vector<float> x, y, z; ///< and row_padding more
-  std::vector<std::uint32_t>
-      order;             ///< index of each among those given; row_padding more
-  std::vector<Row> rows; ///< sorted by (iz, iy), and an end mark
-  Clusters clusters;     ///< of the points, in order
+  RawVector<float> x, y, z;       ///< and row_padding more, all 0
+  RawVector<std::uint32_t> order; ///< index of each among those given; row_padding more
+  std::vector<Row> rows;          ///< sorted by (iz, iy), and an end mark
+  Clusters clusters;              ///< of the points, in order
 
   std::size_t
   size() const

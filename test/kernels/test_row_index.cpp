@@ -28,10 +28,10 @@ using namespace pcl::kernels;
 using namespace pcl::test;
 
 template <typename Key>
-std::vector<Keyed<Key>>
+RawVector<Keyed<Key>>
 randomEntries(std::size_t count, int bits, Random& random)
 {
-  std::vector<Keyed<Key>> entries(count);
+  RawVector<Keyed<Key>> entries(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double share = random.uniform() * random.uniform();
     entries[i].key = static_cast<Key>(std::ldexp(share, bits));
