@@ -19,39 +19,51 @@
 namespace pcl::kernels {
 namespace {
 
-/** \brief A finite point at this position, or the first one after it. In an image, the
- * same column of many rows may have no depth. */
-const float*
-finitePointFrom(const XYZView& points, std::size_t position)
-{
-  while (!isFinite(points[position])) {
-    position = (position + 1) % points.size;
-  }
-  return points[position];
-}
+/** \brief Every `stride`-th point, those that are not finite left out. */
+struct SomePoints {
+  std::vector<float> x, y, z;
 
-/** \brief The k-th smallest of the distances from a point to each `stride`-th point
- * elsewhere; infinity if there are fewer. */
+  SomePoints(const XYZView& points, std::size_t stride)
+  {
+    for (auto* values : {&x, &y, &z}) {
+      values->reserve(points.size / stride + 1);
+    }
+    for (std::size_t i = 0; i < points.size; i += stride) {
+      if (isFinite(points[i])) {
+        x.push_back(points[i][0]);
+        y.push_back(points[i][1]);
+        z.push_back(points[i][2]);
+      }
+    }
+  }
+
+  std::size_t
+  size() const
+  {
+    return x.size();
+  }
+};
+
+/** \brief The k-th smallest of the distances from one of the points to others, those at
+ * the same place left out. Infinite if there are fewer. */
 float
-distanceToNearest(const XYZView& surface,
-                  const float* from,
-                  std::size_t stride,
+distanceToNearest(const SomePoints& points,
+                  std::size_t from,
                   std::size_t k,
                   std::vector<float>& squares)
 {
-  squares.clear();
-  for (std::size_t i = 0; i < surface.size; i += stride) {
-    const float* to = surface[i];
-    const float dx = to[0] - from[0], dy = to[1] - from[1], dz = to[2] - from[2];
-    const float d2 = (dx * dx + dy * dy) + dz * dz;
-    if (d2 > 0.0f && std::isfinite(d2)) {
-      squares.push_back(d2);
-    }
-  }
-  if (squares.size() < k) {
+  const std::size_t size = points.size();
+  if (size < k) {
     return std::numeric_limits<float>::infinity();
   }
-  if (16 * k < squares.size()) {
+  squares.resize(size);
+  const float x = points.x[from], y = points.y[from], z = points.z[from];
+  for (std::size_t i = 0; i < size; ++i) {
+    const float dx = points.x[i] - x, dy = points.y[i] - y, dz = points.z[i] - z;
+    const float d2 = (dx * dx + dy * dy) + dz * dz;
+    squares[i] = d2 > 0.0f ? d2 : std::numeric_limits<float>::infinity();
+  }
+  if (16 * k < size) {
     std::vector<float> least(k);
     std::partial_sort_copy(squares.begin(), squares.end(), least.begin(), least.end());
     return std::sqrt(least.back());
@@ -72,16 +84,16 @@ typicalDistance(const XYZView& surface, std::size_t k)
   constexpr std::size_t most_others = 4096;
   const std::size_t stride = (surface.size + most_others - 1) / most_others;
   const std::size_t nearest = (k + stride - 1) / stride;
+  const SomePoints points(surface, stride);
   std::vector<float> typical, squares;
-  for (std::size_t s = 0; s < samples; ++s) {
+  for (std::size_t s = 0; s < std::min(samples, points.size()); ++s) {
     // Spread by the golden ratio, not evenly: that might be along one column of an
     // image.
     const double share =
         std::fmod(0.6180339887498949 * (static_cast<double>(s) + 0.5), 1.0);
-    const auto position =
-        static_cast<std::size_t>(share * static_cast<double>(surface.size));
-    const float* from = finitePointFrom(surface, std::min(position, surface.size - 1));
-    const float distance = distanceToNearest(surface, from, stride, nearest, squares);
+    const auto from =
+        static_cast<std::size_t>(share * static_cast<double>(points.size()));
+    const float distance = distanceToNearest(points, from, nearest, squares);
     if (std::isfinite(distance)) {
       typical.push_back(distance);
     }
