@@ -56,6 +56,16 @@ checkSize(const NeighborhoodSize& size, std::size_t queries)
   }
 }
 
+std::size_t
+countFinite(const XYZView& points, unsigned threads)
+{
+  std::atomic<std::size_t> count{0};
+  parallelForRanges(points.size, threads, [&](std::size_t begin, std::size_t end) {
+    count += kernels::countFinite({points[begin], points.stride, end - begin});
+  });
+  return count;
+}
+
 } // namespace
 
 /** \brief The surface and the queries, sorted for one call. */
@@ -75,7 +85,7 @@ public:
       throw std::invalid_argument("more than 2^31 - 1 points: split the cloud");
     }
     checkSize(size, sweep.size());
-    const std::size_t finite = countFinite(sweep.surface_);
+    const std::size_t finite = countFinite(sweep.surface_, sweep.threads_);
     if (size.k > finite) {
       throw std::invalid_argument("k " + std::to_string(size.k) + ": it must be 1 to " +
                                   std::to_string(finite) +
