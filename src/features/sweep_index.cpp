@@ -8,6 +8,7 @@
  */
 
 #include "../kernels/parallel.h"
+#include "../kernels/prefetch.h"
 #include "../kernels/row_index.h"
 
 #include <pcl/features/sweep_index.h>
@@ -29,10 +30,10 @@ areEqual(const RowIndex& rows, const XYZView& points, unsigned threads)
   std::atomic<bool> are_equal{true};
   parallelForRanges(rows.size(), threads, [&](std::size_t begin, std::size_t end) {
     bool differ = false;
-    for (std::size_t i = begin; i < end; ++i) {
-      const float* p = points[rows.order[i]];
+    const auto pointAt = [&](std::size_t i) { return points[rows.order[i]]; };
+    forEachPoint(begin, end, pointAt, [&](std::size_t i, const float* p) {
       differ |= (rows.x[i] != p[0]) | (rows.y[i] != p[1]) | (rows.z[i] != p[2]);
-    }
+    });
     if (differ) {
       are_equal = false;
     }

@@ -12,6 +12,7 @@
 #include "angle.h"
 #include "geometry_check.h"
 #include "parallel.h"
+#include "prefetch.h"
 #include "row_index.h"
 #include "symmetric_eigen.h"
 
@@ -148,12 +149,15 @@ unitNormals(const XYZView& normals, const RowIndex* surface, unsigned threads)
     resizePadded(*array, count);
   }
   parallelForRanges(count, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const UnitNormal n = unitNormal(normals[surface ? surface->order[i] : i]);
+    const auto normalAt = [&](std::size_t i) {
+      return normals[surface ? surface->order[i] : i];
+    };
+    forEachPoint(begin, end, normalAt, [&](std::size_t i, const float* normal) {
+      const UnitNormal n = unitNormal(normal);
       unit.x[i] = n.x;
       unit.y[i] = n.y;
       unit.z[i] = n.z;
-    }
+    });
   });
   return unit;
 }

@@ -12,6 +12,7 @@
 #include "key_layout.h"
 #include "parallel.h"
 #include "point_chunk.h"
+#include "prefetch.h"
 #include "radix_sort.h"
 #include "row_order.h"
 #include "targets.h"
@@ -140,13 +141,13 @@ fill(const Selection& points,
   }
   resizePadded(index.order, entries.size());
   parallelForRanges(entries.size(), threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const float* p = points[entries[i].index];
+    const auto pointAt = [&](std::size_t i) { return points[entries[i].index]; };
+    forEachPoint(begin, end, pointAt, [&](std::size_t i, const float* p) {
       index.order[i] = entries[i].index;
       index.x[i] = p[0];
       index.y[i] = p[1];
       index.z[i] = p[2];
-    }
+    });
   });
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const Key row = layout.rowOf(entries[i].key);
