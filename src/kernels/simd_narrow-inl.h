@@ -90,11 +90,22 @@ nthIndexAt(const SweepBlock& block,
   return indices[n - 1];
 }
 
+/** \brief The next larger float of one that is not negative and finite. */
+HWY_INLINE float
+nextLarger(float value)
+{
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof(bits));
+  ++bits;
+  std::memcpy(&value, &bits, sizeof(bits));
+  return value;
+}
+
 /** \brief The points up to this squared distance are the query's neighbors. */
 HWY_INLINE void
 setRadiusTo(SweepBlock& block, std::size_t i, float d2)
 {
-  block.r2[i] = std::nextafter(d2, std::numeric_limits<float>::infinity());
+  block.r2[i] = nextLarger(d2);
 }
 
 /** \brief Of the points at this squared distance, which is the k-th, those of the

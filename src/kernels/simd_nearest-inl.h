@@ -14,8 +14,8 @@
 #define PCL_SHAPE_SIMD_NEAREST_INL_H_
 #endif
 
+#include "simd_few_nearest-inl.h"
 #include "simd_narrow-inl.h"
-#include "simd_nearest_lanes-inl.h"
 
 #include <cmath>
 
@@ -45,9 +45,6 @@ narrowToFew(SweepBlock& block, std::size_t k, const PackedPoints& candidates)
   return all;
 }
 
-/** With more candidates than these, each query's own list of distances is faster. */
-constexpr std::size_t most_in_lanes = 128;
-
 inline bool
 nearest(SweepBlock& block, std::size_t k)
 {
@@ -59,18 +56,10 @@ nearest(SweepBlock& block, std::size_t k)
   if (k < most_kept) {
     return narrowToFew(block, k, candidates);
   }
-  const bool in_lanes = candidates.size <= most_in_lanes;
-  float* d2 =
-      simdScratch().values.atLeast(candidates.size * (in_lanes ? lanes : 1) + lanes);
-  if (in_lanes) {
-    narrowLanes(block, k, candidates, d2);
-  }
+  float* d2 = simdScratch().values.atLeast(candidates.size + lanes);
   bool all = true;
   for (std::size_t i = 0; i < block.size; ++i) {
-    if (in_lanes && !std::isnan(block.kth_d2[i])) {
-      setRadiusTo(block, i, block.kth_d2[i]);
-    }
-    else if (i == 0 || !narrowNear(block, i, k, candidates, block.kth_d2[i - 1], d2)) {
+    if (i == 0 || !narrowNear(block, i, k, candidates, block.kth_d2[i - 1], d2)) {
       all = narrow(block, i, k, candidates, d2) && all;
     }
   }
