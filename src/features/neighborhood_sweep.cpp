@@ -125,7 +125,7 @@ public:
   bool
   leavesSomeOut() const
   {
-    return !blocks_ || queries().size() != sweep_.size();
+    return (blocks_ ? queries().size() : 0) != sweep_.size();
   }
 
   /** \brief kernel(block, results), then store(position, result) for each query. */

@@ -50,8 +50,8 @@ resizePadded(RawVector<T>& values, std::size_t size)
  */
 struct RowIndex {
   double edge = 0.0;
-  RawVector<float> x, y, z;       ///< and row_padding more, all 0
-  RawVector<std::uint32_t> order; ///< index of each among those given; row_padding more
+  RawVector<float> x, y, z;       ///< and row_padding more, which are 0
+  RawVector<std::uint32_t> order; ///< index of each among those given; likewise
   std::vector<Row> rows;          ///< sorted by (iz, iy), and an end mark
   Clusters clusters;              ///< of the points, in order
 

@@ -84,8 +84,8 @@ RunFinder::Window
 RunFinder::windowOf(const Box& box, double far) const
 {
   const double cells = surface_.cellsAMetre();
-  const double steps =
-      std::floor(std::min<double>(most_cell, far * cells + 1e-5)) + 1.0;
+  // From one end of the cells to the other, if need be.
+  const double steps = std::floor(std::min(2.0 * most_cell, far * cells + 1e-5)) + 1.0;
   const auto reach = static_cast<std::int64_t>(steps);
   const auto cell = [&](float v, std::int64_t offset) {
     const std::int64_t moved = cellOf(v, cells) + offset;

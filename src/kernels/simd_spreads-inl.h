@@ -35,7 +35,9 @@ public:
     // Of k nearest, the furthest may be left out: enough others are looked at.
     r2_ = hn::LoadU(d, block.r2 + first);
     const auto reach2 = hn::Max(r2_, hn::LoadU(d, block.tie_d2 + first));
-    least_cross2_ = hn::Mul(hn::Set(d, 4.5e-6f), hn::Mul(reach2, reach2));
+    // What is too small for all digits of a float is left to others.
+    least_cross2_ = hn::Max(hn::Mul(hn::Set(d, 4.5e-6f), hn::Mul(reach2, reach2)),
+                            hn::Set(d, std::numeric_limits<float>::min()));
     furthest_ = anchor_x_ = anchor_y_ = anchor_z_ = hn::Zero(d);
     spreads_ = hn::Zero(d);
   }

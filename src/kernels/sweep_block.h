@@ -44,6 +44,7 @@ struct SweepBlock {
 
   std::size_t size = 0; ///< number of queries
   Box box{};            ///< of the queries
+  /** Queries, and behind them whatever comes next: its r2 is 0. */
   float qx[block_size] = {}, qy[block_size] = {}, qz[block_size] = {};
   float qnx[block_size] = {}, qny[block_size] = {},
         qnz[block_size] = {}; ///< if queries_on_surface

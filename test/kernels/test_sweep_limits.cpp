@@ -14,6 +14,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -82,6 +84,37 @@ TEST_P(SweepLimits, TheLargestCoordinatesFindThoseInTheSamePlace)
     EXPECT_EQ(expected, sweptCounts(sweep, NeighborhoodSize::ofRadius(radius)))
         << radius;
   }
+}
+
+TEST_P(SweepLimits, AFarPointReachesAllOthers)
+{
+  // More cells away than cells are numbered.
+  constexpr std::uint32_t others = 2000;
+  for (const float far : {1e8f, -1e9f, 1e12f, -1e12f}) {
+    std::vector<float> xyz(3 * others);
+    for (float& coordinate : xyz) {
+      coordinate = static_cast<float>(random_.uniform(0, 1));
+    }
+    xyz.insert(xyz.end(), {0.0f, far, far});
+    std::vector<float> radii(others, 0.02f);
+    radii.push_back(2.0f * std::abs(far));
+    const NeighborhoodSweep sweep({xyz.data(), 3, others + 1});
+    EXPECT_EQ(others,
+              sweptCounts(sweep, NeighborhoodSize::ofRadii(radii.data())).back())
+        << far;
+  }
+}
+
+TEST_P(SweepLimits, OfNoQueriesAllResultsAreFinite)
+{
+  const Surface cloud = plane(100, 0.1, random_);
+  const std::int32_t none = 0;
+  NeighborhoodSweep sweep(cloud.points());
+  sweep.setQueryIndices(&none, 0);
+  const auto size = NeighborhoodSize::ofRadius(0.05);
+  float unused[4] = {};
+  EXPECT_TRUE(sweep.computeNormals(size, unused, unused, 4));
+  EXPECT_TRUE(sweep.computeINAD(size, cloud.trueNormals(), 2.0, unused));
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets,
