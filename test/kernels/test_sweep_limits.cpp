@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -102,6 +103,24 @@ TEST_P(SweepLimits, AFarPointReachesAllOthers)
     EXPECT_EQ(others,
               sweptCounts(sweep, NeighborhoodSize::ofRadii(radii.data())).back())
         << far;
+  }
+}
+
+TEST_P(SweepLimits, OnlyNeighborsBesideALineMakeASurface)
+{
+  constexpr double radius = 0.012, beside = 0.006;
+  Surface cloud;
+  const auto at = [](int i) { return 0.002 * i; };
+  for (int i = 0; i < 64; ++i) {
+    cloud.add({{at(i), 0, 0}, {0, 0, 1}});
+  }
+  cloud.add({{at(20), beside, 0}, {0, 0, 1}});
+  const NeighborhoodSweep sweep(cloud.points());
+  const auto inad =
+      sweptINAD(sweep, NeighborhoodSize::ofRadius(radius), cloud.trueNormals(), 0.0);
+  for (int i = 0; i < 64; ++i) {
+    const bool is_surface = std::hypot(at(i) - at(20), beside) < radius;
+    EXPECT_EQ(is_surface, !std::isnan(inad[static_cast<std::size_t>(2 * i)])) << i;
   }
 }
 
