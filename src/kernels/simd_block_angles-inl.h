@@ -136,16 +136,23 @@ private:
   find(BlockSums& sums)
   {
     std::fill(sums.count + block_.size, sums.count + block_size, 0);
-    for (std::size_t i = 0; i < block_.size; ++i) {
-      sums.count[i] = collectChords<with_ties, is_smooth>(
-          block_, own_, i, slots_, reinterpret_cast<float*>(angles(i)));
-    }
     BlockTotals totals(block_.size);
-    for (std::size_t i = 0; i < block_.size; ++i) {
+    float* const chords = simdScratch().values.atLeast(2 * stride_);
+    const auto chordsOf = [&](std::size_t i) { return chords + (i % 2) * stride_; };
+    const auto setAngles = [&](std::size_t i) {
       AngleAdder adder;
-      chordsToAngles(angles(i), sums.count[i], adder);
+      chordsToAngles(chordsOf(i), sums.count[i], angles(i), adder);
       totals.set(i, adder);
+    };
+    // One query late: what was just packed cannot be read before it is in the cache.
+    for (std::size_t i = 0; i < block_.size; ++i) {
+      sums.count[i] =
+          collectChords<with_ties, is_smooth>(block_, own_, i, slots_, chordsOf(i));
+      if (i > 0) {
+        setAngles(i - 1);
+      }
     }
+    setAngles(block_.size - 1);
     totals.store(sums.sum, sums.squares);
   }
 

@@ -109,17 +109,20 @@ collectChords(const SweepBlock& block,
   return count;
 }
 
-/** \brief Squared chords, of which a vector follows them, to angles, in place, and
- * their sums. */
+/** \brief Squared chords, of which a vector follows them, to angles, and their sums. */
 HWY_INLINE void
-chordsToAngles(std::uint32_t* HWY_RESTRICT values, std::size_t count, AngleAdder& adder)
+chordsToAngles(const float* HWY_RESTRICT chords,
+               std::size_t count,
+               std::uint32_t* HWY_RESTRICT angles,
+               AngleAdder& adder)
 {
+  const Floats d;
   const Words w;
   for (std::size_t c = 0; c < count;) {
     const std::size_t end = std::min(count, c + additions_between_widening * lanes);
     for (; c < end; c += lanes) {
-      const auto units = anglesOf(hn::BitCast(Floats(), hn::Load(w, values + c)));
-      hn::Store(units, w, values + c);
+      const auto units = anglesOf(hn::Load(d, chords + c));
+      hn::Store(units, w, angles + c);
       adder.add(units);
     }
     adder.widen();

@@ -40,6 +40,7 @@ public:
                             hn::Set(d, std::numeric_limits<float>::min()));
     furthest_ = anchor_x_ = anchor_y_ = anchor_z_ = hn::Zero(d);
     spreads_ = hn::Zero(d);
+    is_query_ = hn::FirstN(d, block.size - first);
   }
 
   /** \brief Compares a point with the anchor. The furthest neighbor so far becomes it.
@@ -66,6 +67,14 @@ public:
     anchor_z_ = hn::IfThenElse(further, dz, anchor_z_);
   }
 
+  /** \brief Whether the neighbors of all queries spread over a surface, so far. */
+  HWY_INLINE bool
+  hasAll() const
+  {
+    const Floats d;
+    return hn::AllFalse(d, hn::And(is_query_, hn::Eq(spreads_, hn::Zero(d))));
+  }
+
   HWY_INLINE void
   store(std::size_t first, bool* spreads) const
   {
@@ -79,30 +88,23 @@ public:
 private:
   hn::VFromD<Floats> x_, y_, z_, r2_, least_cross2_;
   hn::VFromD<Floats> furthest_, anchor_x_, anchor_y_, anchor_z_, spreads_;
+  MaskOf<Floats> is_query_;
 };
 
-/** \brief Whether every `step`-th of the queries, which are surface points, spread over
- * a surface. */
-HWY_INLINE void
-findSpreadsAmongQueries(const SweepBlock& block, std::size_t step, bool* spreads)
-{
-  for (std::size_t first = 0; first < block.size; first += lanes) {
-    SpreadFinder finder(block, first);
-    for (std::size_t j = 0; j < block.size; j += step) {
-      finder.look(block.qx[j], block.qy[j], block.qz[j]);
-    }
-    finder.store(first, spreads);
-  }
-}
-
-/** \brief Whether the queries do: mostly, a few of them tell. */
+/** \brief Whether the queries do, which are surface points: mostly, a few of them tell.
+ */
 HWY_INLINE void
 findSpreadsAmongQueries(const SweepBlock& block, bool* spreads)
 {
-  constexpr std::size_t few = 5;
-  findSpreadsAmongQueries(block, few, spreads);
-  if (!std::all_of(spreads, spreads + block.size, [](bool found) { return found; })) {
-    findSpreadsAmongQueries(block, 1, spreads);
+  constexpr std::size_t step = 5;
+  for (std::size_t first = 0; first < block.size; first += lanes) {
+    SpreadFinder finder(block, first);
+    for (std::size_t begin = 0; begin < step && !finder.hasAll(); ++begin) {
+      for (std::size_t j = begin; j < block.size; j += step) {
+        finder.look(block.qx[j], block.qy[j], block.qz[j]);
+      }
+    }
+    finder.store(first, spreads);
   }
 }
 
