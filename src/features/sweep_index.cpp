@@ -29,12 +29,14 @@ areEqual(const RowIndex& rows, const XYZView& points, unsigned threads)
 {
   std::atomic<bool> are_equal{true};
   parallelForRanges(rows.size(), threads, [&](std::size_t begin, std::size_t end) {
-    bool differ = false;
+    unsigned differing = 0;
     const auto pointAt = [&](std::size_t i) { return points[rows.order[i]]; };
     forEachPoint(begin, end, pointAt, [&](std::size_t i, const float* p) {
-      differ |= (rows.x[i] != p[0]) | (rows.y[i] != p[1]) | (rows.z[i] != p[2]);
+      // Bits, not conditions: which would be branches.
+      differing |= unsigned{rows.x[i] != p[0]} | unsigned{rows.y[i] != p[1]} |
+                   unsigned{rows.z[i] != p[2]};
     });
-    if (differ) {
+    if (differing != 0) {
       are_equal = false;
     }
   });

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Build the engine and its tests with Clang's sanitizers, without PCL, and run them: tests
+# of threads under ThreadSanitizer, with Archer, which knows how OpenMP synchronizes; then
+# all under AddressSanitizer and UndefinedBehaviorSanitizer. Installs nothing: exit status
+# 2 if a package is missing.
+# Usage: scripts/test_sanitizers.sh [build directory]
+# GTEST_FILTER selects tests instead.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+build=${1:-build/sanitizers}
+
+packages=(clang cmake googletest libeigen3-dev libhwy-dev libomp-dev ninja-build)
+missing=()
+for package in "${packages[@]}"; do
+  state=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
+  [[ $state == installed ]] || missing+=("$package")
+done
+if [[ ${#missing[@]} -gt 0 ]]; then
+  echo "missing: ${missing[*]}; to install them:" >&2
+  echo "  apt-get install --no-install-recommends ${missing[*]}" >&2
+  exit 2
+fi
+
+# build_with DIRECTORY COMPILER_FLAGS [LINKER_FLAGS]
+build_with() {
+  cmake -S test/engine -B "$1" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+        -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
+        -DCMAKE_CXX_FLAGS="$2" -DCMAKE_EXE_LINKER_FLAGS="${3:-}"
+  cmake --build "$1" --parallel "$(nproc)" --target pcl_shape_test_engine
+}
+
+archer=$(clang++ -print-file-name=libarcher.so)
+# The tests count allocations with operators of their own, and so does the sanitizer.
+build_with "$build/thread" -fsanitize=thread -Wl,--allow-multiple-definition
+OMP_NUM_THREADS=4 OMP_TOOL_LIBRARIES=$archer TSAN_OPTIONS=ignore_noninstrumented_modules=1 \
+  GTEST_FILTER=${GTEST_FILTER:-'*Thread*:*Index*:*Sort*-*FreesItsMemory'} \
+  "$build/thread/pcl_shape_test_engine" --gtest_brief=1
+
+build_with "$build/address" "-fsanitize=address,undefined -fno-sanitize-recover=undefined"
+ASAN_OPTIONS=detect_leaks=0 "$build/address/pcl_shape_test_engine" --gtest_brief=1
