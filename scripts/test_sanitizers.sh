@@ -13,7 +13,7 @@ packages=(clang cmake googletest libeigen3-dev libhwy-dev libomp-dev ninja-build
 missing=()
 for package in "${packages[@]}"; do
   state=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
-  [[ $state == installed ]] || missing+=("$package")
+  [[ $state == installed* ]] || missing+=("$package")
 done
 if [[ ${#missing[@]} -gt 0 ]]; then
   echo "missing: ${missing[*]}; to install them:" >&2
@@ -29,7 +29,8 @@ build_with() {
   cmake --build "$1" --parallel "$(nproc)" --target pcl_shape_test_engine
 }
 
-archer=$(clang++ -print-file-name=libarcher.so)
+archer=$(dirname "$(readlink -f "$(command -v clang++)")")/../lib/libarcher.so
+[[ -e $archer ]] || { echo "no $archer: it is part of libomp-dev" >&2; exit 2; }
 # The tests count allocations with operators of their own, and so does the sanitizer.
 build_with "$build/thread" -fsanitize=thread -Wl,--allow-multiple-definition
 OMP_NUM_THREADS=4 OMP_TOOL_LIBRARIES=$archer TSAN_OPTIONS=ignore_noninstrumented_modules=1 \

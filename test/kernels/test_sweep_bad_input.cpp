@@ -39,8 +39,9 @@ compute(const Surface& cloud, const NeighborhoodSize& size)
   const NeighborhoodSweep sweep(cloud.points());
   Computed result{{}, {}, std::vector<float>(4 * cloud.size()), {}};
   result.inad.resize(2 * cloud.size());
+  float* const curvatures = result.normals.empty() ? nullptr : &result.normals[3];
   result.normals_finite =
-      sweep.computeNormals(size, result.normals.data(), result.normals.data() + 3, 4);
+      sweep.computeNormals(size, result.normals.data(), curvatures, 4);
   result.inad_finite =
       sweep.computeINAD(size, cloud.trueNormals(), 2.0, result.inad.data());
   return result;

@@ -33,7 +33,8 @@ inline std::vector<float>
 sweptNormals(const NeighborhoodSweep& sweep, const NeighborhoodSize& size)
 {
   std::vector<float> normals(4 * sweep.size(), -2.0f);
-  sweep.computeNormals(size, normals.data(), normals.data() + 3, 4);
+  float* const curvatures = normals.empty() ? nullptr : &normals[3];
+  sweep.computeNormals(size, normals.data(), curvatures, 4);
   return normals;
 }
 
