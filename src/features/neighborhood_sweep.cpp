@@ -7,22 +7,15 @@
  * All rights reserved
  */
 
-#include "../kernels/block_sweep.h"
-#include "../kernels/finite.h"
-#include "../kernels/row_width.h"
 #include "../kernels/targets.h"
-
-#include <pcl/features/neighborhood_sweep.h>
-#include <pcl/features/sweep_index.h>
+#include "prepared_sweep.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace pcl {
 namespace {
@@ -31,134 +24,7 @@ using namespace kernels;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-void
-checkRadius(double radius)
-{
-  if (!(radius > 0.0) || !std::isfinite(radius)) {
-    throw std::invalid_argument("radius " + std::to_string(radius) +
-                                ": it must be positive and finite (metres)");
-  }
-}
-
-void
-checkSize(const NeighborhoodSize& size, std::size_t queries)
-{
-  const int given = (size.radius != 0.0) + (size.radii != nullptr) + (size.k != 0);
-  if (given != 1) {
-    throw std::invalid_argument("set one of radius, radii and k, not " +
-                                std::to_string(given) + " of them");
-  }
-  if (size.radii) {
-    std::for_each(size.radii, size.radii + queries, checkRadius);
-  }
-  else if (size.k == 0) {
-    checkRadius(size.radius);
-  }
-}
-
-std::size_t
-countFinite(const XYZView& points, unsigned threads)
-{
-  std::atomic<std::size_t> count{0};
-  parallelForRanges(points.size, threads, [&](std::size_t begin, std::size_t end) {
-    count += kernels::countFinite({points[begin], points.stride, end - begin});
-  });
-  return count;
-}
-
 } // namespace
-
-/** \brief The surface and the queries, sorted for one call. */
-class NeighborhoodSweep::Prepared {
-public:
-  /** \brief Whether rows are as wide as the density asks for, or as the radius says:
-   * then the order of neighbors depends on nothing else. */
-  enum class Rows { by_density, by_radius };
-
-  Prepared(const NeighborhoodSweep& sweep,
-           const NeighborhoodSize& size,
-           Rows rows = Rows::by_density)
-  : sweep_(sweep)
-  {
-    constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
-    if (sweep.surface_.size > most || sweep.size() > most) {
-      throw std::invalid_argument("more than 2^31 - 1 points: split the cloud");
-    }
-    checkSize(size, sweep.size());
-    const std::size_t finite = countFinite(sweep.surface_, sweep.threads_);
-    if (size.k > finite) {
-      throw std::invalid_argument("k " + std::to_string(size.k) + ": it must be 1 to " +
-                                  std::to_string(finite) +
-                                  ", the number of finite points");
-    }
-    if (sweep.size() == 0 || finite == 0) {
-      return;
-    }
-    const bool by_radius = rows == Rows::by_radius && size.radius > 0.0;
-    const double edge = by_radius ? rowWidthOf(size.radius)
-                                  : rowWidth(size, sweep.surface_, sweep.size());
-    SweepIndex index;
-    surface_ = (sweep.index_ ? *sweep.index_ : index)
-                   .rowsOf(sweep.surface_, finite, {edge, by_radius}, sweep.threads_);
-    if (sweep.own_queries_ || sweep.has_indices_) {
-      own_queries_ = buildRowIndex(sweep.queryPoints(),
-                                   sweep.indices_,
-                                   sweep.size(),
-                                   surface_->edge,
-                                   sweep.threads_);
-    }
-    blocks_.emplace(*surface_, queries(), size, kernels::chosenKernels());
-    blocks_->setQueriesOnSurface(!sweep.own_queries_);
-    blocks_->setRowsByRadius(by_radius);
-  }
-
-  void
-  setNormals(const XYZView& normals)
-  {
-    if (blocks_) {
-      normals_ = unitNormals(normals, surface_.get(), sweep_.threads_);
-      blocks_->setNormals(normals_);
-    }
-  }
-
-  /** \brief Whether run() has no result for some queries: those that are not finite. */
-  bool
-  leavesSomeOut() const
-  {
-    return (blocks_ ? queries().size() : 0) != sweep_.size();
-  }
-
-  /** \brief kernel(block, results), then store(position, result) for each query. */
-  template <typename Result, typename Kernel, typename Store>
-  void
-  run(const Kernel& kernel, const Store& store) const
-  {
-    if (!blocks_) {
-      return;
-    }
-    blocks_->forEachBlock(sweep_.threads_,
-                          [&](SweepBlock& block, const std::uint32_t* order) {
-                            Result results[block_size];
-                            kernel(block, order, results);
-                            for (std::size_t i = 0; i < block.size; ++i) {
-                              store(order[i], results[i]);
-                            }
-                          });
-  }
-
-private:
-  const RowIndex&
-  queries() const
-  {
-    return own_queries_ ? *own_queries_ : *surface_;
-  }
-
-  const NeighborhoodSweep& sweep_;
-  std::shared_ptr<const RowIndex> surface_;
-  std::optional<RowIndex> own_queries_;
-  UnitNormals normals_;
-  std::optional<BlockSweep> blocks_;
-};
 
 bool
 NeighborhoodSweep::computeNormals(const NeighborhoodSize& neighborhood,

@@ -8,6 +8,7 @@
  */
 
 #include "../kernels/parallel.h"
+#include "binning.h"
 #include "errors.h"
 
 #include <pcl/features/shape_histogram.h>
@@ -45,32 +46,6 @@ isNaN(const INAD& inad)
 {
   return std::isnan(inad.mu) || std::isnan(inad.sigma);
 }
-
-/** \brief The bins of many pairs: numbers that a loop keeps in registers. */
-class Binning {
-public:
-  Binning(const ShapeHistogram& histogram)
-  : mu_bins_(static_cast<double>(histogram.muBins()))
-  , sigma_bins_(static_cast<double>(histogram.sigmaBins()))
-  , mu_range_(histogram.muRange())
-  , sigma_range_(histogram.sigmaRange())
-  {}
-
-  /** \brief Position of the pair's bin, or the number of bins beyond the ranges. */
-  std::int32_t
-  operator()(const INAD& inad) const
-  {
-    const double i = inad.mu * mu_bins_ / mu_range_;
-    const double j = inad.sigma * sigma_bins_ / sigma_range_;
-    const bool is_inside = i >= 0.0 && i < mu_bins_ && j >= 0.0 && j < sigma_bins_;
-    const auto row = static_cast<std::int32_t>(is_inside ? i : mu_bins_);
-    const auto column = static_cast<std::int32_t>(is_inside ? j : 0.0);
-    return row * static_cast<std::int32_t>(sigma_bins_) + column;
-  }
-
-private:
-  double mu_bins_, sigma_bins_, mu_range_, sigma_range_;
-};
 
 } // namespace
 

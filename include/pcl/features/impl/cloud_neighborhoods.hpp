@@ -16,6 +16,7 @@
 #include <pcl/features/sweep_index.h>
 #include <pcl/point_cloud.h>
 #include <pcl/search/search.h>
+#include <pcl/features/impl/neighborhood_request.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -26,51 +27,6 @@
 #include <vector>
 
 namespace pcl::detail {
-
-/** \brief Where neighbors are looked for, and how. */
-struct NeighborhoodRequest {
-  XYZView input;
-  XYZView surface;
-  const pcl::Indices* indices = nullptr; ///< of the input
-  double radius = 0.0;                   ///< metres, 0 if k is given
-  int k = 0;                             ///< 0 if the radius is given
-};
-
-/** \brief What is wrong with a request: names the parameter, its value, and what is
- * allowed. Empty if nothing is. */
-PCL_SHAPE_EXPORTS std::string problemOf(const NeighborhoodRequest& request);
-
-/** \brief As above, for one value per surface point. */
-PCL_SHAPE_EXPORTS std::string problemOfNormals(std::size_t normals,
-                                               std::size_t surface);
-
-PCL_SHAPE_EXPORTS std::string problemOfOutlierRate(double rate);
-
-PCL_SHAPE_EXPORTS bool allFinite(const XYZView& points);
-
-PCL_SHAPE_EXPORTS std::size_t countFinite(const XYZView& points);
-
-/** \brief The coordinates of a cloud, in place. */
-template <typename PointT>
-XYZView
-xyzOf(const pcl::PointCloud<PointT>& cloud)
-{
-  static_assert(sizeof(PointT) % sizeof(float) == 0, "points must be rows of floats");
-  return {cloud.empty() ? nullptr : &cloud[0].x,
-          sizeof(PointT) / sizeof(float),
-          cloud.size()};
-}
-
-/** \brief The normals of a cloud, in place. */
-template <typename PointNT>
-XYZView
-normalsOf(const pcl::PointCloud<PointNT>& cloud)
-{
-  static_assert(sizeof(PointNT) % sizeof(float) == 0, "points must be rows of floats");
-  return {cloud.empty() ? nullptr : &cloud[0].normal_x,
-          sizeof(PointNT) / sizeof(float),
-          cloud.size()};
-}
 
 /** \brief Neighborhoods of points of one cloud among the points of another, or of the
  * same one: by a search method if there is one, else by the sweep. */
