@@ -43,17 +43,7 @@ parseArguments(int argc, char** argv, Arguments& a)
       "cup_radius", po::value(&a.cup_radius), "metres (0.01)")(
       "noise", po::value(&a.noise), "kinect (default) or none")(
       "verbose", po::bool_switch(&a.verbose), "a line for each target")("help", "this");
-  const int style =
-      po::command_line_style::unix_style | po::command_line_style::allow_long_disguise;
-  po::variables_map values;
-  po::store(po::command_line_parser(argc, argv)
-                .options(options)
-                .style(style & ~po::command_line_style::allow_guessing)
-                .run(),
-            values);
-  po::notify(values);
-  if (values.count("help") > 0) {
-    std::cout << options;
+  if (!parseCommandLine(argc, argv, options)) {
     return false;
   }
   if (a.noise != "kinect" && a.noise != "none") {

@@ -54,17 +54,7 @@ parseArguments(int argc, char** argv, Arguments& a)
       "beams", po::value(&a.beams)->multitoken(), "64, 16 (both)")(
       "threads", po::value(&a.threads), "(1)")(
       "repeat", po::value(&a.repeat), "runs of each, in turns (7)")("help", "this");
-  const int style =
-      po::command_line_style::unix_style | po::command_line_style::allow_long_disguise;
-  po::variables_map values;
-  po::store(po::command_line_parser(argc, argv)
-                .options(options)
-                .style(style & ~po::command_line_style::allow_guessing)
-                .run(),
-            values);
-  po::notify(values);
-  if (values.count("help") > 0) {
-    std::cout << options;
+  if (!parseCommandLine(argc, argv, options)) {
     return false;
   }
   if (a.streets == 0 || a.threads == 0 || a.repeat == 0 || a.slow_streets > a.streets)

@@ -72,22 +72,7 @@ parseArguments(int argc, char** argv, Arguments& a)
       "verbose", po::bool_switch(&a.verbose), "a line for each cloud")(
       "threads", po::value(&a.threads), "of this library (1, as the peers have)")(
       "help", "this");
-  po::options_description all(options);
-  all.add_options()("cloud", po::value(&a.clouds));
-  po::positional_options_description positional;
-  positional.add("cloud", -1);
-  const int style =
-      po::command_line_style::unix_style | po::command_line_style::allow_long_disguise;
-  po::variables_map values;
-  po::store(po::command_line_parser(argc, argv)
-                .options(all)
-                .positional(positional)
-                .style(style & ~po::command_line_style::allow_guessing)
-                .run(),
-            values);
-  po::notify(values);
-  if (values.count("help") > 0) {
-    std::cout << options;
+  if (!parseCommandLine(argc, argv, options, po::value(&a.clouds))) {
     return false;
   }
   for (const std::string& group : a.groups)

@@ -81,22 +81,7 @@ parseArguments(int argc, char** argv, Arguments& a)
       "voronoi_radii", po::value(&a.voronoi_radii)->multitoken(), "CGAL's, likewise")(
       "jobs", po::value(&a.jobs), "clouds at a time, one thread each (1)")("help",
                                                                            "this");
-  po::options_description all(options);
-  all.add_options()("cloud", po::value(&a.clouds));
-  po::positional_options_description positional;
-  positional.add("cloud", -1);
-  const int style =
-      po::command_line_style::unix_style | po::command_line_style::allow_long_disguise;
-  po::variables_map values;
-  po::store(po::command_line_parser(argc, argv)
-                .options(all)
-                .positional(positional)
-                .style(style & ~po::command_line_style::allow_guessing)
-                .run(),
-            values);
-  po::notify(values);
-  if (values.count("help") > 0) {
-    std::cout << options;
+  if (!parseCommandLine(argc, argv, options, po::value(&a.clouds))) {
     return false;
   }
   check(a);
@@ -189,17 +174,21 @@ runComparison(int argc, char** argv)
   std::cerr << "compare_peers: built without CGAL, whose edges are left out\n";
 #endif
   const std::vector<Task> tasks = tasksOf(arguments);
+  std::vector<std::vector<Peer>> peers;
+  for (const Task task : tasks) {
+    peers.push_back(peersOf(task, arguments));
+  }
   std::vector<LabelledCloud> clouds;
   for (const std::string& path : arguments.clouds) {
     clouds.push_back(readLabelledCloud(path, tasks));
   }
   nlohmann::ordered_json report = describe(clouds);
   report["jobs"] = arguments.jobs;
-  for (const Task task : tasks) {
-    auto& rows = report[task == Task::edges ? "edges" : "surfaces"];
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    auto& rows = report[tasks[i] == Task::edges ? "edges" : "surfaces"];
     rows = nlohmann::ordered_json::array();
-    for (const Peer& peer : peersOf(task, arguments)) {
-      rows.push_back(toJson(compete(peer, clouds, task, arguments.jobs)));
+    for (const Peer& peer : peers[i]) {
+      rows.push_back(toJson(compete(peer, clouds, tasks[i], arguments.jobs)));
     }
   }
   std::cout << report.dump() << std::endl;

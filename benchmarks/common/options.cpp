@@ -37,13 +37,19 @@ commonOptions(const std::string& program, Options& o)
   return description;
 }
 
-void
-parse(int argc, char** argv, const po::options_description& description, Options& o)
+bool
+parseCommandLine(int argc,
+                 char** argv,
+                 const po::options_description& options,
+                 po::value_semantic* clouds,
+                 int most_clouds)
 {
-  po::options_description all(description);
-  all.add_options()("cloud", po::value(&o.cloud));
+  po::options_description all(options);
   po::positional_options_description positional;
-  positional.add("cloud", 1);
+  if (clouds) {
+    all.add_options()("cloud", clouds);
+    positional.add("cloud", most_clouds);
+  }
   const int style =
       po::command_line_style::unix_style | po::command_line_style::allow_long_disguise;
   po::variables_map values;
@@ -55,7 +61,16 @@ parse(int argc, char** argv, const po::options_description& description, Options
             values);
   po::notify(values);
   if (values.count("help") > 0) {
-    std::cout << description;
+    std::cout << options;
+    return false;
+  }
+  return true;
+}
+
+void
+parse(int argc, char** argv, const po::options_description& description, Options& o)
+{
+  if (!parseCommandLine(argc, argv, description, po::value(&o.cloud), 1)) {
     std::exit(0);
   }
   if (o.repeat == 0 || o.threads == 0) {

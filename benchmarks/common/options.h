@@ -27,6 +27,18 @@ struct Options {
 boost::program_options::options_description commonOptions(const std::string& program,
                                                           Options& options);
 
+/** \brief Parse PCL's single-dash options, and clouds wherever they stand.
+ * \param[in] options with "help", which is printed if it is asked for
+ * \param[in] clouds where file names go, owned from now on; none are allowed without
+ * \param[in] most_clouds -1 for any number
+ * \return false if help was asked for \throws std::exception for what is not allowed
+ */
+bool parseCommandLine(int argc,
+                      char** argv,
+                      const boost::program_options::options_description& options,
+                      boost::program_options::value_semantic* clouds = nullptr,
+                      int most_clouds = -1);
+
 /** \brief Parse PCL's single-dash options and an optional cloud, and choose the target.
  * Prints the help and exits if that is asked for. \throws std::exception for what is
  * not allowed
