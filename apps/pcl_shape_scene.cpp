@@ -20,29 +20,11 @@ namespace {
 using namespace pcl::app;
 
 int
-runLidar(const Arguments& arguments)
-{
-  const std::string path = arguments.operands(1).front();
-  const PCDFormat format = outputFormat(arguments);
-  arguments.threads();
-  checkJsonPath(arguments, {path});
-  AtomicFile output(path);
-  Report report;
-  report.setText("", "output", path);
-  const CloudFile cloud = lidarCloud(arguments, report);
-  report.time("write", [&] { output.write(encodeCloud(cloud, format)); });
-  commitWithJson(arguments, toJson(arguments.app(), report), output);
-  printSummary(path, report);
-  return 0;
-}
-
-int
 run(const Arguments& arguments)
 {
-  if (isLidar(arguments))
-    return runLidar(arguments);
   const std::string path = arguments.operands(1).front();
-  const pcl::scene::SceneOptions options = tableOptions(arguments);
+  const bool is_lidar = isLidar(arguments);
+  const auto options = is_lidar ? pcl::scene::SceneOptions() : tableOptions(arguments);
   const PCDFormat format = outputFormat(arguments);
   arguments.threads();
   checkJsonPath(arguments, {path});
@@ -50,7 +32,8 @@ run(const Arguments& arguments)
 
   Report report;
   report.setText("", "output", path);
-  const CloudFile cloud = tableCloud(arguments, options, report);
+  const CloudFile cloud =
+      is_lidar ? lidarCloud(arguments, report) : tableCloud(arguments, options, report);
   report.time("write", [&] { output.write(encodeCloud(cloud, format)); });
   commitWithJson(arguments, toJson(arguments.app(), report), output);
   printSummary(path, report);
