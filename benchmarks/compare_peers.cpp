@@ -175,6 +175,7 @@ runComparison(int argc, char** argv)
 #endif
   const std::vector<Task> tasks = tasksOf(arguments);
   std::vector<std::vector<Peer>> peers;
+  peers.reserve(tasks.size());
   for (const Task task : tasks) {
     peers.push_back(peersOf(task, arguments));
   }

@@ -17,10 +17,10 @@ namespace peers {
 
 /** \brief What a setting gave on one cloud: the scores of the points of its truth. */
 struct Trial {
-  const LabelledCloud* cloud;
-  const Truth* truth;
+  const LabelledCloud* cloud = nullptr;
+  const Truth* truth = nullptr;
   std::vector<float> scores; ///< of truth->points
-  double seconds;            ///< processor time
+  double seconds = 0.0;      ///< processor time
 };
 
 /** \brief Run a setting on a cloud. \throws std::runtime_error if it does not give a

@@ -119,7 +119,7 @@ adaptiveRadii(AdaptiveRadius::RadiusMode mode,
   if (mode == AdaptiveRadius::DEPTH)
     return depthRadii(radius, points, indices);
   if (mode == AdaptiveRadius::FIXED)
-    return std::vector<float>(indices.size(), static_cast<float>(radius));
+    return std::vector(indices.size(), static_cast<float>(radius));
   std::vector<float> radii(indices.size());
   neighborhoods.computeDistanceToNearest(std::min(nearest, finite), radii.data());
   radii = spacingsOf(std::move(radii));

@@ -86,7 +86,7 @@ struct Between {
 Between
 between(double position, std::size_t bins)
 {
-  const double last = static_cast<double>(bins - 1);
+  const auto last = static_cast<double>(bins - 1);
   const double inside = std::clamp(position - 0.5, 0.0, last);
   const auto first = static_cast<std::size_t>(inside);
   return {first,

@@ -11,6 +11,7 @@
 
 #include "sweep_block.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -25,7 +26,7 @@ struct RowIndex;
 struct Clusters {
   std::vector<std::uint32_t> begin; ///< first point of each, and an end mark
   /** least x, y, z, then most x, y, z; padded with block_size more */
-  std::vector<float> box[6];
+  std::array<std::vector<float>, 6> box;
 
   std::size_t
   size() const
