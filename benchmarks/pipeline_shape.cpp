@@ -52,20 +52,20 @@ runEstimations(const Pipeline& pipeline,
 }
 
 pcl::ShapeHistogram
-histogramOf(const Inad& inad, bool own_histogram)
+histogramOf(const Inad& inad, bool own_histogram, unsigned threads)
 {
   if (!own_histogram) {
     return pcl::ShapeModel::idealPlane({}, bins).classes().front().histogram;
   }
   pcl::ShapeHistogram histogram(bins, bins);
-  histogram.add(inad);
+  histogram.add(inad, threads);
   return histogram;
 }
 
 void
 backProject(Inad& inad, bool own_histogram, unsigned threads, PipelineResult& result)
 {
-  const pcl::ShapeHistogram histogram = histogramOf(inad, own_histogram);
+  const pcl::ShapeHistogram histogram = histogramOf(inad, own_histogram, threads);
   result.likelihood.push_back(histogram.backProject(inad, threads));
   result.inad.push_back(std::move(inad));
 }

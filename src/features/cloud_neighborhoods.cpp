@@ -8,6 +8,7 @@
  */
 
 #include "../kernels/finite.h"
+#include "../kernels/parallel.h"
 
 #include <pcl/features/impl/cloud_neighborhoods.hpp>
 
@@ -134,6 +135,14 @@ std::size_t
 countFinite(const XYZView& points)
 {
   return kernels::countFinite(points);
+}
+
+void
+forEachPart(std::size_t count,
+            unsigned threads,
+            const std::function<void(std::size_t, std::size_t)>& body)
+{
+  kernels::parallelForRanges(count, threads, body);
 }
 
 } // namespace pcl::detail

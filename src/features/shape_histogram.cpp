@@ -87,14 +87,36 @@ ShapeHistogram::add(const INAD& inad)
 }
 
 void
-ShapeHistogram::add(const PointCloud<INAD>& cloud)
+ShapeHistogram::add(const PointCloud<INAD>& cloud, unsigned threads)
+{
+  const std::size_t parts = kernels::threadCount(threads);
+  if (parts == 1 || cloud.size() < parts * counts_.size()) {
+    addRange(cloud, 0, cloud.size());
+    return;
+  }
+  std::vector<ShapeHistogram> histograms(
+      parts, ShapeHistogram(mu_bins_, sigma_bins_, mu_range_, sigma_range_));
+  kernels::parallelFor(parts, threads, [&](std::size_t i) {
+    histograms[i].addRange(
+        cloud, i * cloud.size() / parts, (i + 1) * cloud.size() / parts);
+  });
+  for (const ShapeHistogram& histogram : histograms) {
+    merge(histogram);
+  }
+}
+
+void
+ShapeHistogram::addRange(const PointCloud<INAD>& cloud,
+                         std::size_t begin,
+                         std::size_t end)
 {
   // Local: a count that is written might be a member.
   std::uint64_t* const counts = counts_.data();
   const Binning binning(*this);
   const std::size_t beyond = counts_.size();
   std::uint64_t added = 0, peak = peak_;
-  for (const INAD& inad : cloud) {
+  for (std::size_t i = begin; i < end; ++i) {
+    const INAD& inad = cloud[i];
     const auto bin = static_cast<std::size_t>(binning(inad));
     if (bin == beyond) {
       outside_ += isNaN(inad) ? 0 : 1;

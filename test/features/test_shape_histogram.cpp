@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace {
 
@@ -111,23 +112,37 @@ allKindsOfPairs(std::size_t count)
   return cloud;
 }
 
+void
+expectEqual(const ShapeHistogram& expected, const ShapeHistogram& histogram)
+{
+  EXPECT_EQ(expected.outside(), histogram.outside());
+  EXPECT_EQ(expected.total(), histogram.total());
+  EXPECT_EQ(expected.peak(), histogram.peak());
+  for (std::size_t i = 0; i < histogram.muBins(); ++i) {
+    for (std::size_t j = 0; j < histogram.sigmaBins(); ++j) {
+      EXPECT_EQ(expected.count(i, j), histogram.count(i, j)) << i << ", " << j;
+    }
+  }
+}
+
 TEST(ShapeHistogram, ACloudIsCountedAsItsPairsAre)
 {
-  const auto cloud = allKindsOfPairs(1000);
-  ShapeHistogram at_once = small(), one_by_one = small();
-  at_once.add(2, 1, 3);
-  one_by_one.add(2, 1, 3);
-  at_once.add(cloud);
-  for (const pcl::INAD& pair : cloud) {
-    one_by_one.add(pair);
-  }
-  EXPECT_LT(100u, one_by_one.outside());
-  EXPECT_EQ(one_by_one.outside(), at_once.outside());
-  EXPECT_EQ(one_by_one.total(), at_once.total());
-  EXPECT_EQ(one_by_one.peak(), at_once.peak());
-  for (std::size_t i = 0; i < at_once.muBins(); ++i) {
-    for (std::size_t j = 0; j < at_once.sigmaBins(); ++j) {
-      EXPECT_EQ(one_by_one.count(i, j), at_once.count(i, j)) << i << ", " << j;
+  // Too few pairs for several threads, and enough.
+  for (const std::size_t count : {0u, 5u, 1000u, 20000u}) {
+    const auto cloud = allKindsOfPairs(count);
+    ShapeHistogram one_by_one = small();
+    one_by_one.add(2, 1, 3);
+    for (const pcl::INAD& pair : cloud) {
+      one_by_one.add(pair);
+    }
+    EXPECT_LE(count / 10, one_by_one.outside());
+    for (const unsigned threads : {1u, 2u, 3u, 0u}) {
+      SCOPED_TRACE(std::to_string(count) + " pairs, threads " +
+                   std::to_string(threads));
+      ShapeHistogram at_once = small();
+      at_once.add(2, 1, 3);
+      at_once.add(cloud, threads);
+      expectEqual(one_by_one, at_once);
     }
   }
 }

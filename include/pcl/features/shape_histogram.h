@@ -43,8 +43,9 @@ public:
    */
   void add(const INAD& inad);
 
-  /** \brief Count all pairs of a cloud. */
-  void add(const PointCloud<INAD>& cloud);
+  /** \brief Count all pairs of a cloud.
+   * \param[in] threads 0 for all cores */
+  void add(const PointCloud<INAD>& cloud, unsigned threads = 1);
 
   /** \brief Add `count` to one bin. \throws pcl::BadArgumentException if it is out of
    * range */
@@ -126,6 +127,8 @@ private:
   std::size_t binOf(const INAD& inad) const;
 
   float likelihoodOf(std::size_t bin) const;
+
+  void addRange(const PointCloud<INAD>& cloud, std::size_t begin, std::size_t end);
 
   std::size_t mu_bins_;
   std::size_t sigma_bins_;

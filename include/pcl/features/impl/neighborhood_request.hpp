@@ -14,6 +14,7 @@
 #include <pcl/types.h>
 
 #include <cstddef>
+#include <functional>
 #include <string>
 
 namespace pcl::detail {
@@ -40,6 +41,13 @@ PCL_SHAPE_EXPORTS std::string problemOfOutlierRate(double rate);
 PCL_SHAPE_EXPORTS bool allFinite(const XYZView& points);
 
 PCL_SHAPE_EXPORTS std::size_t countFinite(const XYZView& points);
+
+/** \brief body(begin, end) for consecutive parts of [0, count).
+ * \param[in] threads 0 for all cores */
+PCL_SHAPE_EXPORTS void
+forEachPart(std::size_t count,
+            unsigned threads,
+            const std::function<void(std::size_t, std::size_t)>& body);
 
 /** \brief The coordinates of a cloud, in place. */
 template <typename PointT>

@@ -66,17 +66,20 @@ NormalEstimationSweep<PointInT, PointOutT>::computeFeature(PointCloudOut& output
       use_sensor_origin_
           ? Eigen::Vector3f(this->input_->sensor_origin_.template head<3>())
           : viewpoint_;
-  for (std::size_t i = 0; i < output.size(); ++i) {
-    auto& normal = output[i];
-    const auto point = static_cast<std::size_t>((*this->indices_)[i]);
-    pcl::flipNormalTowardsViewpoint((*this->input_)[point],
-                                    viewpoint.x(),
-                                    viewpoint.y(),
-                                    viewpoint.z(),
-                                    normal.normal_x,
-                                    normal.normal_y,
-                                    normal.normal_z);
-  }
+  const auto flip = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      auto& normal = output[i];
+      const auto point = static_cast<std::size_t>((*this->indices_)[i]);
+      pcl::flipNormalTowardsViewpoint((*this->input_)[point],
+                                      viewpoint.x(),
+                                      viewpoint.y(),
+                                      viewpoint.z(),
+                                      normal.normal_x,
+                                      normal.normal_y,
+                                      normal.normal_z);
+    }
+  };
+  detail::forEachPart(output.size(), threads_, flip);
 }
 
 } // namespace pcl
