@@ -39,18 +39,6 @@ setNeighborhood(Estimation& estimation, double radius, const INADParameters& par
   estimation.setRadiusMode(parameters.radius_mode);
 }
 
-/** The parameters for the noise of this cloud. */
-INADParameters
-parametersOf(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& points,
-             const INADParameters& parameters,
-             unsigned threads)
-{
-  if (parameters.normal_radius_noise == 0.0 && parameters.radius_noise == 0.0)
-    return parameters;
-  const double noise = pcl::detail::noiseOfCloud<pcl::PointXYZ>(points, threads);
-  return pcl::detail::withNoise(parameters, noise);
-}
-
 pcl::PointCloud<pcl::Normal>::Ptr
 estimateNormals(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& points,
                 const INADParameters& parameters,
@@ -85,8 +73,10 @@ void
 addNormals(CloudFile& file, const INADParameters& parameters, unsigned threads)
 {
   const auto points = pointsOf(file);
-  const auto normals =
-      estimateNormals(points, parametersOf(points, parameters, threads), threads);
+  const auto normals = estimateNormals(
+      points,
+      pcl::detail::withNoiseOfCloud<pcl::PointXYZ>(parameters, points, threads),
+      threads);
   requireResult(file, normals->size());
   setNormals(file, *normals);
 }
@@ -99,7 +89,8 @@ estimateInad(CloudFile& file,
 {
   const unsigned threads = arguments.threads();
   const auto points = pointsOf(file);
-  const INADParameters parameters = parametersOf(points, asked, threads);
+  const INADParameters parameters =
+      pcl::detail::withNoiseOfCloud<pcl::PointXYZ>(asked, points, threads);
   requireEnoughPoints(parameters, file, *points);
   reportPoints(*points, report);
   reportParameters(parameters, report);

@@ -10,6 +10,7 @@
 #include "../kernels/finite.h"
 #include "../kernels/neighborhood.h"
 #include "../kernels/parallel.h"
+#include "inad_input.h"
 
 #include <pcl/features/listed_neighborhoods.h>
 
@@ -17,7 +18,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
+namespace pcl::detail {
 namespace {
 
 using namespace kernels;
@@ -60,7 +61,7 @@ void
 ListedNeighborhoods::forEachQuery(const Visit& visit) const
 {
   const XYZView& points = own_queries_ ? queries_ : surface_;
-  const std::size_t count = indices_ ? indices_size_ : points.size;
+  const std::size_t count = size();
   constexpr std::size_t queries_a_task = 1024;
   const std::size_t tasks = (count + queries_a_task - 1) / queries_a_task;
   parallelFor(tasks, threads_, [&](std::size_t task) {
@@ -68,7 +69,8 @@ ListedNeighborhoods::forEachQuery(const Visit& visit) const
     Neighbors neighbors;
     const std::size_t end = std::min(count, (task + 1) * queries_a_task);
     for (std::size_t i = task * queries_a_task; i < end; ++i) {
-      const std::size_t point = indices_ ? static_cast<std::size_t>(indices_[i]) : i;
+      const std::size_t point =
+          has_indices_ ? static_cast<std::size_t>(indices_[i]) : i;
       const float* q = points[point];
       if (!isFinite(q)) {
         continue;
@@ -96,8 +98,7 @@ ListedNeighborhoods::computeNormals(float* normals,
                                     float* curvature,
                                     std::size_t stride) const
 {
-  const std::size_t count =
-      indices_ ? indices_size_ : (own_queries_ ? queries_.size : surface_.size);
+  const std::size_t count = size();
   for (std::size_t i = 0; i < count; ++i) {
     std::fill_n(normals + i * stride, 3, nan);
     curvature[i * stride] = nan;
@@ -125,10 +126,10 @@ ListedNeighborhoods::computeINAD(const XYZView& normals,
                                  double outlier_rate,
                                  float* mu_sigma) const
 {
+  checkINADInput(surface_.size, normals.size, outlier_rate);
   const UnitNormals unit = unitNormals(normals, nullptr, threads_);
   const float* const arrays[] = {unit.x.data(), unit.y.data(), unit.z.data()};
-  const std::size_t count =
-      indices_ ? indices_size_ : (own_queries_ ? queries_.size : surface_.size);
+  const std::size_t count = size();
   std::fill_n(mu_sigma, 2 * count, nan);
   forEachQuery([&](std::size_t i,
                    std::uint32_t own,
@@ -143,4 +144,4 @@ ListedNeighborhoods::computeINAD(const XYZView& normals,
       mu_sigma, mu_sigma + 2 * count, [](float v) { return std::isnan(v); });
 }
 
-} // namespace pcl
+} // namespace pcl::detail

@@ -8,14 +8,13 @@
  */
 
 #include "../kernels/targets.h"
+#include "inad_input.h"
 #include "prepared_sweep.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <string>
 
 namespace pcl {
 namespace {
@@ -63,14 +62,7 @@ NeighborhoodSweep::computeINAD(const NeighborhoodSize& neighborhood,
                                double outlier_rate,
                                float* mu_sigma) const
 {
-  if (normals.size != surface_.size) {
-    throw std::invalid_argument(std::to_string(normals.size) + " normals for " +
-                                std::to_string(surface_.size) + " surface points");
-  }
-  if (!(outlier_rate >= 0.0) || !std::isfinite(outlier_rate)) {
-    throw std::invalid_argument("outlier rate " + std::to_string(outlier_rate) +
-                                ": it must be 0 (no rejection) or positive");
-  }
+  checkINADInput(surface_.size, normals.size, outlier_rate);
   Prepared prepared(*this, neighborhood);
   prepared.setNormals(normals);
   std::atomic<bool> is_finite{!prepared.leavesSomeOut()};

@@ -12,6 +12,7 @@
 #include <pcl/features/inad.h>
 #include <pcl/features/normal_3d_sweep.h>
 #include <pcl/segmentation/shape_back_projection.h>
+#include <pcl/features/impl/cloud_neighborhoods.hpp>
 
 #include <gtest/gtest.h>
 
@@ -100,6 +101,43 @@ TEST(AdaptiveDetection, AnySurfaceCanBeASample)
   Labels truth(scene.size(), 0);
   std::fill_n(truth.begin(), torus_points, 1U);
   EXPECT_GE(f1(likelihoods.at(0), truth, 1, 0), 0.95);
+}
+
+std::vector<float>
+likelihoodsWith(const INADParameters& parameters,
+                const ShapeHistogram& histogram,
+                const Cloud::Ptr& cloud)
+{
+  ShapeModel model(parameters);
+  model.add("ball", histogram);
+  ShapeBackProjection<PointXYZ> projection;
+  projection.setModel(model);
+  return likelihoodsOf(projection, cloud).at(0);
+}
+
+TEST(AdaptiveDetection, RadiiOfOneClassGrowWithNoise)
+{
+  Random random(84);
+  const Surface ball = sphere(5000, 0.08, random);
+  const auto cloud = toCloud<PointXYZ>(ball);
+  for (PointXYZ& point : *cloud) {
+    point.x += static_cast<float>(random.uniform(-1e-3, 1e-3));
+    point.y += static_cast<float>(random.uniform(-1e-3, 1e-3));
+    point.z += static_cast<float>(random.uniform(-1e-3, 1e-3));
+  }
+  INADParameters small;
+  small.normal_radius = small.radius = 1.5;
+  small.radius_mode = AdaptiveRadius::DENSITY;
+  INADParameters growing = small;
+  growing.normal_radius_noise = 4.0;
+  growing.radius_noise = 6.0;
+  const INADParameters grown =
+      detail::withNoise(growing, detail::noiseOfCloud<PointXYZ>(cloud, 1));
+  ASSERT_GT(grown.radius, 1.1 * small.radius);
+  const ShapeHistogram histogram = histogramOf(ball, small);
+  const auto expected = likelihoodsWith(grown, histogram, cloud);
+  EXPECT_TRUE(sameBits(expected, likelihoodsWith(growing, histogram, cloud)));
+  EXPECT_FALSE(sameBits(expected, likelihoodsWith(small, histogram, cloud)));
 }
 
 } // namespace

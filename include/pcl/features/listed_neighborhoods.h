@@ -17,10 +17,10 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
+namespace pcl::detail {
 
 /** \brief The statistics of NeighborhoodSweep over neighbors that somebody else finds:
- * what the features use when a search method is set. \ingroup features
+ * what the features use when a search method is set.
  */
 class PCL_SHAPE_EXPORTS ListedNeighborhoods {
 public:
@@ -50,6 +50,15 @@ public:
   {
     indices_ = indices;
     indices_size_ = size;
+    has_indices_ = true;
+  }
+
+  /** \brief How many queries there are. */
+  std::size_t
+  size() const
+  {
+    return has_indices_ ? indices_size_
+                        : (own_queries_ ? queries_.size : surface_.size);
   }
 
   /** \param[in] threads 0 for all cores */
@@ -75,7 +84,8 @@ private:
   bool own_queries_ = false;
   const std::int32_t* indices_ = nullptr;
   std::size_t indices_size_ = 0;
+  bool has_indices_ = false;
   unsigned threads_ = 0;
 };
 
-} // namespace pcl
+} // namespace pcl::detail

@@ -228,4 +228,17 @@ noiseOfCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud, unsigned t
   return noiseOf(neighborhoods, points, spacings);
 }
 
+/** \brief What radii that grow with noise are for this cloud: see withNoise(). */
+template <typename PointT, typename Parameters>
+Parameters
+withNoiseOfCloud(const Parameters& parameters,
+                 const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
+                 unsigned threads)
+{
+  if (parameters.normal_radius_noise == 0.0 && parameters.radius_noise == 0.0) {
+    return parameters;
+  }
+  return withNoise(parameters, noiseOfCloud<PointT>(cloud, threads));
+}
+
 } // namespace pcl::detail

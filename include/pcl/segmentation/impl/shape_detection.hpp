@@ -50,7 +50,8 @@ ShapeDetection<PointT, PointNT>::computeINAD(pcl::PointCloud<INAD>& inad) const
     }
     return;
   }
-  const INADParameters parameters = getParameters();
+  const INADParameters parameters = detail::withNoiseOfCloud<PointT>(
+      getParameters(), surface_ ? surface_ : this->input_, threads_);
   const auto index = index_ ? index_ : std::make_shared<SweepIndex>();
   INADEstimation<PointT, PointNT> estimation(threads_);
   estimation.setInputCloud(this->input_);
