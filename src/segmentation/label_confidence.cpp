@@ -19,16 +19,14 @@ namespace {
 
 using segmentation::LabelWeights;
 
-/** The classes of a model of one's own are taken for curved: that asks for more. */
+/** Other classes are taken for curved: that asks for more. */
 const LabelWeights&
-weightsOf(std::uint32_t label, std::uint32_t edge_label)
+weightsOf(std::uint32_t label, std::uint32_t planar_label, std::uint32_t edge_label)
 {
   if (label == edge_label)
     return segmentation::edge_weights;
-  constexpr std::uint32_t two_classes_and_edge = 3;
-  return label == 1 && edge_label == two_classes_and_edge
-             ? segmentation::planar_weights
-             : segmentation::curved_weights;
+  return label == planar_label ? segmentation::planar_weights
+                               : segmentation::curved_weights;
 }
 
 float
@@ -54,7 +52,8 @@ labelPoints(const LabelInput& input, double confidence)
     if (result.labels[i] == 0)
       continue;
     result.confidence[i] =
-        confidenceOf(evidence.features[i], weightsOf(result.labels[i], edge_label));
+        confidenceOf(evidence.features[i],
+                     weightsOf(result.labels[i], input.planar_label, edge_label));
     if (result.confidence[i] < confidence)
       result.labels[i] = 0;
   }

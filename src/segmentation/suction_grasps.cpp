@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 namespace pcl {
@@ -99,7 +100,11 @@ problemOfCup(const SuctionCup& cup)
 std::string
 problemOfCup(const SuctionCup& cup, const GraspTarget& target)
 {
-  std::vector<float> spacings = target.spacings;
+  std::vector<float> spacings;
+  std::copy_if(target.spacings.begin(),
+               target.spacings.end(),
+               std::back_inserter(spacings),
+               [](float spacing) { return std::isfinite(spacing); });
   if (spacings.empty())
     return {};
   const auto middle =

@@ -156,6 +156,38 @@ TEST_F(OneScene, AModelsClassesComeBeforeEdges)
   EXPECT_EQ(count(5), 0);
 }
 
+TEST_F(OneScene, ConfidenceFollowsTheNamesOfClasses)
+{
+  const ShapeModel& usual = ShapeModel::defaultSurfaces();
+  const auto confidencesWith = [&](const char* first, const char* second) {
+    ShapeModel model(usual.parameters());
+    model.setSmoothing(usual.smoothing());
+    model.setFloor(usual.floor());
+    model.add(first, usual.classes()[0].histogram, usual.classes()[0].prior);
+    model.add(second, usual.classes()[1].histogram, usual.classes()[1].prior);
+    ShapeLabeling<PointXYZ> labeling;
+    labeling.setModel(model);
+    labeling.setConfidence(0.0);
+    labeling.setInputCloud(cloud_);
+    PointLabels labels;
+    labeling.label(labels);
+    return labels;
+  };
+  EXPECT_EQ(labels_.confidence, confidencesWith("planar", "curved").confidence);
+  const PointLabels named = confidencesWith("flat", "round");
+  std::size_t flat = 0, others_differ = 0, flat_differ = 0;
+  for (std::size_t i = 0; i < named.labels.size(); ++i) {
+    const bool is_flat = named.labels[i] == 1;
+    flat += is_flat ? 1 : 0;
+    const bool differs = named.confidence[i] != labels_.confidence[i];
+    flat_differ += is_flat && differs ? 1 : 0;
+    others_differ += !is_flat && differs ? 1 : 0;
+  }
+  EXPECT_GT(flat, 10000U);
+  EXPECT_GT(flat_differ, flat / 2);
+  EXPECT_EQ(0U, others_differ);
+}
+
 TEST_F(OneScene, BadSettingsAreRefused)
 {
   const auto refusal = [&](const auto& prepare) {

@@ -146,6 +146,33 @@ TEST(SuctionGrasps, UseSurfacesThatAreKnown)
   EXPECT_EQ(others[0].surface, 2U) << "they are used";
 }
 
+TEST(SuctionGrasps, PointsOfWhichNothingIsKnownDoNotCount)
+{
+  Random random(912);
+  const Cloud::Ptr cloud = toCloud<PointXYZ>(sheet({0, 0, 0}, 0.08, 0.06, random));
+  const std::size_t known = cloud->size();
+  for (std::size_t i = 0; i < 2 * known; ++i) {
+    cloud->push_back(PointXYZ(0.3f, 0.001f * static_cast<float>(i), 0.0f));
+  }
+  ShapeBackProjection<PointXYZ> back_projection;
+  back_projection.setInputCloud(cloud);
+  const auto surfaces = make_shared<Surfaces>();
+  back_projection.classify(*surfaces);
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  for (std::size_t i = known; i < cloud->size(); ++i) {
+    surfaces->likelihoods[0][i] = surfaces->likelihoods[1][i] = nan;
+    surfaces->edge_likelihood[i] = surfaces->spacings[i] = nan;
+    surfaces->normals[i] = Normal(nan, nan, nan);
+  }
+  Estimation estimation = seenFromAbove(cloud);
+  estimation.setInputSurfaces(surfaces);
+  const Grasps grasps = graspsOf(estimation);
+  ASSERT_FALSE(grasps.empty());
+  for (const SuctionGrasp& grasp : grasps) {
+    EXPECT_LT(grasp.position.x(), 0.1f);
+  }
+}
+
 TEST(SuctionGrasps, ScaleWithTheCloud)
 {
   Random random(911);

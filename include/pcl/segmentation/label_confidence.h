@@ -29,12 +29,14 @@ namespace detail {
 constexpr double usual_confidence = 0.9;
 
 constexpr const char* edge_class = "edge";
+constexpr const char* planar_class = "planar";
 
 /** \brief What labels are made of. */
 struct LabelInput {
   XYZView points;
   const Surfaces& surfaces; ///< of all the points
   unsigned threads = 0;
+  std::uint32_t planar_label = 0; ///< of the class "planar", 0 without one
 };
 
 /** \brief Numbers that speak for a label, the larger the more.

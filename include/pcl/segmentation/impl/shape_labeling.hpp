@@ -69,8 +69,13 @@ ShapeLabeling<PointT, PointNT>::label(PointLabels& labels)
   if (surfaces.likelihoods.empty()) {
     return;
   }
+  const std::vector<std::string> names = detection_.getClasses();
+  const auto planar = std::find(names.begin(), names.end(), detail::planar_class);
+  const auto planar_label =
+      planar == names.end() ? 0
+                            : static_cast<std::uint32_t>(planar - names.begin() + 1);
   const PointLabels all = detail::labelPoints(
-      {detail::xyzOf(*this->input_), surfaces, threads_}, confidence_);
+      {detail::xyzOf(*this->input_), surfaces, threads_, planar_label}, confidence_);
   for (const index_t index : *this->indices_) {
     labels.labels.push_back(all.labels[static_cast<std::size_t>(index)]);
     labels.confidence.push_back(all.confidence[static_cast<std::size_t>(index)]);
