@@ -65,11 +65,13 @@ run(const Arguments& arguments)
   const std::vector<SampleOptions> classes = sampleOptions(arguments);
   arguments.threads();
   const std::vector<std::string> samples = samplesOf(arguments);
-  checkJsonPath(arguments, samples);
-  checkJsonPath(arguments, {model_path});
+  std::vector<std::string> others = samples;
+  others.push_back(model_path);
+  checkJsonPath(arguments, others);
+  if (arguments.has("json"))
+    others.push_back(arguments.text("json"));
+  checkOutputPath(arguments, "png", others);
   requireWritable(model_path);
-  if (arguments.has("png"))
-    requireWritable(arguments.text("png"));
 
   ModelFile model(model_path, arguments, classes);
   std::vector<Report> reports;

@@ -127,7 +127,8 @@ addInstances(CloudFile& file,
   segmentation.setPrimitive(settings.primitive);
   segmentation.setNumberOfThreads(arguments.threads());
   std::vector<pcl::ShapeInstance> instances;
-  report.time("instances", [&] { segmentation.segment(instances); });
+  if (!report.time("instances", [&] { return segmentation.segment(instances); }))
+    throw InputError(file.path + ": refused for the reason given above");
 
   std::vector<std::uint32_t> labels(file.size(), 0);
   std::uint64_t labelled = 0;

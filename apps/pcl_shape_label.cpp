@@ -43,6 +43,7 @@ labelFile(const Arguments& arguments)
   const LabelSettings settings = labelSettings(arguments);
   const std::string format = formatOfFile(arguments, operands[1]);
   checkJsonPath(arguments, operands);
+  checkOutputs(arguments, {operands[1]});
   AtomicFile output(operands[1]);
   Report report;
   report.setText("", "input", operands[0]);

@@ -148,7 +148,7 @@ reportScene(const Scene& scene, Report& report)
 }
 
 void
-checkOutputs(const Arguments& arguments, const std::string& input)
+checkFiles(const Arguments& arguments, const std::string& input)
 {
   std::vector<std::string> others{input};
   for (const char* const option : {"lines", "instances", "grasps"})
@@ -165,7 +165,7 @@ run(const Arguments& arguments)
 {
   const std::string input = arguments.operands(1)[0];
   arguments.threads();
-  checkOutputs(arguments, input);
+  checkFiles(arguments, input);
   Report report;
   report.setText("", "input", input);
   const CloudFile cloud = report.time("read", [&] { return readCloud(input); });

@@ -51,11 +51,28 @@ runOne(const Arguments& arguments, const Filter& filter)
   const Job job{operands[0], operands[1]};
   const PCDFormat format = outputFormat(arguments);
   checkJsonPath(arguments, operands);
+  checkOutputs(arguments, {job.output});
   AtomicFile output(job.output);
   const Report report = process(job, filter, format, output);
   commitWithJson(arguments, toJson(arguments.app(), report), output);
   printSummary(job.input, report);
   return 0;
+}
+
+bool
+isAmong(const std::vector<std::string>& files, const std::string& path)
+{
+  return std::any_of(files.begin(),
+                     files.end(),
+                     [file = fs::weakly_canonical(path)](const std::string& other) {
+                       return fs::weakly_canonical(other) == file;
+                     });
+}
+
+bool
+isModel(const Arguments& arguments, const std::string& path)
+{
+  return arguments.has("model") && isAmong({arguments.text("model")}, path);
 }
 
 std::string
@@ -90,6 +107,7 @@ runDirectory(const Arguments& arguments, const Filter& filter)
     outputs.push_back(output_directory / fs::path(input).filename());
   checkJsonPath(arguments, inputs);
   checkJsonPath(arguments, outputs);
+  checkOutputs(arguments, outputs);
 
   std::vector<Report> reports;
   std::vector<Failure> failures;
@@ -229,13 +247,19 @@ checkOutputPath(const Arguments& arguments,
   if (!arguments.has(option))
     return;
   const std::string path = arguments.text(option);
-  const auto is_same = [file = fs::weakly_canonical(path)](const std::string& other) {
-    return fs::weakly_canonical(other) == file;
-  };
-  if (std::any_of(others.begin(), others.end(), is_same))
+  if (isAmong(others, path) || isModel(arguments, path))
     throw UsageError("-" + option + " '" + path +
                      "' is an input or output file: allowed is another file");
   requireWritable(path);
+}
+
+void
+checkOutputs(const Arguments& arguments, const std::vector<std::string>& outputs)
+{
+  for (const std::string& output : outputs)
+    if (isModel(arguments, output))
+      throw UsageError("output '" + output +
+                       "' is the -model file: allowed is another file");
 }
 
 void

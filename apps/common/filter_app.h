@@ -53,13 +53,16 @@ void reportPoints(const pcl::PointCloud<pcl::PointXYZ>& points, Report& report);
 void printSummary(const std::string& path, const Report& report);
 
 /** \brief Throws unless the -json file, if there is one, can be written and differs
- * from the given files. */
+ * from the given files and the -model file. */
 void checkJsonPath(const Arguments& arguments, const std::vector<std::string>& others);
 
 /** \brief The same for another option whose value is a file to write. */
 void checkOutputPath(const Arguments& arguments,
                      const std::string& option,
                      const std::vector<std::string>& others);
+
+/** \brief Throws if one of the files to write is the -model file. */
+void checkOutputs(const Arguments& arguments, const std::vector<std::string>& outputs);
 
 /** \brief Make the output and the -json file appear, once both are written. */
 void commitWithJson(const Arguments& arguments,

@@ -130,6 +130,7 @@ DirectoryRun::prepare()
     for (const std::string& name : outputNames(format_, fs::path(input).stem()))
       files.push_back(fs::path(output_) / name);
   checkJsonPath(arguments_, files);
+  checkOutputs(arguments_, files);
   std::error_code error;
   if (fs::equivalent(input_, output_, error))
     throw UsageError("output directory '" + output_ +

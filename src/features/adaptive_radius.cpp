@@ -116,15 +116,21 @@ adaptiveRadii(AdaptiveRadius::RadiusMode mode,
               const pcl::Indices& indices,
               std::size_t finite)
 {
+  std::vector<float> radii;
   if (mode == AdaptiveRadius::DEPTH)
-    return depthRadii(radius, points, indices);
-  if (mode == AdaptiveRadius::FIXED)
-    return std::vector(indices.size(), static_cast<float>(radius));
-  std::vector<float> radii(indices.size());
-  neighborhoods.computeDistanceToNearest(std::min(nearest, finite), radii.data());
-  radii = spacingsOf(std::move(radii));
+    radii = depthRadii(radius, points, indices);
+  else if (mode == AdaptiveRadius::FIXED)
+    radii.assign(indices.size(), static_cast<float>(radius));
+  else {
+    radii.resize(indices.size());
+    neighborhoods.computeDistanceToNearest(std::min(nearest, finite), radii.data());
+    radii = spacingsOf(std::move(radii));
+    for (float& r : radii)
+      r *= static_cast<float>(radius);
+  }
+  using Limits = std::numeric_limits<float>;
   for (float& r : radii)
-    r *= static_cast<float>(radius);
+    r = std::clamp(r, Limits::min(), Limits::max());
   return radii;
 }
 

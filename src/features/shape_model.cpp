@@ -118,14 +118,27 @@ ShapeModel::add(const std::string& name, const ShapeHistogram& histogram, double
                                        first.sigmaRange(),
                                        " rad"));
   }
-  const auto known = std::find_if(
-      classes_.begin(), classes_.end(), [&](const Class& c) { return c.name == name; });
+  const auto known = find(name);
   if (known == classes_.end()) {
     classes_.push_back({name, histogram, prior});
     return;
   }
   known->histogram.merge(histogram);
   known->prior = prior;
+}
+
+void
+ShapeModel::add(const std::string& name, const ShapeHistogram& histogram)
+{
+  const auto known = find(name);
+  add(name, histogram, known == classes_.end() ? 1.0 : known->prior);
+}
+
+std::vector<ShapeModel::Class>::iterator
+ShapeModel::find(const std::string& name)
+{
+  return std::find_if(
+      classes_.begin(), classes_.end(), [&](const Class& c) { return c.name == name; });
 }
 
 void

@@ -29,7 +29,7 @@ scaleFrom(const JsonReader& reader)
   reader.fail("'scale' is \"" + name + "\": it must be fixed, depth or density");
 }
 
-/** \brief The parameters; the model's smoothing is among them in the file, since only
+/** \brief The parameters; the model's smoothing is among them in the file, since mostly
  * models of another scale than metres have it. */
 INADParameters
 parametersFrom(const Json& json, double& smoothing)

@@ -42,7 +42,7 @@ toJson(const ShapeModel& model)
                      {"radius", p.radius},
                      {"k", p.k},
                      {"outlier_rate", p.outlier_rate}};
-  if (p.radius_mode != AdaptiveRadius::FIXED) {
+  if (p.radius_mode != AdaptiveRadius::FIXED || model.smoothing() != 0.0) {
     parameters["scale"] = scale_names[p.radius_mode];
     parameters["normal_radius_noise"] = p.normal_radius_noise;
     parameters["radius_noise"] = p.radius_noise;

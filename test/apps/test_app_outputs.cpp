@@ -207,4 +207,39 @@ TEST_F(Outputs, AreCompressedUnlessToldOtherwise)
   EXPECT_NE(readFile(output).find("DATA binary_compressed\n"), std::string::npos);
 }
 
+TEST_F(Outputs, AModelIsNotOverwritten)
+{
+  const std::string cloud = plane(), model = path("m.json"), out = path("out.pcd");
+  for (const char* name : {"one", "other"})
+    expectSuccess(
+        runApp("pcl_shape_histogram",
+               {cloud, model, "-radius", "2", "-scale", "density", "-name", name}));
+  const std::string before = readFile(model);
+  const Words using_it{"-model", model};
+  for (const char* app : {"pcl_shape_back_projection", "pcl_shape_label"}) {
+    const auto refuse = [&](Words arguments, const std::string& what) {
+      arguments.insert(arguments.end(), using_it.begin(), using_it.end());
+      expectRefused(runApp(app, arguments), 2, {what, model, "allowed"});
+    };
+    refuse({cloud, out, "-json", model}, "-json");
+    refuse({cloud, model}, "output");
+  }
+  EXPECT_EQ(before, readFile(model));
+  EXPECT_FALSE(exists(out));
+}
+
+TEST_F(Outputs, APictureOverwritesNothingElse)
+{
+  const std::string cloud = plane(), model = path("m.json"), json = path("r.json");
+  const std::string before = readFile(cloud);
+  for (const std::string& picture : {cloud, model, json})
+    expectRefused(
+        runApp("pcl_shape_histogram",
+               {cloud, model, "-radius", "0.02", "-json", json, "-png", picture}),
+        2,
+        {"-png", picture, "allowed"});
+  EXPECT_EQ(before, readFile(cloud));
+  EXPECT_EQ(files(), (Words{"in.pcd"}));
+}
+
 } // namespace

@@ -98,6 +98,19 @@ TEST(AdaptiveRadius, DensityDoesNotKnowTheUnit)
   EXPECT_FALSE(sameBits(metres, inadOf(cloud, 3.5, Estimation::DENSITY)));
 }
 
+TEST(AdaptiveRadius, WhatNoFloatCanBeReachesAllPointsOrNone)
+{
+  using Estimation = INADEstimation<PointXYZ, Normal>;
+  const auto cloud = toCloud<PointXYZ>(noisyFold(0.001));
+  const auto all = inadOf(cloud, 1e6, Estimation::DENSITY);
+  for (const auto mode : {Estimation::DEPTH, Estimation::DENSITY}) {
+    EXPECT_TRUE(sameBits(all, inadOf(cloud, 1e300, mode)));
+    const auto none = inadOf(cloud, 1e-300, mode);
+    EXPECT_TRUE(
+        std::all_of(none.begin(), none.end(), [](float v) { return std::isnan(v); }));
+  }
+}
+
 TEST(AdaptiveRadius, ASearchMethodFindsTheSameNeighbors)
 {
   using Estimation = INADEstimation<PointXYZ, Normal>;

@@ -80,10 +80,19 @@ protected:
 
 TEST_P(NormalEstimationSweepTest, IsLikeNormalEstimationOMP) { expectLikePeer(); }
 
+Eigen::Vector3f
+viewPointOf(const NormalEstimationSweep<PointXYZ, Normal>& estimation)
+{
+  Eigen::Vector3f point;
+  estimation.getViewPoint(point.x(), point.y(), point.z());
+  return point;
+}
+
 TEST_P(NormalEstimationSweepTest, ViewPoint)
 {
   estimation_.setViewPoint(0.1f, 0.2f, 3.0f);
   peer_.setViewPoint(0.1f, 0.2f, 3.0f);
+  EXPECT_EQ(Eigen::Vector3f(0.1f, 0.2f, 3.0f), viewPointOf(estimation_));
   expectLikePeer();
   estimation_.useSensorOriginAsViewPoint();
   peer_.useSensorOriginAsViewPoint();
@@ -94,6 +103,7 @@ TEST_P(NormalEstimationSweepTest, SensorOrigin)
 {
   cloud_->sensor_origin_ = Eigen::Vector4f(0.3f, -1.0f, 0.9f, 0.0f);
   configure(peer_);
+  EXPECT_EQ(Eigen::Vector3f(0.3f, -1.0f, 0.9f), viewPointOf(estimation_));
   expectLikePeer();
 }
 

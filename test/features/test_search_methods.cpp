@@ -211,4 +211,28 @@ TEST_F(SearchMethods, AnyNumberOfThreadsGivesTheSameBits)
   }
 }
 
+TEST_F(SearchMethods, IndicesOfOneStayWhenACloudIsNotAsDenseAsItSays)
+{
+  auto points = make_shared<Indices>();
+  for (std::size_t i = 0; i < cloud_->size() / 2; ++i) {
+    points->push_back(static_cast<index_t>(i));
+  }
+  (*cloud_)[7].x = std::numeric_limits<float>::quiet_NaN();
+  ASSERT_TRUE(cloud_->is_dense);
+  const auto honest = make_shared<Cloud>(*cloud_);
+  honest->is_dense = false;
+  const auto expected = make_shared<search::KdTree<PointXYZ>>();
+  expected->setInputCloud(honest, points);
+  const auto search = make_shared<search::KdTree<PointXYZ>>();
+  search->setInputCloud(honest, points);
+  search->setInputCloud(make_shared<Cloud>(*honest), points);
+  const Size size{0.02, 0};
+  const Results right = compute(honest, normals_, size, expected);
+  for (int time = 0; time < 2; ++time) {
+    const Results found = compute(cloud_, normals_, size, search);
+    EXPECT_TRUE(sameBits(right.normals, found.normals));
+    EXPECT_TRUE(sameBits(right.inad, found.inad));
+  }
+}
+
 } // namespace

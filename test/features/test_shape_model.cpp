@@ -124,6 +124,18 @@ TEST(ShapeModel, AClassIsExtended)
   EXPECT_EQ(1.0f, evaluated(model, in_11)[0]);
 }
 
+TEST(ShapeModel, AnExtendedClassKeepsItsPriorUnlessOneIsGiven)
+{
+  ShapeModel model;
+  model.add("first", counts(1, 0, 0, 0), 3.0);
+  model.add("second", counts(1, 0, 0, 0));
+  model.add("first", counts(1, 0, 0, 0));
+  EXPECT_EQ(3.0, model.classes()[0].prior);
+  EXPECT_EQ(1.0, model.classes()[1].prior);
+  model.add("first", counts(1, 0, 0, 0), 2.0);
+  EXPECT_EQ(2.0, model.classes()[0].prior);
+}
+
 TEST(ShapeModel, BadClassesAreRefused)
 {
   ShapeModel model = twoClasses();

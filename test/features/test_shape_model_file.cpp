@@ -97,6 +97,20 @@ TEST_F(ShapeModelFile, RoundTripOfNearestPoints)
   EXPECT_EQ(12, ShapeModel::load(file_).parameters().k);
 }
 
+TEST_F(ShapeModelFile, RoundTripOfSmoothing)
+{
+  for (const auto mode : {AdaptiveRadius::FIXED, AdaptiveRadius::DENSITY}) {
+    INADParameters parameters;
+    parameters.radius_mode = mode;
+    ShapeModel smooth = ShapeModel::idealPlane(parameters);
+    smooth.setSmoothing(1.5);
+    smooth.save(file_);
+    const ShapeModel loaded = ShapeModel::load(file_);
+    EXPECT_EQ(1.5, loaded.smoothing());
+    EXPECT_EQ(mode, loaded.parameters().radius_mode);
+  }
+}
+
 TEST_F(ShapeModelFile, Truncated)
 {
   for (const std::size_t size : {std::size_t{0}, text_.size() / 2, text_.size() - 3}) {

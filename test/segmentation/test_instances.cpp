@@ -164,7 +164,8 @@ TEST(Instances, BadSettingsAreRefused)
     segmentation.setInputCloud(cloud);
     set(segmentation);
     std::vector<ShapeInstance> instances(1);
-    const std::string error = errorsOf([&] { segmentation.segment(instances); });
+    const std::string error =
+        errorsOf([&] { EXPECT_FALSE(segmentation.segment(instances)); });
     EXPECT_TRUE(instances.empty());
     return error;
   };
@@ -183,8 +184,12 @@ TEST(Instances, BadSettingsAreRefused)
               {"DENSITY", "allowed"});
   expectParts(errorOf([](Segmentation& s) { s.setInputCloud(nullptr); }),
               {"no input cloud"});
-  expectParts(
-      errorOf([](Segmentation& s) { s.setInputCloud(make_shared<Cloud>(4, 1)); }), {});
+  expectParts(errorOf([](Segmentation& s) {
+                const auto unknown = make_shared<Cloud>(1, 1);
+                unknown->front().x = std::numeric_limits<float>::quiet_NaN();
+                s.setInputCloud(unknown);
+              }),
+              {"no finite point"});
 }
 
 TEST(Instances, AModelOfOnesOwnHasItsOwnClasses)
@@ -199,6 +204,24 @@ TEST(Instances, AModelOfOnesOwnHasItsOwnClasses)
     segmentation.segment(instances);
     EXPECT_FALSE(instances.empty()) << of.name;
   }
+}
+
+TEST(Instances, ConvexAndConcaveAreSeenFromTheViewPoint)
+{
+  const Cloud::Ptr cloud = cloudOf(smallScene({Shape::Box}));
+  const auto seenFrom = [&](float x, float y, float z) {
+    ShapeInstanceSegmentation<PointXYZ> segmentation;
+    segmentation.setInputCloud(cloud);
+    segmentation.setClass("object");
+    segmentation.setViewPoint(x, y, z);
+    std::vector<PointIndices> instances;
+    EXPECT_TRUE(segmentation.segment(instances));
+    return labelsOf(instances, cloud->size());
+  };
+  const Labels usual = instancesOf(cloud, "object");
+  const Eigen::Vector4f& origin = cloud->sensor_origin_;
+  EXPECT_EQ(usual, seenFrom(origin.x(), origin.y(), origin.z()));
+  EXPECT_NE(usual, seenFrom(origin.x(), origin.y(), origin.z() + 100.0f));
 }
 
 } // namespace

@@ -80,7 +80,7 @@ public:
  * \param[in] distances to the 12th neighbors, NaN where a point is not finite */
 PCL_SHAPE_EXPORTS std::vector<float> spacingsOf(std::vector<float> distances);
 
-/** \brief Radii in metres, one for each point.
+/** \brief Radii in metres, one for each point: within what a float can be.
  * \param[in] points, indices what the radii are for, null for all points
  * \param[in] finite the number of finite points to find neighbors among */
 PCL_SHAPE_EXPORTS std::vector<float>

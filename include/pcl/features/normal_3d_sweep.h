@@ -17,7 +17,7 @@
 
 namespace pcl {
 
-/** \brief Surface normals and curvatures: a drop-in for NormalEstimationOMP.
+/** \brief Surface normals and curvatures, used as NormalEstimationOMP is.
  *
  * Same inputs, same results (normals within 1e-4 rad at the 99th percentile), but
  * without a search method the neighbors come from pcl::NeighborhoodSweep, which is much
@@ -66,6 +66,16 @@ public:
     use_sensor_origin_ = false;
   }
 
+  /** \brief The point that normals are flipped towards, metres. */
+  void
+  getViewPoint(float& x, float& y, float& z) const
+  {
+    const Eigen::Vector3f point = viewPoint();
+    x = point.x();
+    y = point.y();
+    z = point.z();
+  }
+
   void
   useSensorOriginAsViewPoint()
   {
@@ -77,6 +87,14 @@ protected:
 
 private:
   void computeFeature(PointCloudOut& output) override;
+
+  Eigen::Vector3f
+  viewPoint() const
+  {
+    return use_sensor_origin_ && this->input_
+               ? Eigen::Vector3f(this->input_->sensor_origin_.template head<3>())
+               : viewpoint_;
+  }
 
   Eigen::Vector3f viewpoint_ = Eigen::Vector3f::Zero();
   bool use_sensor_origin_ = true;

@@ -94,12 +94,14 @@ public:
    * \param[in] name of the text, for messages \throws pcl::IOException as load() */
   static ShapeModel parse(const std::string& text, const std::string& name);
 
-  /** \brief Add a class, or merge into the one of that name.
+  /** \brief Add a class, or merge into the one of that name, whose prior becomes this.
    * \throws pcl::BadArgumentException for an empty name, an empty histogram, a prior
    * that is not positive and finite, or bins other than those of the other classes
    */
-  void
-  add(const std::string& name, const ShapeHistogram& histogram, double prior = 1.0);
+  void add(const std::string& name, const ShapeHistogram& histogram, double prior);
+
+  /** \brief The same with a prior of 1, or that of the class of that name. */
+  void add(const std::string& name, const ShapeHistogram& histogram);
 
   /** \brief One value a class: the likelihood (one class) or the posteriors (several).
    * NaN where the pair is NaN or, with several classes, where every density is below
@@ -147,6 +149,8 @@ public:
   void setSmoothing(double bins);
 
 private:
+  std::vector<Class>::iterator find(const std::string& name);
+
   INADParameters parameters_;
   std::vector<Class> classes_;
   double floor_ = 0.0;

@@ -85,8 +85,9 @@ public:
   /** \brief The likelihood of ground, one for each index; NaN is unknown. */
   void compute(std::vector<float>& likelihood);
 
-  /** \brief The points of the ground. */
-  void segment(pcl::PointIndices& ground);
+  /** \brief The points of the ground; there may be none.
+   * \return false after an error message, for bad input or a bad setting */
+  bool segment(pcl::PointIndices& ground);
 
 private:
   std::string findProblem();

@@ -106,9 +106,9 @@ public:
   /** \brief Where the points were seen from, which tells convex from concave: the
    * cloud's sensor_origin_ unless it is set. Metres. */
   void
-  setViewPoint(const Eigen::Vector3f& view_point)
+  setViewPoint(float x, float y, float z)
   {
-    view_point_ = view_point;
+    view_point_ = Eigen::Vector3f(x, y, z);
   }
 
   /** \param[in] threads 0 for all cores */
@@ -118,11 +118,12 @@ public:
     threads_ = threads;
   }
 
-  /** \brief The points of each instance. */
-  void segment(std::vector<pcl::PointIndices>& instances);
+  /** \brief The points of each instance; there may be none.
+   * \return false after an error message, for bad input or a bad setting */
+  bool segment(std::vector<pcl::PointIndices>& instances);
 
-  /** \brief The instances with their properties. */
-  void segment(std::vector<ShapeInstance>& instances);
+  /** \brief The instances with their properties; likewise. */
+  bool segment(std::vector<ShapeInstance>& instances);
 
 private:
   /** \brief What is wrong with the settings; empty if nothing is. */

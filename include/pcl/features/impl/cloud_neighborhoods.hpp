@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -202,8 +203,20 @@ private:
       copy->is_dense = false;
       honest = copy;
     }
-    const bool is_known = search_->getInputCloud() == surface_;
+    const bool is_known = isSurface(search_->getInputCloud());
     search_->setInputCloud(honest, is_known ? search_->getIndices() : nullptr);
+  }
+
+  /** Whether a cloud is the surface, or the copy of it that an earlier computation gave
+   * to the search. */
+  bool
+  isSurface(const CloudConstPtr& cloud) const
+  {
+    return cloud == surface_ || (cloud && !cloud->is_dense && surface_->is_dense &&
+                                 cloud->size() == surface_->size() &&
+                                 std::memcmp(cloud->points.data(),
+                                             surface_->points.data(),
+                                             surface_->size() * sizeof(PointT)) == 0);
   }
 
   CloudConstPtr input_;

@@ -62,10 +62,7 @@ NormalEstimationSweep<PointInT, PointOutT>::computeFeature(PointCloudOut& output
       &output[0].curvature,
       sizeof(PointOutT) / sizeof(float));
 
-  const Eigen::Vector3f viewpoint =
-      use_sensor_origin_
-          ? Eigen::Vector3f(this->input_->sensor_origin_.template head<3>())
-          : viewpoint_;
+  const Eigen::Vector3f viewpoint = viewPoint();
   const auto flip = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       auto& normal = output[i];

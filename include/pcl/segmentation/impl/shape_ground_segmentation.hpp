@@ -59,14 +59,14 @@ ShapeGroundSegmentation<PointT>::compute(std::vector<float>& likelihood)
 }
 
 template <typename PointT>
-void
+bool
 ShapeGroundSegmentation<PointT>::segment(pcl::PointIndices& ground)
 {
   ground = pcl::PointIndices();
   std::vector<float> likelihood;
   compute(likelihood);
   if (likelihood.empty())
-    return;
+    return false;
   ground.header = this->input_->header;
   for (std::size_t i = 0; i < likelihood.size(); ++i)
     if (likelihood[i] >= threshold_)
@@ -74,6 +74,7 @@ ShapeGroundSegmentation<PointT>::segment(pcl::PointIndices& ground)
   if (ground.indices.empty())
     PCL_WARN("[pcl::ShapeGroundSegmentation::segment] no ground was found: where is up "
              "in this cloud?\n");
+  return true;
 }
 
 } // namespace pcl

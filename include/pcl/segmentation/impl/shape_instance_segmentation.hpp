@@ -121,14 +121,14 @@ ShapeInstanceSegmentation<PointT>::describe(const std::vector<std::uint32_t>& me
 }
 
 template <typename PointT>
-void
+bool
 ShapeInstanceSegmentation<PointT>::segment(std::vector<ShapeInstance>& instances)
 {
   instances.clear();
   const std::string problem = findProblem();
   if (!problem.empty()) {
     PCL_ERROR("[pcl::ShapeInstanceSegmentation::segment] %s.\n", problem.c_str());
-    return;
+    return false;
   }
   PCLBase<PointT>::initCompute();
   back_projection_.setInputCloud(input_);
@@ -137,7 +137,7 @@ ShapeInstanceSegmentation<PointT>::segment(std::vector<ShapeInstance>& instances
   Surfaces surfaces;
   back_projection_.classify(surfaces);
   if (surfaces.likelihoods.empty()) {
-    return;
+    return false;
   }
   std::vector<float> positions;
   for (const index_t index : *indices_) {
@@ -160,20 +160,22 @@ ShapeInstanceSegmentation<PointT>::segment(std::vector<ShapeInstance>& instances
   for (const auto& points : members) {
     instances.push_back(describe(points, input, surfaces));
   }
+  return true;
 }
 
 template <typename PointT>
-void
+bool
 ShapeInstanceSegmentation<PointT>::segment(std::vector<pcl::PointIndices>& instances)
 {
   std::vector<ShapeInstance> found;
-  segment(found);
+  const bool is_done = segment(found);
   instances.clear();
   for (ShapeInstance& instance : found) {
     instances.emplace_back();
     instances.back().header = input_->header;
     instances.back().indices = std::move(instance.indices);
   }
+  return is_done;
 }
 
 } // namespace pcl
