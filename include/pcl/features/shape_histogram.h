@@ -70,6 +70,7 @@ public:
 
   bool sameBins(const ShapeHistogram& other) const;
 
+  /** \brief Count of a bin; mu_bin < muBins(), sigma_bin < sigmaBins(). */
   std::uint64_t
   count(std::size_t mu_bin, std::size_t sigma_bin) const
   {

@@ -31,8 +31,8 @@ struct Surfaces {
  * of a model made in DENSITY mode, from evidence averaged over the neighborhood without
  * crossing edges; radii follow the density.
  *
- * In PAPER mode, or with radii: the likelihood L of that class (an
- * ideal plane) is the histogram's value at the point's (mu, sigma) over its largest
+ * In PAPER mode, or with radii: with one class (by default an ideal plane) its
+ * likelihood L is the histogram's value at the point's (mu, sigma) over its largest
  * bin; the classes are {name, "curved" or "other"} with likelihoods L and 1 - L, and a
  * point belongs to the first if L >= threshold. With several classes: the posterior of
  * each; a point belongs to the most probable.

@@ -88,7 +88,7 @@ public:
   }
 
   /** \brief Find neighbors with this instead of the much faster pcl::NeighborhoodSweep.
-   */
+   * It is asked by several threads at once. */
   void
   setSearchMethod(const SearchPtr& search)
   {
@@ -143,7 +143,8 @@ public:
     outlier_rate_ = rate;
   }
 
-  /** \brief The surfaces to look for. Without: an ideal plane. */
+  /** \brief The surfaces to look for. Without: the default model if isAdaptive(), else
+   * an ideal plane. */
   void
   setModel(const ShapeModel& model)
   {
@@ -158,7 +159,7 @@ public:
   }
 
   /** \brief The likelihood from which a point belongs to the class of a model with one
-   * histogram, in [0, 1]; 0.5 by default. */
+   * histogram, or is on an edge, in [0, 1]; 0.5 by default. */
   void
   setThreshold(double threshold)
   {

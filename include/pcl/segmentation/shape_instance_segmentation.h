@@ -42,7 +42,9 @@ struct ShapeInstance {
  *
  * Errors (those of ShapeBackProjection; a class that the model does not have;
  * thresholds that are not 0 <= low <= high <= 1; no points wanted) are reported by
- * PCL_ERROR and give empty outputs. \ingroup segmentation
+ * PCL_ERROR and give empty outputs. While it works, PCL's console is silent in the
+ * whole process, for samples that RANSAC rejects are errors to PCL.
+ * \ingroup segmentation
  */
 template <typename PointT>
 class ShapeInstanceSegmentation : public PCLBase<PointT> {

@@ -33,8 +33,8 @@ public:
   using ConstPtr = shared_ptr<const ShapeLabeling<PointT, PointNT>>;
   using SearchPtr = typename pcl::search::Search<PointT>::Ptr;
 
-  /** \brief Points of less confidence are void; in [0, 1], detail::usual_confidence by
-   * default. With 0 every point has a label whose class is known. */
+  /** \brief Points of less confidence are void; in [0, 1], 0.9 by default
+   * (detail::usual_confidence). With 0 every point has a label whose class is known. */
   void
   setConfidence(double confidence)
   {

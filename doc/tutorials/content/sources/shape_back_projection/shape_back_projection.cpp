@@ -48,7 +48,7 @@ main(int argc, char** argv)
     std::cout << names[c] << ": " << classes[c].indices.size() << " points\n";
   }
   std::cout << "unknown: " << unknown << " points\n"
-            << "noise: " << surfaces.noise << " of the distance between points\n";
+            << "noise: " << surfaces.noise << " spacings\n";
   // [classes]
 
   // [extract]
