@@ -79,6 +79,11 @@ run(const Arguments& arguments)
   const DetectionSettings settings =
       detectionSettings(arguments, pcl::INADParameters::surfaces());
   requireFieldNames(settings, arguments);
+  if (arguments.has("threshold") &&
+      (settings.adaptive || settings.model.classes().size() > 1))
+    throw UsageError("-threshold with several classes, as the default mode has: points "
+                     "belong to the likeliest; allowed is one class, as with -mode "
+                     "paper");
   return runFilter(arguments, [&](CloudFile& file, Report& report) {
     addClasses(file, arguments, settings, report);
   });

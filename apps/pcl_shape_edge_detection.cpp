@@ -111,6 +111,11 @@ requireClasses(const DetectionSettings& settings, const Arguments& arguments)
     throw InputError(arguments.text("model") + ": " + std::to_string(classes) +
                      " classes: allowed is one, the plane, or two made with -scale "
                      "density, an edge and the rest");
+  if (arguments.has("model") && classes == 2 &&
+      settings.model.classes().front().name != "edge")
+    throw InputError(arguments.text("model") + ": its first class is '" +
+                     settings.model.classes().front().name +
+                     "': allowed is edge, and then the rest");
   if (wantsMore(arguments) && !settings.adaptive)
     throw UsageError(
         std::string(arguments.has("types") ? "-types" : "-lines") +

@@ -133,6 +133,30 @@ requireSameSize(const CloudFile& predicted, const CloudFile& truth)
       "cloud of the truth file");
 }
 
+/** Where the clouds say where their points are, this must be the same; formats may
+ * round.
+ */
+void
+requireSamePoints(const CloudFile& predicted, const CloudFile& truth)
+{
+  requireSameSize(predicted, truth);
+  const auto a = pointsOf(predicted), b = pointsOf(truth);
+  Eigen::AlignedBox3f box;
+  for (const pcl::PointXYZ& point : *b)
+    if (pcl::isXYZFinite(point))
+      box.extend(point.getVector3fMap());
+  const float tolerance = 1e-3f * box.diagonal().norm();
+  for (std::size_t i = 0; i < a->size(); ++i) {
+    const Eigen::Vector3f p = (*a)[i].getVector3fMap(), q = (*b)[i].getVector3fMap();
+    if (p.allFinite() && q.allFinite() && (p - q).norm() > tolerance)
+      throw InputError(predicted.path + ": point " + std::to_string(i) + " is " +
+                       std::to_string((p - q).norm()) + " m away from that of " +
+                       truth.path +
+                       ": allowed is the same points in the same order; predict on the "
+                       "cloud of the truth file");
+  }
+}
+
 std::vector<bool>
 unknownPredictions(const Task& task, const CloudFile& cloud, const Labels& labels)
 {
@@ -204,7 +228,7 @@ selectPoints(const std::string& task_name,
              const CloudFile& truth)
 {
   const Task task = taskOf(task_name, convention);
-  requireSameSize(predicted, truth);
+  requireSamePoints(predicted, truth);
   const auto coordinates = pointsOf(truth);
   const bool of_scene = task_name == "label" && isScene(truth);
   const Labels truths =

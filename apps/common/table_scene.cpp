@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <scene/surface_samples.h>
 
@@ -114,6 +115,11 @@ reportScene(const Scene& scene, const CloudFile& cloud, Report& report)
   report.setCount("counts", "near_creases", count(surface, pcl::scene::SurfaceCrease));
   report.setCount(
       "counts", "edge", count(labelsOf(cloud, "edge"), pcl::scene::EdgeCrease));
+  if (scene.objects.empty()) { // of surfaces without a camera
+    const std::set<std::uint32_t> seen(scene.instance.begin(), scene.instance.end());
+    report.setCount("counts", "objects", seen.size() - seen.count(0));
+    return;
+  }
   report.setCount("counts", "objects", scene.objects.size());
   report.setCount("counts",
                   "touching_objects",

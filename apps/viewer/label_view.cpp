@@ -29,16 +29,23 @@ isWhole(double value)
   return std::abs(value) <= largest_exact && value == std::floor(value);
 }
 
+/** Of what has no color of its own: positive numbers in turn, then the others. */
+Color
+colorOf(std::int64_t label)
+{
+  const auto size = static_cast<std::size_t>(std::abs(label));
+  return distinctColor(label > 0 ? size - 1 : most_labels + size);
+}
+
 LabelStyle
 styleOf(std::int64_t label,
         const LabelStyles& known,
         const std::map<std::int64_t, std::string>& names)
 {
   const auto style = known.find(label);
-  const auto position = static_cast<std::size_t>(label > 0 ? label - 1 : -label);
   LabelStyle result = style != known.end()
                           ? style->second
-                          : LabelStyle{std::to_string(label), distinctColor(position)};
+                          : LabelStyle{std::to_string(label), colorOf(label)};
   if (const auto name = names.find(label); name != names.end())
     result.name = name->second;
   return result;
