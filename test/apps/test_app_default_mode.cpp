@@ -84,6 +84,24 @@ TEST_F(DefaultMode, TypesNeedIt)
                 {"-types", "radii", "allowed"});
 }
 
+TEST_F(DefaultMode, AThresholdNeedsOneClass)
+{
+  const std::string scene = sampledScene(), out = path("out.pcd");
+  expectRefused(runApp("pcl_shape_back_projection", {scene, out, "-threshold", "0.9"}),
+                2,
+                {"-threshold", "likeliest", "allowed"});
+  expectSuccess(runApp("pcl_shape_back_projection",
+                       {scene, out, "-mode", "paper", "-threshold", "0.9"}));
+}
+
+TEST_F(DefaultMode, SampledScenesCountTheirObjects)
+{
+  expectSuccess(runApp(
+      "pcl_shape_scene",
+      {path("s.pcd"), "-objects", "3", "-sampling", "0.01", "-json", path("json")}));
+  EXPECT_EQ(Json::parse(readFile(path("json")))["counts"]["objects"], 3);
+}
+
 TEST_F(DefaultMode, ModelsOfSeveralClassesComeFromLabelledClouds)
 {
   const std::string model = path("m.json");
@@ -118,6 +136,10 @@ TEST_F(DefaultMode, ModelsOfSeveralClassesComeFromLabelledClouds)
   expectSuccess(
       runApp("pcl_shape_back_projection", {scene, path("out.pcd"), "-model", model}));
   EXPECT_GE(f1(path("out.pcd"), scene, "planar"), 0.95);
+  expectRefused(
+      runApp("pcl_shape_edge_detection", {scene, path("edges.pcd"), "-model", model}),
+      1,
+      {model, "planar", "allowed is edge"});
 }
 
 TEST_F(DefaultMode, AHistogramIsDrawn)

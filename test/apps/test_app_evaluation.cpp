@@ -184,6 +184,21 @@ TEST_F(Tasks, CloudsOfOtherSizesAreRefused)
   EXPECT_FALSE(exists(path("json")));
 }
 
+TEST_F(Tasks, PointsElsewhereAreRefused)
+{
+  const auto cloud = [&](const std::string& name, const std::string& x) {
+    return file(
+        name,
+        asciiCloud("x y z edge", "F F F U", {"nan 0 1 1", "0 0 1 1", x + " 0 1 0"}));
+  };
+  const std::string truth = cloud("t.pcd", "1"), rounded = cloud("r.pcd", "1.0001");
+  expectSuccess(runApp("pcl_shape_evaluate", {rounded, truth, "-task", "edge"}));
+  const std::string moved = cloud("m.pcd", "1.01");
+  expectRefused(runApp("pcl_shape_evaluate", {moved, truth, "-task", "edge"}),
+                1,
+                {moved, "point 2", truth, "same order"});
+}
+
 TEST_F(Tasks, NothingToEvaluateIsRefused)
 {
   const std::string truth =

@@ -79,6 +79,16 @@ TEST_F(ViewerFields, AnglesAreViridisInDegreesAndUnknownIsGrey)
   EXPECT_GT(picture.count({33, 145, 140}, bar), 10u) << "the middle of the scale bar";
 }
 
+TEST_F(ViewerFields, LabelsWithoutANameHaveColorsOfTheirOwn)
+{
+  const Picture picture =
+      pictureOf({square("face", "U", {"0", "1"}), "-field", "face"});
+  const Pixel green{77, 175, 74}; // of the first
+  EXPECT_GT(picture.share(green, right), 0.9);
+  EXPECT_EQ(picture.count(green, left), 0u);
+  EXPECT_EQ(picture.count(white, {0.3, 0.3, 0.4, 0.7}), 0u);
+}
+
 TEST_F(ViewerFields, ColorsStayAsTheyAre)
 {
   const Picture picture = pictureOf({square("rgb", "U", {"3303920", "16711680"})});
