@@ -110,6 +110,11 @@ sceneOf(const Arguments& arguments, const CloudFile& cloud)
   const int rows = (static_cast<int>(scene.views.size()) + columns - 1) / columns;
   const float aspect =
       static_cast<float>(size.width * rows) / static_cast<float>(size.height * columns);
+  const std::size_t strays = arguments.has("camera") ? 0 : hideStrays(*scene.points);
+  if (strays > 0)
+    logLine(arguments.app() + ": " + cloud.path +
+            ": warning: " + std::to_string(strays) +
+            " points that are far from all others are not shown; -camera shows them");
   scene.camera = arguments.has("camera") ? parseCamera(arguments.text("camera"))
                                          : defaultCamera(*scene.points, aspect);
   const auto point_size = arguments.integer("point_size", 1, 50);

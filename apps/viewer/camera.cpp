@@ -18,7 +18,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
+#include <vector>
 
 namespace pcl::app {
 namespace {
@@ -37,6 +39,15 @@ boxOf(const Cloud& points)
     if (pcl::isXYZFinite(point))
       box.extend(point.getVector3fMap());
   return box;
+}
+
+float
+quantile(std::vector<float> values, double share)
+{
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(
+                                       share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
 
 /** Columns: right, up, backwards. */
@@ -96,6 +107,37 @@ isInFront(const Cloud& points, const Eigen::AlignedBox3f& box)
 }
 
 } // namespace
+
+std::size_t
+hideStrays(Cloud& points)
+{
+  constexpr double most = 0.95;     // of the points ...
+  constexpr double farthest = 10.0; // ... are no further than a tenth of what is shown
+  std::vector<float> coordinates[3];
+  for (const pcl::PointXYZ& point : points)
+    for (int axis = 0; axis < 3 && pcl::isXYZFinite(point); ++axis)
+      coordinates[axis].push_back(point.data[axis]);
+  Eigen::Vector3d middle;
+  for (int axis = 0; axis < 3; ++axis)
+    middle[axis] = quantile(coordinates[axis], 0.5);
+  const auto distanceOf = [&](const pcl::PointXYZ& point) {
+    return (point.getVector3fMap().cast<double>() - middle).cwiseAbs().maxCoeff();
+  };
+  std::vector<float> distances;
+  for (const pcl::PointXYZ& point : points)
+    if (pcl::isXYZFinite(point))
+      distances.push_back(static_cast<float>(distanceOf(point)));
+  const double usual = quantile(std::move(distances), most);
+  std::size_t hidden = 0;
+  for (pcl::PointXYZ& point : points)
+    if (usual > 0.0 && pcl::isXYZFinite(point) &&
+        distanceOf(point) > farthest * usual) {
+      point.getVector3fMap().setConstant(std::numeric_limits<float>::quiet_NaN());
+      points.is_dense = false;
+      ++hidden;
+    }
+  return hidden;
+}
 
 Camera
 defaultCamera(const Cloud& points, float aspect)

@@ -30,6 +30,11 @@ struct Camera {
  * \param[in] aspect width of the picture over its height */
 Camera defaultCamera(const pcl::PointCloud<pcl::PointXYZ>& points, float aspect);
 
+/** \brief Makes points NaN that are ten times as far from the middle as 95 % of them:
+ * the others could not be seen beside them. \param[in,out] points at least one is
+ * finite \return how many they are */
+std::size_t hideStrays(pcl::PointCloud<pcl::PointXYZ>& points);
+
 /** \brief The value of -camera: nine numbers, position, focus, up, and optionally the
  * angle of view. \throws UsageError */
 Camera parseCamera(const std::string& text);

@@ -89,6 +89,21 @@ TEST_F(ViewerFields, LabelsWithoutANameHaveColorsOfTheirOwn)
   EXPECT_EQ(picture.count(white, {0.3, 0.3, 0.4, 0.7}), 0u);
 }
 
+TEST_F(ViewerFields, OnePointFarAwayHidesNothing)
+{
+  for (const char* const far : {"1e6", "1e30"}) {
+    Words rows;
+    for (int i = 0; i < 1600; ++i)
+      rows.push_back(std::to_string(0.01 * (i % 40)) + ' ' +
+                     std::to_string(0.01 * (i / 40)) + " 1 1");
+    rows.push_back(std::string(far) + " 0 1 2");
+    const Picture picture =
+        pictureOf({file("far.pcd", asciiCloud("x y z surface", "F F F U", rows))});
+    EXPECT_GT(picture.share(blue, left), 0.9) << far;
+    EXPECT_GT(picture.share(blue, right), 0.9) << far;
+  }
+}
+
 TEST_F(ViewerFields, ColorsStayAsTheyAre)
 {
   const Picture picture = pictureOf({square("rgb", "U", {"3303920", "16711680"})});
