@@ -55,14 +55,14 @@ makeEstimation(const Arguments& arguments, Report& report)
 void
 setViewPoint(Estimation& estimation, const CloudFile& file, const Arguments& arguments)
 {
-  if (!arguments.has("viewpoint")) {
+  const auto numbers = arguments.numbers("viewpoint", 3, three_numbers);
+  if (!numbers) {
     estimation.setViewPoint(file.viewpoint[0], file.viewpoint[1], file.viewpoint[2]);
     return;
   }
-  const auto numbers = numbersOf(arguments, "viewpoint", 3, three_numbers);
-  estimation.setViewPoint(static_cast<float>(numbers[0]),
-                          static_cast<float>(numbers[1]),
-                          static_cast<float>(numbers[2]));
+  estimation.setViewPoint(static_cast<float>((*numbers)[0]),
+                          static_cast<float>((*numbers)[1]),
+                          static_cast<float>((*numbers)[2]));
 }
 
 /** \return nothing if the reason was given on standard error */
@@ -105,8 +105,7 @@ run(const Arguments& arguments)
   report.setText("", "input", path);
   Estimation estimation = makeEstimation(arguments, report);
   checkSelection(arguments);
-  if (arguments.has("viewpoint"))
-    numbersOf(arguments, "viewpoint", 3, three_numbers);
+  arguments.numbers("viewpoint", 3, three_numbers);
   checkJsonPath(arguments, {path});
 
   const CloudFile file = report.time("read", [&] { return readCloud(path); });

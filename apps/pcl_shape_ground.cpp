@@ -13,8 +13,6 @@
 
 #include <pcl/segmentation/shape_ground_segmentation.h>
 
-#include <sstream>
-
 namespace {
 
 using namespace pcl::app;
@@ -27,23 +25,14 @@ constexpr double degree = 3.14159265358979323846 / 180.0;
 Eigen::Vector3f
 upOf(const Arguments& arguments)
 {
-  const std::string text = arguments.text("up", "0,0,1");
-  std::istringstream parts(text);
-  std::string part;
-  std::vector<float> values;
-  while (std::getline(parts, part, ',')) {
-    const auto value = parseNumber(part);
-    values.push_back(value ? static_cast<float>(*value) : 0.0f);
-    if (!value)
-      values.clear(), values.resize(4);
-  }
-  const Eigen::Vector3f up = values.size() == 3
-                                 ? Eigen::Vector3f(values[0], values[1], values[2])
-                                 : Eigen::Vector3f::Zero();
-  if (text.back() == ',' || !(up.squaredNorm() > 0.0f) || !up.allFinite())
-    throw UsageError("-up '" + text +
-                     "': allowed is a direction x,y,z, three numbers that are not all "
-                     "0, such as 0,0,1");
+  const std::string allowed =
+      "a direction x,y,z, three numbers that are not all 0, such as 0,0,1";
+  const auto numbers = arguments.numbers("up", 3, allowed);
+  if (!numbers)
+    return Eigen::Vector3f::UnitZ();
+  const Eigen::Vector3f up = Eigen::Vector3d(numbers->data()).cast<float>();
+  if (!(up.squaredNorm() > 0.0f) || !up.allFinite())
+    throw UsageError("-up '" + arguments.text("up") + "': allowed is " + allowed);
   return up;
 }
 
@@ -69,8 +58,6 @@ addGround(CloudFile& file,
           Report& report)
 {
   const auto points = pointsOf(file);
-  const auto& at = file.viewpoint;
-  points->sensor_origin_ = Eigen::Vector4f(at[0], at[1], at[2], 0.0f);
   reportPoints(*points, report);
   segmentation.setInputCloud(points);
   std::vector<float> likelihood;

@@ -115,8 +115,6 @@ addInstances(CloudFile& file,
   const auto points = pointsOf(file);
   reportPoints(*points, report);
   reportSettings(settings, arguments, report);
-  points->sensor_origin_ = {
-      file.viewpoint[0], file.viewpoint[1], file.viewpoint[2], 0.0f};
   Segmentation segmentation;
   if (settings.model)
     segmentation.setModel(*settings.model);

@@ -1,7 +1,20 @@
 # PCL 1.13's PCLConfig does not find OpenMP; 1.14 and later do.
 find_package(OpenMP REQUIRED COMPONENTS CXX)
-find_package(PCL 1.13 REQUIRED COMPONENTS
-  common kdtree search features sample_consensus filters segmentation io keypoints registration)
+set(pcl_shape_components common kdtree search features sample_consensus)
+if(PCL_SHAPE_BUILD_TESTS OR PCL_SHAPE_BUILD_EXAMPLES OR PCL_SHAPE_BUILD_BENCHMARKS)
+  list(APPEND pcl_shape_components io segmentation)
+endif()
+if(PCL_SHAPE_BUILD_EXAMPLES OR PCL_SHAPE_BUILD_BENCHMARKS)
+  list(APPEND pcl_shape_components filters registration)
+endif()
+if(PCL_SHAPE_BUILD_BENCHMARKS)
+  list(APPEND pcl_shape_components keypoints)
+endif()
+find_package(PCL 1.13 REQUIRED COMPONENTS ${pcl_shape_components})
+# For programs with point types of their own: PCL's trees of them are made of FLANN's
+# templates, which on Debian call LZ4. FLANN::FLANN brings it.
+add_library(pcl_shape_flann INTERFACE)
+target_link_libraries(pcl_shape_flann INTERFACE $<TARGET_NAME_IF_EXISTS:FLANN::FLANN>)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(Boost REQUIRED)
 

@@ -1,17 +1,24 @@
-# PCL_VISUALIZATION_LIBRARIES for the viewer, if this PCL has them. In a function: a second
-# find_package(PCL) may not change what the first one found.
+# PCL_SHAPE_VIEWER_DRAWS: whether pcl_shape_viewer can draw, with PCL_VISUALIZATION_LIBRARIES
+# and X11. In a function: a second find_package(PCL) may not change what the first one found.
 function(pcl_shape_find_visualization)
   find_package(PCL 1.13 QUIET COMPONENTS visualization)
   set(PCL_VISUALIZATION_FOUND ${PCL_VISUALIZATION_FOUND} PARENT_SCOPE)
   set(PCL_VISUALIZATION_LIBRARIES ${PCL_VISUALIZATION_LIBRARIES} PARENT_SCOPE)
 endfunction()
 
-if(PCL_SHAPE_WITH_VISUALIZATION)
+set(PCL_SHAPE_VIEWER_DRAWS OFF)
+set(pcl_shape_viewer_lacks "PCL's visualization")
+if(PCL_SHAPE_BUILD_APPS AND PCL_SHAPE_WITH_VISUALIZATION)
   pcl_shape_find_visualization()
+  find_package(X11 QUIET)
+  if(PCL_VISUALIZATION_FOUND AND X11_FOUND)
+    set(PCL_SHAPE_VIEWER_DRAWS ON)
+  elseif(PCL_VISUALIZATION_FOUND)
+    set(pcl_shape_viewer_lacks "X11")
+  endif()
 endif()
-if(PCL_VISUALIZATION_FOUND)
+if(PCL_SHAPE_VIEWER_DRAWS)
   message(STATUS "pcl_shape_viewer: with PCL's visualization")
-else()
-  set(PCL_VISUALIZATION_LIBRARIES "")
-  message(STATUS "pcl_shape_viewer: without PCL's visualization; it will only say so")
+elseif(PCL_SHAPE_BUILD_APPS)
+  message(STATUS "pcl_shape_viewer: without ${pcl_shape_viewer_lacks}; it will only say so")
 endif()

@@ -3,11 +3,10 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+source scripts/packages.sh
 missing=()
 while read -r package; do
-  # A line for each architecture.
-  states=$(dpkg-query --show --showformat='${db:Status-Status}\n' "$package" 2>/dev/null || true)
-  grep -qx installed <<<"$states" || missing+=("$package")
+  is_installed "$package" || missing+=("$package")
 done < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' packages.txt)
 [[ ${#missing[@]} -gt 0 ]] || exit 0
 

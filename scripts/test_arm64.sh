@@ -8,19 +8,9 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=${1:-build/arm64}
 
-packages=(cmake g++-aarch64-linux-gnu googletest libeigen3-dev libgomp1:arm64 libhwy-dev:arm64
-          ninja-build qemu-user-static)
-missing=()
-for package in "${packages[@]}"; do
-  state=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
-  [[ $state == installed ]] || missing+=("$package")
-done
-if [[ ${#missing[@]} -gt 0 ]]; then
-  echo "missing: ${missing[*]}; to install them:" >&2
-  echo "  dpkg --add-architecture arm64 && apt-get update &&" \
-       "apt-get install --no-install-recommends ${missing[*]}" >&2
-  exit 2
-fi
+source scripts/packages.sh
+require_packages --architecture arm64 cmake g++-aarch64-linux-gnu googletest libeigen3-dev \
+  libgomp1:arm64 libhwy-dev:arm64 ninja-build qemu-user-static
 
 options=(-DCMAKE_BUILD_TYPE=Release
          -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64

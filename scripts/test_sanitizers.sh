@@ -9,17 +9,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=${1:-build/sanitizers}
 
-packages=(clang cmake googletest libeigen3-dev libhwy-dev libomp-dev ninja-build)
-missing=()
-for package in "${packages[@]}"; do
-  state=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
-  [[ $state == installed* ]] || missing+=("$package")
-done
-if [[ ${#missing[@]} -gt 0 ]]; then
-  echo "missing: ${missing[*]}; to install them:" >&2
-  echo "  apt-get install --no-install-recommends ${missing[*]}" >&2
-  exit 2
-fi
+source scripts/packages.sh
+require_packages clang cmake googletest libeigen3-dev libhwy-dev libomp-dev ninja-build
 
 # build_with DIRECTORY COMPILER_FLAGS [LINKER_FLAGS]
 build_with() {

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 namespace pcl::app {
 namespace {
@@ -115,6 +116,27 @@ Arguments::number(const std::string& name, const NumberRange& range) const
       (range.least_excluded && *value == range.least))
     throw UsageError(badValue(name, found->second, range.allowed));
   return value;
+}
+
+std::optional<std::vector<double>>
+Arguments::numbers(const std::string& name,
+                   std::size_t count,
+                   const std::string& allowed) const
+{
+  const auto found = options_.find(name);
+  if (found == options_.end())
+    return std::nullopt;
+  std::vector<double> numbers;
+  bool is_number = true;
+  std::istringstream words(found->second + ',');
+  for (std::string word; is_number && std::getline(words, word, ',');) {
+    const std::optional<double> number = parseNumber(word);
+    is_number = number.has_value();
+    numbers.push_back(number.value_or(0.0));
+  }
+  if (!is_number || numbers.size() != count)
+    throw UsageError(badValue(name, found->second, allowed));
+  return numbers;
 }
 
 std::optional<std::uint64_t>

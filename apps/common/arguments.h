@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -74,6 +75,10 @@ public:
                      const std::vector<std::string>& allowed) const;
 
   std::optional<double> number(const std::string& name, const NumberRange& range) const;
+
+  /** \brief The numbers of e.g. "0,1.5,2"; as many as asked for. */
+  std::optional<std::vector<double>>
+  numbers(const std::string& name, std::size_t count, const std::string& allowed) const;
 
   std::optional<std::uint64_t>
   integer(const std::string& name, std::uint64_t least, std::uint64_t most) const;

@@ -15,7 +15,6 @@
 
 #include <array>
 #include <optional>
-#include <sstream>
 
 namespace pcl::app {
 namespace {
@@ -35,16 +34,18 @@ struct Box {
   }
 };
 
-Box
+std::optional<Box>
 boxOf(const Arguments& arguments)
 {
   const std::string allowed =
       "six numbers of metres, X1,Y1,Z1,X2,Y2,Z2, the first three below the others";
-  const std::vector<double> numbers = numbersOf(arguments, "box", 6, allowed);
+  const auto numbers = arguments.numbers("box", 6, allowed);
+  if (!numbers)
+    return std::nullopt;
   Box box;
   for (std::size_t c = 0; c < 3; ++c) {
-    box.low[c] = numbers[c];
-    box.high[c] = numbers[c + 3];
+    box.low[c] = (*numbers)[c];
+    box.high[c] = (*numbers)[c + 3];
     if (!(box.low[c] < box.high[c]))
       throw UsageError("-box '" + arguments.text("box") + "': allowed is " + allowed);
   }
@@ -52,26 +53,6 @@ boxOf(const Arguments& arguments)
 }
 
 } // namespace
-
-std::vector<double>
-numbersOf(const Arguments& arguments,
-          const std::string& option,
-          std::size_t count,
-          const std::string& allowed)
-{
-  std::vector<double> numbers;
-  std::istringstream words(arguments.text(option) + ',');
-  for (std::string word; std::getline(words, word, ',');) {
-    const auto number = parseNumber(word);
-    if (!number)
-      break;
-    numbers.push_back(*number);
-  }
-  if (numbers.size() != count || words.peek() != std::istringstream::traits_type::eof())
-    throw UsageError("-" + option + " '" + arguments.text(option) + "': allowed is " +
-                     allowed);
-  return numbers;
-}
 
 void
 addSelectionOptions(CommandLine& command_line)
@@ -88,8 +69,7 @@ checkSelection(const Arguments& arguments)
     throw UsageError("-field '" + arguments.text("field") + "' and -value '" +
                      arguments.text("value") + "': allowed is both or neither");
   arguments.integer("value", 0, most_label);
-  if (arguments.has("box"))
-    boxOf(arguments);
+  boxOf(arguments);
 }
 
 pcl::IndicesPtr
@@ -103,9 +83,7 @@ selectedPoints(const CloudFile& file,
     labels = labelsOf(file, arguments.text("field"));
     label = *arguments.integer("value", 0, most_label);
   }
-  std::optional<Box> box;
-  if (arguments.has("box"))
-    box = boxOf(arguments);
+  const std::optional<Box> box = boxOf(arguments);
   auto selected = pcl::make_shared<pcl::Indices>();
   for (std::size_t i = 0; i < points.size(); ++i)
     if (pcl::isFinite(points[i]) && (labels.empty() || labels[i] == label) &&

@@ -29,11 +29,4 @@ pcl::IndicesPtr selectedPoints(const CloudFile& file,
                                const pcl::PointCloud<pcl::PointXYZ>& points,
                                const Arguments& arguments);
 
-/** \brief The numbers of an option, e.g. "0,1.5,2"; as many as asked for.
- * \throws UsageError if they are not */
-std::vector<double> numbersOf(const Arguments& arguments,
-                              const std::string& option,
-                              std::size_t count,
-                              const std::string& allowed);
-
 } // namespace pcl::app

@@ -10,14 +10,14 @@
 #include "common/errors.h"
 #include "window.h"
 
-// In the place of window.cpp where PCL has no visualization.
+// In the place of window.cpp where there is no X11, or PCL has no visualization.
 namespace pcl::app {
 
 void
 requireDisplay()
 {
   throw InputError("built without PCL's visualization: to draw, install PCL with it "
-                   "(Debian: libpcl-dev), configure with "
+                   "and X11 (Debian: libpcl-dev, libx11-dev), configure with "
                    "-DPCL_SHAPE_WITH_VISUALIZATION=ON and build again");
 }
 

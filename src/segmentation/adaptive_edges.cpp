@@ -11,6 +11,7 @@
 #include "../kernels/parallel.h"
 #include "adaptive_inad.h"
 #include "crease_votes.h"
+#include "median.h"
 #include "point_grid.h"
 
 #include <pcl/segmentation/adaptive_detection.h>
@@ -90,12 +91,10 @@ findEdges(const AdaptiveInput& input, const ShapeModel& model)
     edges.likelihood.push_back(std::isnan(e) ? std::numeric_limits<float>::quiet_NaN()
                                              : 0.0f);
 
-  std::vector<float> sorted = edges.spacings;
-  std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
-  const float median = sorted[sorted.size() / 2];
-  const PointGrid grid(input.points, 2.0f * median);
+  const float spacing = median(edges.spacings);
+  const PointGrid grid(input.points, 2.0f * spacing);
   const std::vector<Vote> votes = collectVotes(input, edges, evidence, grid);
-  markBands(countVotes(votes, median, input.threads), grid, edges);
+  markBands(countVotes(votes, spacing, input.threads), grid, edges);
   return edges;
 }
 

@@ -9,6 +9,7 @@
 
 #include "crease_corners.h"
 
+#include "crease_positions.h"
 #include "crease_votes.h"
 
 #include <Eigen/Geometry>
@@ -28,14 +29,6 @@ constexpr float ring_fits = 2.0f;    // and one to two, where they see two
 constexpr float line_spacings = 1.5f;
 constexpr float other_direction = 0.7071f; // cosine of 45 degrees
 constexpr std::size_t least_points = 3;    // of each of a corner's creases
-
-XYZView
-positionsOf(const std::vector<CreasePoint>& creases)
-{
-  return {creases.empty() ? nullptr : creases[0].position.data(),
-          sizeof(CreasePoint) / sizeof(float),
-          creases.size()};
-}
 
 /** True if so many of them are more than 45 degrees from so many others. */
 bool

@@ -8,6 +8,7 @@
  */
 
 #include "crease_nodes.h"
+#include "median.h"
 #include "point_grid.h"
 #include "polyline.h"
 

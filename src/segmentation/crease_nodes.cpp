@@ -9,6 +9,7 @@
 
 #include "crease_nodes.h"
 
+#include "median.h"
 #include "point_grid.h"
 
 #include <Eigen/Eigenvalues>
@@ -142,9 +143,7 @@ nodeOf(const std::vector<Point>& points,
     node.beyond = std::max(node.beyond, along);
     angles.push_back(points[k].angle);
   }
-  const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
-  std::nth_element(angles.begin(), middle, angles.end());
-  node.angle = *middle;
+  node.angle = median(std::move(angles));
   return node;
 }
 

@@ -11,6 +11,7 @@
 
 #include "../kernels/finite.h"
 #include "../kernels/parallel.h"
+#include "median.h"
 #include "point_grid.h"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ public:
   : input_(input)
   , edges_(edges)
   , classes_(classes)
-  , spacing_(medianSpacing(edges.spacings))
+  , spacing_(median(edges.spacings))
   , nodes_(chooseNodes(evidence))
   , grid_(positionsOf(nodes_), 0.5f * reach_spacings * spacing_)
   {}
@@ -65,15 +66,6 @@ private:
     float weight;
   };
   using Neighbors = std::vector<std::vector<Neighbor>>;
-
-  static float
-  medianSpacing(std::vector<float> spacings)
-  {
-    const auto middle =
-        spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
-    std::nth_element(spacings.begin(), middle, spacings.end());
-    return *middle;
-  }
 
   bool
   isKnown(const std::vector<float>& evidence, std::size_t i) const

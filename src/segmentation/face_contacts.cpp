@@ -11,6 +11,7 @@
 
 #include "../kernels/parallel.h"
 #include "face_meetings.h"
+#include "median.h"
 #include "primitive_geometry.h"
 
 #include <algorithm>
@@ -165,9 +166,7 @@ faceContacts(const InstanceInput& input,
       contact.concave += std::max(0.0f, -bends[end].convexity);
       gaps.push_back(bends[end].gap);
     }
-    const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
-    std::nth_element(gaps.begin(), middle, gaps.end());
-    if (*middle > 1.0f) {
+    if (median(std::move(gaps)) > 1.0f) {
       contact.concave += contact.convex;
       contact.convex = 0.0f;
     }

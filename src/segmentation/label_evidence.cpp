@@ -9,13 +9,14 @@
 
 #include "../kernels/finite.h"
 #include "../kernels/parallel.h"
+#include "crease_positions.h"
+#include "median.h"
 #include "point_grid.h"
 
 #include <pcl/segmentation/label_confidence.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace pcl::detail {
 namespace {
@@ -37,29 +38,6 @@ logOdds(float likelihood)
   return std::clamp(std::log(likelihood / (1.0f - likelihood)), least_edge, most_edge);
 }
 
-XYZView
-positionsOf(const std::vector<CreasePoint>& creases)
-{
-  return {creases.empty() ? nullptr : creases[0].position.data(),
-          sizeof(CreasePoint) / sizeof(float),
-          creases.size()};
-}
-
-float
-medianOf(const std::vector<float>& spacings)
-{
-  std::vector<float> known;
-  std::copy_if(spacings.begin(),
-               spacings.end(),
-               std::back_inserter(known),
-               [](float s) { return std::isfinite(s); });
-  if (known.empty())
-    return 1.0f;
-  const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
-  std::nth_element(known.begin(), middle, known.end());
-  return *middle;
-}
-
 /** Of the normals, in spacings, which grows with the noise. */
 float
 logNormalRadius(double noise)
@@ -73,9 +51,9 @@ public:
   explicit Evidence(const LabelInput& input)
   : input_(input)
   , edge_label_(static_cast<std::uint32_t>(input.surfaces.likelihoods.size() + 1))
-  , grid_(input.points, 2.0f * medianOf(input.surfaces.spacings))
+  , grid_(input.points, 2.0f * medianSpacing(input.surfaces.spacings))
   , creases_(positionsOf(input.surfaces.creases),
-             2.0f * medianOf(input.surfaces.spacings))
+             2.0f * medianSpacing(input.surfaces.spacings))
   , log_normal_radius_(logNormalRadius(input.surfaces.noise))
   {
     for (std::size_t i = 0; i < input.points.size; ++i)

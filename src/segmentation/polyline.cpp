@@ -71,12 +71,4 @@ lengthOf(const std::vector<Vector3f>& line)
   return length;
 }
 
-float
-median(std::vector<float> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 } // namespace pcl::segmentation

@@ -23,7 +23,4 @@ std::vector<Eigen::Vector3f> simplified(const std::vector<Eigen::Vector3f>& line
 
 float lengthOf(const std::vector<Eigen::Vector3f>& line);
 
-/** \brief The middle one of some values, at least one. */
-float median(std::vector<float> values);
-
 } // namespace pcl::segmentation

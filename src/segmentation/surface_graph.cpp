@@ -12,6 +12,7 @@
 #include "../kernels/finite.h"
 #include "../kernels/parallel.h"
 #include "disjoint_sets.h"
+#include "median.h"
 #include "surface_nodes.h"
 #include "surface_split.h"
 
@@ -155,15 +156,7 @@ private:
 float
 medianSpacing(const InstanceInput& input)
 {
-  std::vector<float> sorted;
-  for (const float spacing : input.spacings)
-    if (std::isfinite(spacing))
-      sorted.push_back(spacing);
-  if (sorted.empty())
-    return 1.0f;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  return *middle;
+  return medianSpacing(input.spacings);
 }
 
 float

@@ -9,6 +9,8 @@
 
 #include "surface_piece.h"
 
+#include "median.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -46,9 +48,7 @@ medianNoise(const std::vector<SurfaceNode>& nodes)
   std::vector<float> noises;
   for (const SurfaceNode& node : nodes)
     noises.push_back(node.noise);
-  const auto middle = noises.begin() + static_cast<std::ptrdiff_t>(noises.size() / 2);
-  std::nth_element(noises.begin(), middle, noises.end());
-  return *middle;
+  return median(std::move(noises));
 }
 
 } // namespace

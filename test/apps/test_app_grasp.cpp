@@ -125,7 +125,9 @@ TEST_F(AppGrasp, RefusesABadCommandLine)
       {{"-box", "0,0,0,1,1,x"}, {"-box", "six numbers"}},
       {{"-box", "0,0,0,1,1,1,1"}, {"-box", "six numbers"}},
       {{"-box", "0,0,0,1,0,1"}, {"-box", "below"}},
+      {{"-box", "0,0,0,1,1,1,x"}, {"-box", "six numbers"}},
       {{"-viewpoint", "1,2"}, {"-viewpoint", "three numbers"}},
+      {{"-viewpoint", "1,2,3,"}, {"-viewpoint", "three numbers"}},
       {{"-json", cloud}, {"-json", cloud, "another file"}},
       {{"-cup", "1"}, {"-cup"}}};
   for (const auto& [options, words] : bad) {

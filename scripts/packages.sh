@@ -1,0 +1,26 @@
+# What scripts ask of Debian packages; to be sourced.
+
+# is_installed PACKAGE: in some architecture, if the name has none.
+is_installed() {
+  local states
+  states=$(dpkg-query --show --showformat='${db:Status-Status}\n' "$1" 2>/dev/null || true)
+  grep -qx installed <<<"$states"
+}
+
+# require_packages [--architecture A] PACKAGE...: if some are missing say how to install them
+# and exit with status 2.
+require_packages() {
+  local before='' package missing=()
+  if [[ $1 == --architecture ]]; then
+    before="dpkg --add-architecture $2 && apt-get update && "
+    shift 2
+  fi
+  for package in "$@"; do
+    is_installed "$package" || missing+=("$package")
+  done
+  if [[ ${#missing[@]} -gt 0 ]]; then
+    echo "missing: ${missing[*]}; to install them:" >&2
+    echo "  ${before}apt-get install --no-install-recommends ${missing[*]}" >&2
+    exit 2
+  fi
+}
