@@ -37,7 +37,8 @@ namespace pcl {
  * Bad settings (a null or empty cloud or search surface, one without a finite point,
  * normals of another number than the surface's points, an index out of range, both or
  * neither of radius and k, a radius that is not positive and finite, k above the number
- * of finite points) are reported by PCL_ERROR and give an empty output.
+ * of finite points, an outlier rate that is negative or not finite) are reported by
+ * PCL_ERROR and give an empty output.
  *
  * \ingroup features
  */
