@@ -8,6 +8,7 @@ by default. A table stands between <!-- begin NAME --> and <!-- end NAME -->.
 import json
 import pathlib
 import sys
+import textwrap
 
 from benchmark_tables import rewrite, table
 
@@ -89,8 +90,10 @@ def losses(runs):
         if quick:
             found.append("less time: " + ", ".join(quick))
         title = f"- **{GROUPS[group]}, {task}.** "
-        lines.append(title + (". ".join(one[0].upper() + one[1:] for one in found) + "."
-                              if found else "Nowhere in this table."))
+        text = title + (". ".join(one[0].upper() + one[1:] for one in found) + "."
+                        if found else "Nowhere in this table.")
+        lines.append(textwrap.fill(text, 100, subsequent_indent="  ", break_long_words=False,
+                                   break_on_hyphens=False))
     return "\n".join(lines)
 
 

@@ -21,12 +21,13 @@ using KeypointsOf = std::function<Cloud::Ptr(const Cloud::ConstPtr&)>;
 /** \brief The median distance of a point to the nearest other one, metres. */
 float spacingOf(const Cloud& cloud);
 
-/** \brief Points of creases, four spacings apart. */
+/** \brief Points of creases, four local spacings (see AdaptiveRadius) apart. */
 Cloud::Ptr creaseKeypoints(const Cloud::ConstPtr& cloud, unsigned threads);
 
 /** \brief About this many points at equal distances. */
 Cloud::Ptr uniformKeypoints(const Cloud::ConstPtr& cloud, std::size_t count);
 
 /** \brief Intrinsic Shape Signatures (Zhong 2009), with the radii of PCL's
- * documentation: 6 spacings, and 4 for the suppression of others. */
+ * documentation: 6 spacings, and 4 for the suppression of others.
+ * \param[in] spacing that of spacingOf() */
 Cloud::Ptr issKeypoints(const Cloud::ConstPtr& cloud, float spacing, unsigned threads);

@@ -20,7 +20,7 @@ namespace pcl::segmentation {
 namespace {
 
 constexpr std::uint32_t ring_octaves = 16; // of the squared range: 1 to 256
-constexpr std::uint32_t sectors = 256;     // half as wide as cells are deep
+constexpr std::uint32_t sectors = 256;     // about half as wide as cells are deep
 // An evenly sampled disc has half of its points within 0.73 of the range of 95 %, a
 // straight road 0.53. A spinning laser has the same number in each octave of elevation.
 constexpr double laser_ratio = 0.47;

@@ -19,7 +19,8 @@
 namespace pcl::segmentation {
 
 // A squared range as a float: its exponent and three bits of its mantissa are a scale
-// of 8 steps an octave, 16 an octave of the range: cells 4 % deeper than the last one.
+// of 8 steps an octave, 16 an octave of the range: cells are 3.3 to 6.1 % of the range
+// deep, 4.4 % in the mean.
 constexpr int key_shift = 20;
 constexpr int keys_an_octave = 8;
 constexpr std::uint32_t keys = 1U << (31 - key_shift);

@@ -17,7 +17,8 @@ namespace pcl::detail {
 
 /** \brief While there is one, PCL is silent: it reports samples that it rejects as
  * errors, and they are none. The level is the whole process's: the first one keeps it,
- * the last one sets it again. Make one around parallel calls, not in them. */
+ * the last one sets it again, under a lock, which PCL does not take to read it. Make
+ * one around parallel calls, not in them. */
 class Quiet {
 public:
   Quiet()

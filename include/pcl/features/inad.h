@@ -26,17 +26,19 @@ namespace pcl {
  * normals, of rotation and of translation. On a plane it is (0, 0).
  *
  * Without a search method the neighbors come from pcl::NeighborhoodSweep, which is much
- * faster than a tree; a method given with setSearchMethod() is used as it is. Normals
- * belong to the search surface (setSearchSurface(), else the input). NaN where the
- * point or its normal is not finite, or with fewer than five neighbors or neighbors on
- * a line or a point; the output is then not dense.
+ * faster than a tree; a method given with setSearchMethod() is used as it is, by
+ * several threads at once: one that does not allow that needs setNumberOfThreads(1).
+ * Normals belong to the search surface (setSearchSurface(), else the input). NaN where
+ * the point or its normal is not finite, or with fewer than five neighbors or neighbors
+ * on a line or a point; the output is then not dense.
  *
  * The radius is in metres, or as setRadiusMode() says (see AdaptiveRadius).
  *
  * Bad settings (a null or empty cloud or search surface, one without a finite point,
  * normals of another number than the surface's points, an index out of range, both or
  * neither of radius and k, a radius that is not positive and finite, k above the number
- * of finite points) are reported by PCL_ERROR and give an empty output.
+ * of finite points, an outlier rate that is negative or not finite) are reported by
+ * PCL_ERROR and give an empty output.
  *
  * \ingroup features
  */

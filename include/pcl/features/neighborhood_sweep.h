@@ -81,10 +81,12 @@ struct NeighborhoodSize {
  * the order of the points, nor on the number of threads, nor on points further away.
  *
  * Fewer than five neighbors besides the point itself, or neighbors on a line or a
- * point, give NaN. All methods throw std::invalid_argument unless one of radius, radii
- * and k is set, for a radius that is not positive and finite, a k that is not in [1,
- * number of finite surface points], or more than 2^31 - 1 points. Positions are in
- * metres, angles in radians. \ingroup features
+ * point, give NaN. All methods that compute or count throw std::invalid_argument unless
+ * exactly one of radius, radii and k is set, for a radius that is not positive and
+ * finite, a k that is not in [1, number of finite surface points], or more than
+ * 2^31 - 1 points or queries. computeINAD() also does for normals of another number
+ * than the surface's points, and for an outlier rate that is negative or not finite.
+ * Positions are in metres, angles in radians. \ingroup features
  */
 class PCL_SHAPE_EXPORTS NeighborhoodSweep {
 public:
@@ -105,7 +107,8 @@ public:
 
   /** \brief Ask about some points of the query cloud only (of the surface, if no
    * queries are set). \param[in] indices of the points, in the order of the results;
-   * not copied, and not checked: all must be below the number of points
+   * not copied, and not checked: from 0 to below the number of points, else what
+   * happens is undefined
    */
   void
   setQueryIndices(const std::int32_t* indices, std::size_t size)

@@ -21,8 +21,10 @@ namespace pcl {
  *
  * Same inputs, same results (normals within 1e-4 rad at the 99th percentile), but
  * without a search method the neighbors come from pcl::NeighborhoodSweep, which is much
- * faster than a tree; a method given with setSearchMethod() is used as it is. Normals
- * are flipped towards the viewpoint: the cloud's sensor origin, or setViewPoint().
+ * faster than a tree; a method given with setSearchMethod() is used as it is, by
+ * several threads at once: one that does not allow that needs setNumberOfThreads(1).
+ * Normals are flipped towards the viewpoint: the cloud's sensor origin, or
+ * setViewPoint().
  *
  * Unlike NormalEstimationOMP, a point with fewer than five neighbors besides itself, or
  * with neighbors on a line or a point, has the normal NaN, and the output is then not

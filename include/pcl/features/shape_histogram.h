@@ -70,7 +70,8 @@ public:
 
   bool sameBins(const ShapeHistogram& other) const;
 
-  /** \brief Count of a bin; mu_bin < muBins(), sigma_bin < sigmaBins(). */
+  /** \brief How many pairs are in a bin. \param[in] mu_bin, sigma_bin below muBins()
+   * and sigmaBins(): it is not checked, and undefined beyond */
   std::uint64_t
   count(std::size_t mu_bin, std::size_t sigma_bin) const
   {

@@ -20,8 +20,8 @@ struct Surfaces {
   std::vector<std::vector<float>> likelihoods; ///< of every class; NaN unknown
   std::vector<float> edge_likelihood;          ///< NaN unknown
   pcl::PointCloud<pcl::Normal> normals;        ///< towards the origin; NaN unknown
-  std::vector<float> spacings;                 ///< of the points there, metres
-  double noise = 0.0;                          ///< of the cloud, in spacings
+  std::vector<float> spacings;                 ///< see AdaptiveRadius, metres
+  double noise = 0.0;                          ///< of the cloud, in spacings, 0 to 0.3
   std::vector<CreasePoint> creases;
 };
 

@@ -88,7 +88,8 @@ public:
   }
 
   /** \brief Find neighbors with this instead of the much faster pcl::NeighborhoodSweep.
-   * It is asked by several threads at once. */
+   * It is asked by several threads at once: one that does not allow that needs
+   * setNumberOfThreads(1). */
   void
   setSearchMethod(const SearchPtr& search)
   {
@@ -143,8 +144,9 @@ public:
     outlier_rate_ = rate;
   }
 
-  /** \brief The surfaces to look for. Without: the default model if isAdaptive(), else
-   * an ideal plane. */
+  /** \brief The surfaces, or the edge and the rest, to look for. Without, if
+   * isAdaptive(): ShapeModel::defaultSurfaces(), of ShapeEdgeDetection
+   * ShapeModel::defaultEdges(); else an ideal plane. */
   void
   setModel(const ShapeModel& model)
   {
@@ -159,7 +161,9 @@ public:
   }
 
   /** \brief The likelihood from which a point belongs to the class of a model with one
-   * histogram, or is on an edge, in [0, 1]; 0.5 by default. */
+   * histogram, in [0, 1]; 0.5 by default. ShapeBackProjection with several classes does
+   * not use it. ShapeEdgeDetection does with any model: a point is an edge if the
+   * likelihood of "planar" is below it, that of "edge" above 1 - threshold. */
   void
   setThreshold(double threshold)
   {

@@ -31,8 +31,11 @@ namespace pcl {
  * The sensor is at the cloud's sensor_origin_. Points with NaN have the likelihood NaN
  * and are no ground. Errors (no cloud, no finite point, bad settings) are reported by
  * PCL_ERROR and give empty outputs; a cloud without ground gives a warning.
- * While it works, PCL's console is silent in the whole process, for samples that RANSAC
- * rejects are errors to PCL.
+ *
+ * While RANSAC runs in compute() and segment(), PCL's console is silent in the whole
+ * process, for samples that it rejects are errors to PCL. Several may run at the same
+ * time; but what other threads report meanwhile is not printed, and a verbosity level
+ * that they set is lost.
  * \ingroup segmentation
  */
 template <typename PointT>

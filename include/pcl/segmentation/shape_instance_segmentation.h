@@ -42,8 +42,12 @@ struct ShapeInstance {
  *
  * Errors (those of ShapeBackProjection; a class that the model does not have;
  * thresholds that are not 0 <= low <= high <= 1; no points wanted) are reported by
- * PCL_ERROR and give empty outputs. While it works, PCL's console is silent in the
- * whole process, for samples that RANSAC rejects are errors to PCL.
+ * PCL_ERROR and give empty outputs.
+ *
+ * While RANSAC runs in segment(), PCL's console is silent in the whole process, for
+ * samples that it rejects are errors to PCL. Several may run at the same time; but what
+ * other threads report meanwhile is not printed, and a verbosity level that they set is
+ * lost.
  * \ingroup segmentation
  */
 template <typename PointT>

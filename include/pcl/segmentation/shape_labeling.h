@@ -56,7 +56,8 @@ public:
   }
 
   /** \brief Find neighbors with this instead of the much faster pcl::NeighborhoodSweep.
-   */
+   * It is asked by several threads at once: one that does not allow that needs
+   * setNumberOfThreads(1). */
   void
   setSearchMethod(const SearchPtr& search)
   {

@@ -111,7 +111,9 @@ public:
     given_surfaces_ = surfaces;
   }
 
-  /** \brief Find neighbors with this instead of pcl::NeighborhoodSweep. */
+  /** \brief Find neighbors with this instead of pcl::NeighborhoodSweep. It is asked by
+   * several threads at once: one that does not allow that needs setNumberOfThreads(1).
+   */
   void
   setSearchMethod(const SearchPtr& search)
   {
