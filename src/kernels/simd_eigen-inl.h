@@ -84,6 +84,21 @@ findSmallestRoots(const double* c1, const double* c0, std::size_t size, double* 
   }
 }
 
+/** \brief Whether a root is the smallest one, with no other close to it. At a multiple
+ * root the slope and the value are both rounding, and a step may go anywhere; the
+ * smallest is at most a third of the trace, and up to there the slope is positive
+ * before the first extremum only. */
+HWY_INLINE MaskOf<Doubles>
+isSimple(DoubleV root, DoubleV c1)
+{
+  const Doubles d;
+  constexpr double least_slope = 1e-5;
+  const auto twice = hn::MulSub(hn::Set(d, 3.0), root, hn::Set(d, 2.0));
+  const auto slope = hn::MulAdd(twice, root, c1);
+  return hn::And(hn::Gt(slope, hn::Set(d, least_slope)),
+                 hn::Lt(root, hn::Set(d, 1.0 / 3.0)));
+}
+
 /** \brief Vectors, one a lane. */
 struct VectorLanes {
   DoubleV x, y, z, squared_length;
@@ -156,7 +171,9 @@ normalsOfCovariances(const BlockCovariances& covariances,
     const auto is_safe =
         hn::And(hn::Gt(v.squared_length, hn::Set(d, 1e-16)),
                 hn::Gt(q, hn::Mul(hn::Set(d, 4.0 * line_ratio), hn::Mul(s, s))));
-    hn::Store(hn::IfThenElseZero(is_safe, hn::Set(d, 1.0)), d, safe + i);
+    const auto is_simple = isSimple(root, m.c1);
+    hn::Store(
+        hn::IfThenElseZero(hn::And(is_safe, is_simple), hn::Set(d, 1.0)), d, safe + i);
   }
   for (std::size_t i = 0; i < size; ++i) {
     results[i] = safe[i] != 0.0 ? NormalResult{static_cast<float>(x[i]),
