@@ -44,6 +44,8 @@ integerScale(const Neighbors& neighbors)
   return std::ldexp(1.0, bits - exponent);
 }
 
+__extension__ using SignedWide = __int128;
+
 /** \brief Covariance of the neighbors' offsets from the query, from exact sums of
  * integers: the order of the neighbors does not matter. */
 Symmetric3
@@ -59,10 +61,11 @@ covarianceOf(const Neighbors& neighbors)
     xx += dx * dx, xy += dx * dy, xz += dx * dz;
     yy += dy * dy, yz += dy * dz, zz += dz * dz;
   }
-  const double m = 1.0 / static_cast<double>(neighbors.size());
-  const auto central = [m](std::int64_t ab, std::int64_t a, std::int64_t b) {
-    return m * (static_cast<double>(ab) -
-                m * static_cast<double>(a) * static_cast<double>(b));
+  const auto count = static_cast<std::int64_t>(neighbors.size());
+  const double m = 1.0 / static_cast<double>(count);
+  // Exact until here: points that are all at one place have no variance.
+  const auto central = [=](std::int64_t ab, std::int64_t a, std::int64_t b) {
+    return m * m * static_cast<double>(SignedWide{count} * ab - SignedWide{a} * b);
   };
   return {central(xx, sx, sx),
           central(xy, sx, sy),

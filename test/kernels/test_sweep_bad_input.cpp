@@ -96,6 +96,28 @@ TEST_P(SweepBadInput, BadPointsAreAsIfTheyWereNotThere)
   }
 }
 
+/** \brief Neighbors that are all at one place, but not where the query is. */
+TEST_P(SweepBadInput, HeapsBesideAQueryAreUnknown)
+{
+  // A mean that is rounded would leave a variance here.
+  const float place[] = {0.856247663f, 0.993506908f, -0.78467226f};
+  const float query[] = {0.633670211f, -0.0947113633f, 0.18874526f};
+  for (std::size_t count = 5; count < 125; ++count) {
+    Surface heap;
+    for (std::size_t i = 0; i < count; ++i) {
+      heap.xyz.insert(heap.xyz.end(), place, place + 3);
+    }
+    NeighborhoodSweep sweep(heap.points());
+    sweep.setQueries({query, 3, 1});
+    for (const auto& size :
+         {NeighborhoodSize::ofRadius(4.0), NeighborhoodSize::ofNearest(count)}) {
+      std::vector<float> normal(4, 0.0f);
+      EXPECT_FALSE(sweep.computeNormals(size, normal.data(), &normal[3], 4));
+      EXPECT_TRUE(std::isnan(normal[0]) && std::isnan(normal[3])) << count;
+    }
+  }
+}
+
 TEST_P(SweepBadInput, FarOutliersAreUnknown)
 {
   Surface cloud = plane_;
