@@ -10,11 +10,13 @@
 #pragma once
 
 #include <algorithm>
+#include <tuple>
 
 namespace pcl::kernels {
 
 /** \brief Whether offsets from a point spread over a surface: false if they all lie
- * within 1/1000 of the longest one's length from that one's line, or are all 0.
+ * within 1/1000 of the longest one's length from that one's line, or are all 0. Of
+ * equally long ones the coordinates decide, not the order that they come in.
  *
  * \tparam Offsets of members dx, dy, dz and d2 = dx^2 + dy^2 + dz^2
  */
@@ -22,10 +24,10 @@ template <typename Offsets>
 bool
 spansSurface(const Offsets& offsets)
 {
-  const auto longest =
-      std::max_element(offsets.begin(),
-                       offsets.end(),
-                       [](const auto& a, const auto& b) { return a.d2 < b.d2; });
+  const auto longest = std::max_element(
+      offsets.begin(), offsets.end(), [](const auto& a, const auto& b) {
+        return std::tie(a.d2, a.dx, a.dy, a.dz) < std::tie(b.d2, b.dx, b.dy, b.dz);
+      });
   if (longest == offsets.end()) {
     return false;
   }

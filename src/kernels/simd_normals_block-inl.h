@@ -135,6 +135,14 @@ groupOf(const SweepBlock& block, const int* levels, std::size_t query)
  * are too few units apart, and are left to the portable kernel. */
 constexpr double least_trace = 1 << 26;
 
+/** \brief Squared, what follows from the neighbors alone: of k nearest points, r2 is
+ * above the k-th's unless another one is as far. */
+HWY_INLINE float
+reach2Of(const SweepBlock& block, std::size_t i)
+{
+  return block.kth_d2[i] > 0.0f ? block.kth_d2[i] : block.r2[i];
+}
+
 /** \brief From exact sums: in whatever order. */
 HWY_NOINLINE void
 exactNormals(const SweepBlock& block, NormalResult* results)
@@ -143,10 +151,8 @@ exactNormals(const SweepBlock& block, NormalResult* results)
   int levels[block_size];
   bool done[block_size] = {};
   for (std::size_t i = 0; i < block.size; ++i) {
-    const bool is_as_before = i > 0 && block.r2[i] == block.r2[i - 1] &&
-                              block.tie_d2[i] == block.tie_d2[i - 1];
-    levels[i] =
-        is_as_before ? levels[i - 1] : levelOf(std::max(block.r2[i], block.tie_d2[i]));
+    const bool is_as_before = i > 0 && reach2Of(block, i) == reach2Of(block, i - 1);
+    levels[i] = is_as_before ? levels[i - 1] : levelOf(reach2Of(block, i));
   }
   const NearClusters near(block);
   const bool on_surface = block.queries_on_surface;

@@ -124,6 +124,34 @@ TEST_P(SweepLimits, OnlyNeighborsBesideALineMakeASurface)
   }
 }
 
+TEST_P(SweepLimits, AnEquallyFarPointThatIsNotANeighborChangesNothing)
+{
+  // The 10th of the nearest is as far as can be below a power of 4, of which units are
+  // a fraction.
+  const float edge2 = std::nextafter(0.25f, 0.0f), x = std::nextafter(0.5f, 0.0f);
+  float y = 1e-4f;
+  while (x * x + y * y < edge2) {
+    y = std::nextafter(y, 1.0f);
+  }
+  ASSERT_EQ(edge2, x * x + y * y);
+  Surface cloud;
+  cloud.add({{0, 0, 0}, {0, 0, 1}});
+  for (int i = 0; i < 8; ++i) {
+    const double of[] = {random_.uniform(-0.3, 0.3), random_.uniform(-0.3, 0.3)};
+    cloud.add({{of[0], of[1], random_.uniform(-0.1, 0.1)}, {0, 0, 1}});
+  }
+  cloud.add({{x, y, 0}, {0, 0, 1}});
+  const auto normalOfFirst = [&] {
+    const NeighborhoodSweep sweep(cloud.points());
+    auto normals = sweptNormals(sweep, NeighborhoodSize::ofNearest(10));
+    normals.resize(4);
+    return normals;
+  };
+  const auto alone = normalOfFirst();
+  cloud.add({{-x, -y, 0}, {0, 0, 1}});
+  EXPECT_EQ(alone, normalOfFirst());
+}
+
 TEST_P(SweepLimits, OfNoQueriesAllResultsAreFinite)
 {
   const Surface cloud = plane(100, 0.1, random_);
