@@ -162,6 +162,10 @@ run(const Arguments& arguments)
                    convention == "paper" ? Convention::paper : Convention::strict,
                    predicted,
                    truth);
+  if (!selected.copied_field.empty())
+    logLine(arguments.app() + ": " + operands[0] + ": warning: field '" +
+            selected.copied_field + "' is the same as in " + operands[1] +
+            " at all points; was it copied with the cloud instead of predicted?");
   std::optional<AtomicFile> outcomes;
   if (arguments.has("out"))
     writeOutcomes(

@@ -18,7 +18,7 @@
 #include <pcl/segmentation/suction_grasp_estimation.h>
 
 #include <cstdio>
-#include <optional>
+#include <sstream>
 
 namespace {
 
@@ -42,14 +42,28 @@ makeEstimation(const Arguments& arguments, Report& report)
                               .value_or(estimation.getCupRadius()));
   estimation.setCompliance(
       arguments.number("compliance", probability).value_or(estimation.getCompliance()));
-  estimation.setMaximumGrasps(
-      arguments.integer("max_grasps", 1, most_grasps).value_or(default_grasps));
+  const std::uint64_t max_grasps =
+      arguments.integer("max_grasps", 1, most_grasps).value_or(default_grasps);
+  estimation.setMaximumGrasps(max_grasps);
   estimation.setNumberOfThreads(arguments.threads());
   report.setText("parameters", "surface", surface);
   report.setNumber("parameters", "cup_radius", estimation.getCupRadius());
   report.setNumber("parameters", "compliance", estimation.getCompliance());
+  report.setCount("parameters", "max_grasps", max_grasps);
   report.setCount("parameters", "threads", arguments.threads());
   return estimation;
+}
+
+void
+reportViewPoint(const CloudFile& file, const Arguments& arguments, Report& report)
+{
+  if (arguments.has("viewpoint")) {
+    report.setText("parameters", "viewpoint", arguments.text("viewpoint"));
+    return;
+  }
+  std::ostringstream text;
+  text << file.viewpoint[0] << ',' << file.viewpoint[1] << ',' << file.viewpoint[2];
+  report.setText("parameters", "viewpoint", text.str());
 }
 
 void
@@ -65,8 +79,7 @@ setViewPoint(Estimation& estimation, const CloudFile& file, const Arguments& arg
                           static_cast<float>((*numbers)[2]));
 }
 
-/** \return nothing if the reason was given on standard error */
-std::optional<Grasps>
+Grasps
 findGrasps(Estimation& estimation, const CloudFile& file, const Arguments& arguments)
 {
   const auto points = pointsOf(file);
@@ -74,7 +87,9 @@ findGrasps(Estimation& estimation, const CloudFile& file, const Arguments& argum
   estimation.setIndices(selectedPoints(file, *points, arguments));
   setViewPoint(estimation, file, arguments);
   Grasps grasps;
-  return estimation.compute(grasps) ? std::optional<Grasps>(grasps) : std::nullopt;
+  if (!estimation.compute(grasps))
+    throw InputError(file.path + ": refused for the reason given above");
+  return grasps;
 }
 
 void
@@ -109,12 +124,11 @@ run(const Arguments& arguments)
   checkJsonPath(arguments, {path});
 
   const CloudFile file = report.time("read", [&] { return readCloud(path); });
+  reportViewPoint(file, arguments, report);
+  reportSelection(arguments, report);
   reportPoints(*pointsOf(file), report);
-  const std::optional<Grasps> found =
+  const Grasps grasps =
       report.time("grasps", [&] { return findGrasps(estimation, file, arguments); });
-  if (!found)
-    return 1;
-  const Grasps& grasps = *found;
   std::uint64_t sealing = 0;
   for (const pcl::SuctionGrasp& grasp : grasps)
     sealing += grasp.seals() ? 1 : 0;

@@ -245,6 +245,8 @@ selectPoints(const std::string& task_name,
     selected.indices.push_back(i);
     selected.unknown += unknown[i];
   }
+  if (!of_scene && predictions == truths)
+    selected.copied_field = task.predicted_field;
   if (selected.points.empty())
     throw InputError(
         truth.path + ": field '" + task.truth_field +

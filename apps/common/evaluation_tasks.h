@@ -27,6 +27,9 @@ struct TaskPoints {
   std::vector<std::size_t> indices; ///< of these points in the cloud
   std::vector<ClassScore> classes;  ///< the task's own first; none for instances
   std::uint64_t unknown = 0;        ///< of the points, predictions without a class
+  /** The predicted field has the truth's values at all points, also at those left out:
+   * it may be a copy of it. Empty if not. */
+  std::string copied_field;
 };
 
 /** \brief The tasks' names. */

@@ -38,6 +38,13 @@ radiusMode(const Arguments& arguments)
   return scale == "density" ? AdaptiveRadius::DENSITY : AdaptiveRadius::FIXED;
 }
 
+std::string
+nameOfScale(AdaptiveRadius::RadiusMode mode)
+{
+  const char* const scales[] = {"fixed", "depth", "density"};
+  return scales[mode];
+}
+
 bool
 hasInadParameters(const Arguments& arguments)
 {
@@ -89,8 +96,7 @@ reportParameters(const INADParameters& parameters, Report& report)
     report.setNumber("parameters", "normal_radius", parameters.normal_radius);
     report.setNumber("parameters", "radius", parameters.radius);
   }
-  const char* const scales[] = {"fixed", "depth", "density"};
-  report.setText("parameters", "scale", scales[parameters.radius_mode]);
+  report.setText("parameters", "scale", nameOfScale(parameters.radius_mode));
   report.setNumber("parameters", "outlier_rate", parameters.outlier_rate);
 }
 

@@ -27,6 +27,9 @@ void addInadOptions(CommandLine& command_line);
 /** \brief -scale, fixed by default. */
 AdaptiveRadius::RadiusMode radiusMode(const Arguments& arguments);
 
+/** \brief What -scale calls it. */
+std::string nameOfScale(AdaptiveRadius::RadiusMode mode);
+
 /** \brief Whether one of the options that addInadOptions() added, but -use_normals and
  * -scale, is given. */
 bool hasInadParameters(const Arguments& arguments);

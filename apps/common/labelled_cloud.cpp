@@ -11,6 +11,7 @@
 
 #include "errors.h"
 #include "filter_app.h"
+#include "inad_options.h"
 #include "kitti_file.h"
 #include "model_file.h"
 #include "pcd_writer.h"
@@ -83,11 +84,15 @@ labelSettings(const Arguments& arguments)
   const std::string path = arguments.text("model");
   settings.model = loadModel(path);
   requireNames(*settings.model, path);
-  if (settings.model->parameters().radius_mode != AdaptiveRadius::DENSITY ||
-      settings.model->classes().size() < 2)
-    throw InputError(
-        path + ": has " + std::to_string(settings.model->classes().size()) +
-        " classes: allowed is a model of several, made with -scale density");
+  const std::string allowed =
+      ": allowed is a model of several classes, made with -scale density";
+  if (settings.model->classes().size() < 2)
+    throw InputError(path + ": has " +
+                     std::to_string(settings.model->classes().size()) + " class" +
+                     allowed);
+  const auto mode = settings.model->parameters().radius_mode;
+  if (mode != AdaptiveRadius::DENSITY)
+    throw InputError(path + ": is of -scale " + nameOfScale(mode) + allowed);
   return settings;
 }
 

@@ -72,6 +72,17 @@ checkSelection(const Arguments& arguments)
   boxOf(arguments);
 }
 
+void
+reportSelection(const Arguments& arguments, Report& report)
+{
+  if (arguments.has("field")) {
+    report.setText("parameters", "field", arguments.text("field"));
+    report.setCount("parameters", "value", *arguments.integer("value", 0, most_label));
+  }
+  if (arguments.has("box"))
+    report.setText("parameters", "box", arguments.text("box"));
+}
+
 pcl::IndicesPtr
 selectedPoints(const CloudFile& file,
                const pcl::PointCloud<pcl::PointXYZ>& points,

@@ -12,6 +12,7 @@
 #include "arguments.h"
 #include "cloud_file.h"
 #include "command_line.h"
+#include "report.h"
 
 #include <pcl/pcl_base.h>
 
@@ -22,6 +23,9 @@ void addSelectionOptions(CommandLine& command_line);
 
 /** \brief Throws a UsageError for what is wrong with these options. */
 void checkSelection(const Arguments& arguments);
+
+/** \brief Notes these options, where they are given, among the parameters. */
+void reportSelection(const Arguments& arguments, Report& report);
 
 /** \brief The finite points that are selected: all of them without these options.
  * \throws InputError if there is none, or the field is missing or bad */

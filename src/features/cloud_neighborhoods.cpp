@@ -9,6 +9,7 @@
 
 #include "../kernels/finite.h"
 #include "../kernels/parallel.h"
+#include "number_text.h"
 
 #include <pcl/features/impl/cloud_neighborhoods.hpp>
 
@@ -70,8 +71,8 @@ std::string
 problemOfSize(double radius, int k, const XYZView& surface)
 {
   if (radius != 0.0 && k != 0) {
-    return "both radius (" + std::to_string(radius) + " m) and k (" +
-           std::to_string(k) + ") are set: set one of them to 0";
+    return "both radius (" + numberText(radius) + " m) and k (" + std::to_string(k) +
+           ") are set: set one of them to 0";
   }
   if (radius == 0.0 && k == 0) {
     return "neither radius nor k is set: set one of them to a positive number";
@@ -85,8 +86,7 @@ problemOfSize(double radius, int k, const XYZView& surface)
   }
   return radius > 0.0 && std::isfinite(radius)
              ? std::string()
-             : "radius is " + std::to_string(radius) +
-                   " m: it must be positive and finite";
+             : "radius is " + numberText(radius) + " m: it must be positive and finite";
 }
 
 } // namespace
@@ -121,7 +121,7 @@ problemOfOutlierRate(double rate)
 {
   return rate >= 0.0 && std::isfinite(rate)
              ? std::string()
-             : "outlier rate is " + std::to_string(rate) +
+             : "outlier rate is " + numberText(rate) +
                    ": it must be 0 (no rejection) or positive and finite";
 }
 

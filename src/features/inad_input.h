@@ -9,6 +9,8 @@
 
 #pragma once
 
+#include "number_text.h"
+
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -26,7 +28,7 @@ checkINADInput(std::size_t surface, std::size_t normals, double outlier_rate)
                                 std::to_string(surface) + " surface points");
   }
   if (!(outlier_rate >= 0.0) || !std::isfinite(outlier_rate)) {
-    throw std::invalid_argument("outlier rate " + std::to_string(outlier_rate) +
+    throw std::invalid_argument("outlier rate " + detail::numberText(outlier_rate) +
                                 ": it must be 0 (no rejection) or positive");
   }
 }

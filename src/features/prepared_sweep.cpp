@@ -12,6 +12,7 @@
 #include "../kernels/finite.h"
 #include "../kernels/row_width.h"
 #include "../kernels/targets.h"
+#include "number_text.h"
 
 #include <pcl/features/sweep_index.h>
 
@@ -31,7 +32,7 @@ void
 checkRadius(double radius)
 {
   if (!(radius > 0.0) || !std::isfinite(radius)) {
-    throw std::invalid_argument("radius " + std::to_string(radius) +
+    throw std::invalid_argument("radius " + detail::numberText(radius) +
                                 ": it must be positive and finite (metres)");
   }
 }

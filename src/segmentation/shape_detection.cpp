@@ -7,6 +7,7 @@
  * All rights reserved
  */
 
+#include "../features/number_text.h"
 #include "../features/point_types.h"
 
 #include <pcl/impl/instantiate.hpp>
@@ -25,7 +26,7 @@ problemOfModel(const ShapeModel& model,
     return "the model has no class: add() at least one";
   }
   if (!(threshold >= 0.0 && threshold <= 1.0)) {
-    return "threshold is " + std::to_string(threshold) + ": 0 to 1 is allowed";
+    return "threshold is " + numberText(threshold) + ": 0 to 1 is allowed";
   }
   const std::string disagreement = parameters ? model.disagreement(*parameters) : "";
   return disagreement.empty()

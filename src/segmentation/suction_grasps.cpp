@@ -7,6 +7,7 @@
  * All rights reserved
  */
 
+#include "../features/number_text.h"
 #include "cup_placement.h"
 #include "place_merging.h"
 
@@ -89,11 +90,11 @@ std::string
 problemOfCup(const SuctionCup& cup)
 {
   if (!(cup.radius > 0.0) || !std::isfinite(cup.radius))
-    return "cup radius is " + std::to_string(cup.radius) +
+    return "cup radius is " + detail::numberText(cup.radius) +
            " m: it must be positive and finite";
   return cup.compliance >= 0.0 && cup.compliance <= 1.0
              ? std::string()
-             : "compliance is " + std::to_string(cup.compliance) +
+             : "compliance is " + detail::numberText(cup.compliance) +
                    ": 0 to 1 is allowed";
 }
 
@@ -113,9 +114,9 @@ problemOfCup(const SuctionCup& cup, const GraspTarget& target)
   const double least = least_radius * *middle;
   return cup.radius >= least
              ? std::string()
-             : "cup radius is " + std::to_string(cup.radius) +
+             : "cup radius is " + detail::numberText(cup.radius) +
                    " m: the points are too sparse for less than " +
-                   std::to_string(least) + " m, half their median spacing";
+                   detail::numberText(least) + " m, half their median spacing";
 }
 
 std::vector<SuctionGrasp>

@@ -186,14 +186,14 @@ TEST_F(Tasks, CloudsOfOtherSizesAreRefused)
 
 TEST_F(Tasks, PointsElsewhereAreRefused)
 {
-  const auto cloud = [&](const std::string& name, const std::string& x) {
-    return file(
-        name,
-        asciiCloud("x y z edge", "F F F U", {"nan 0 1 1", "0 0 1 1", x + " 0 1 0"}));
+  const auto cloud = [&](const std::string& name, const std::string& last) {
+    return file(name,
+                asciiCloud("x y z edge", "F F F U", {"nan 0 1 1", "0 0 1 1", last}));
   };
-  const std::string truth = cloud("t.pcd", "1"), rounded = cloud("r.pcd", "1.0001");
+  const std::string truth = cloud("t.pcd", "1 0 1 0");
+  const std::string rounded = cloud("r.pcd", "1.0001 0 1 1");
   expectSuccess(runApp("pcl_shape_evaluate", {rounded, truth, "-task", "edge"}));
-  const std::string moved = cloud("m.pcd", "1.01");
+  const std::string moved = cloud("m.pcd", "1.01 0 1 1");
   expectRefused(runApp("pcl_shape_evaluate", {moved, truth, "-task", "edge"}),
                 1,
                 {moved, "point 2", truth, "same order"});
@@ -229,6 +229,22 @@ TEST_F(Tasks, TheAppPrintsATable)
   EXPECT_NE(outcome.out.find("accuracy 0.667"), std::string::npos);
   EXPECT_NE(readFile(path("json")).find("\"f1\": 0.6666666666666666"),
             std::string::npos);
+  EXPECT_TRUE(outcome.err.empty());
+}
+
+TEST_F(Tasks, APredictionThatIsTheTruthItselfIsNoticed)
+{
+  const auto edges = [&](const std::string& name, const std::string& last) {
+    return file(name,
+                asciiCloud("x y z edge", "F F F U", {"0 0 1 1", "0 0 1 0", last}));
+  };
+  const std::string truth = edges("t.pcd", "0 0 1 255");
+  const Outcome copied =
+      runApp("pcl_shape_evaluate", {edges("c.pcd", "0 0 1 255"), truth});
+  EXPECT_EQ(copied.status, 0);
+  for (const char* word : {"warning", "c.pcd", "'edge'", "t.pcd"})
+    EXPECT_NE(copied.err.find(word), std::string::npos) << word;
+  expectSuccess(runApp("pcl_shape_evaluate", {edges("p.pcd", "0 0 1 1"), truth}));
 }
 
 } // namespace

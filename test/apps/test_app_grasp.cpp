@@ -49,6 +49,10 @@ TEST_F(AppGrasp, WritesGraspsWithWhatTheyAreJudgedBy)
   const Json report = graspsOf({plane()});
   EXPECT_EQ(report["app"], app);
   EXPECT_EQ(report["parameters"]["cup_radius"], 0.02);
+  EXPECT_EQ(report["parameters"]["max_grasps"], 10);
+  EXPECT_EQ(report["parameters"]["viewpoint"], "0,0,0");
+  EXPECT_FALSE(report["parameters"].contains("field"));
+  EXPECT_FALSE(report["parameters"].contains("box"));
   EXPECT_EQ(report["counts"]["target_points"], 1600);
   EXPECT_EQ(report["counts"]["grasps"], report["grasps"].size());
   ASSERT_FALSE(report["grasps"].empty());
@@ -84,11 +88,14 @@ TEST_F(AppGrasp, KeepsToTheSelectedPoints)
   for (const auto& [value, sign] : {std::pair{"1", 1.0}, std::pair{"2", -1.0}}) {
     const Json report = graspsOf({cloud, "-field", "label", "-value", value});
     EXPECT_EQ(report["counts"]["target_points"], 800);
+    EXPECT_EQ(report["parameters"]["field"], "label");
+    EXPECT_EQ(report["parameters"]["value"], std::stoi(value));
     ASSERT_EQ(report["grasps"][0]["seals"], true);
     for (const Json& grasp : report["grasps"])
       EXPECT_LT(sign * grasp["position"][0].get<double>(), sign * 0.1);
   }
   const Json boxed = graspsOf({cloud, "-box", "-1,0.1,0,1,1,2"});
+  EXPECT_EQ(boxed["parameters"]["box"], "-1,0.1,0,1,1,2");
   ASSERT_EQ(boxed["grasps"][0]["seals"], true);
   EXPECT_GT(boxed["grasps"][0]["position"][1], 0.12);
 }
@@ -97,6 +104,8 @@ TEST_F(AppGrasp, TakesAViewpointAndAsManyGraspsAsAskedFor)
 {
   const Json report =
       graspsOf({plane(), "-viewpoint", "0.1,0.1,2", "-max_grasps", "1"});
+  EXPECT_EQ(report["parameters"]["viewpoint"], "0.1,0.1,2");
+  EXPECT_EQ(report["parameters"]["max_grasps"], 1);
   ASSERT_EQ(report["grasps"].size(), 1U);
   EXPECT_NEAR(report["grasps"][0]["approach"][2], -1.0, 1e-4);
   EXPECT_TRUE(graspsOf({plane(), "-surface", "curved"})["grasps"].empty());
@@ -148,14 +157,19 @@ TEST_F(AppGrasp, RefusesBadInputAndLeavesNoFile)
       {{cloud, "-field", "instance", "-value", "1"}, {cloud, "instance"}},
       {{cloud, "-field", "label", "-value", "3"},
        {cloud, "label", "3", "no finite point"}},
-      {{cloud, "-box", "5,5,5,6,6,6"}, {cloud, "-box", "no finite point"}},
-      {{cloud, "-cup_radius", "0.0001"}, {"cup radius", "too sparse"}}};
+      {{cloud, "-box", "5,5,5,6,6,6"}, {cloud, "-box", "no finite point"}}};
   for (const auto& [words, parts] : bad) {
     Words all = words;
     all.insert(all.end(), {"-json", json});
     expectRefused(runApp(app, all), 1, parts);
     EXPECT_FALSE(exists(json));
   }
+  const Outcome small = runApp(app, {cloud, "-cup_radius", "0.0000001", "-json", json});
+  EXPECT_EQ(small.status, 1);
+  for (const std::string& part :
+       {cloud, std::string("cup radius is 1e-07 m"), std::string("too sparse")})
+    EXPECT_NE(small.err.find(part), std::string::npos) << part;
+  EXPECT_FALSE(exists(json));
 }
 
 } // namespace

@@ -236,33 +236,29 @@ TEST_F(Label, BadRequestsAreRefused)
   EXPECT_FALSE(exists(out));
 }
 
-TEST_F(Label, OneClassModelsAreRefused)
+TEST_F(Label, ModelsOfOneClassOrAnotherScaleAreRefused)
 {
-  const std::string model = path("m.json");
-  expectSuccess(runApp("pcl_shape_histogram",
-                       {input + "/a.pcd",
-                        model,
-                        "-scale",
-                        "density",
-                        "-radius",
-                        "7",
-                        "-normal_radius",
-                        "5",
-                        "-name",
-                        "planar"}));
-  expectRefused(label({"-model", model}), 1, {model, "allowed"});
-  expectSuccess(runApp("pcl_shape_histogram",
-                       {input + "/b.pcd",
-                        model,
-                        "-scale",
-                        "density",
-                        "-radius",
-                        "7",
-                        "-normal_radius",
-                        "5",
-                        "-name",
-                        "folded"}));
-  ASSERT_EQ(label({"-model", model}).status, 0);
+  const auto learn = [&](const std::string& cloud, const Words& options) {
+    Words words{input + cloud};
+    words.insert(words.end(), options.begin(), options.end());
+    expectSuccess(runApp("pcl_shape_histogram", words));
+  };
+  const auto add = [&](const std::string& model, const Words& scale) {
+    for (const auto& [cloud, name] :
+         {std::pair{"/a.pcd", "planar"}, std::pair{"/b.pcd", "folded"}}) {
+      Words options{model, "-name", name};
+      options.insert(options.end(), scale.begin(), scale.end());
+      learn(cloud, options);
+      if (std::string(name) == "planar")
+        expectRefused(label({"-model", model}), 1, {model, "1 class", "allowed"});
+    }
+  };
+  const std::string metres = path("metres.json"), spacings = path("spacings.json");
+  add(metres, {"-radius", "0.03", "-normal_radius", "0.03"});
+  expectRefused(
+      label({"-model", metres}), 1, {metres, "-scale fixed", "-scale density"});
+  add(spacings, {"-scale", "density", "-radius", "7", "-normal_radius", "5"});
+  ASSERT_EQ(label({"-model", spacings}).status, 0);
   EXPECT_TRUE(manifest()["counts"].contains("folded"));
   EXPECT_NE(manifest()["parameters"]["model"], "default");
 }

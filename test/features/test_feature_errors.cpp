@@ -204,9 +204,10 @@ TEST_F(INADErrors, NormalsOfTheInputInsteadOfTheSearchSurface)
 
 TEST_F(INADErrors, OutlierRate)
 {
-  for (const double rate : {-0.5, nan, infinity}) {
+  for (const auto& [rate, text] :
+       {std::pair{-1e-9, "-1e-09"}, {nan, "nan"}, {infinity, "inf"}}) {
     estimation_.setOutlierRate(rate);
-    expectRefused({"outlier rate is " + std::to_string(rate), "0 (no rejection)"});
+    expectRefused({std::string("outlier rate is ") + text, "0 (no rejection)"});
   }
 }
 
