@@ -87,10 +87,10 @@ TYPED_TEST(DetectionSettings, WithoutAModelAnyRadiiWillDo)
 
 TYPED_TEST(DetectionSettings, Threshold)
 {
-  for (const double threshold : {-0.1, 1.1, nan}) {
+  for (const auto& [threshold, text] :
+       {std::pair(-0.1, "-0.1"), std::pair(1.1, "1.1"), std::pair(nan, "nan")}) {
     this->detection_.setThreshold(threshold);
-    this->expectRefused(
-        {"threshold is " + std::to_string(threshold), "0 to 1 is allowed"});
+    this->expectRefused({std::string("threshold is ") + text, "0 to 1 is allowed"});
   }
 }
 
@@ -111,13 +111,15 @@ TYPED_TEST(DetectionSettings, GivenNormalsAndINADOfAnotherSize)
 
 TYPED_TEST(DetectionSettings, Sizes)
 {
-  for (const double radius : {-0.01, nan, infinity}) {
+  for (const auto& [radius, text] :
+       {std::pair(-0.01, "-0.01"), std::pair(nan, "nan"), std::pair(infinity, "inf")}) {
+    const std::string given = std::string("radius is ") + text;
     TypeParam detection = this->detection_;
     this->detection_.setRadius(radius);
-    this->expectRefused({"radius is " + std::to_string(radius), "positive and finite"});
+    this->expectRefused({given, "positive and finite"});
     this->detection_ = detection;
     this->detection_.setNormalRadius(radius);
-    this->expectRefused({"radius is " + std::to_string(radius), "positive and finite"});
+    this->expectRefused({given, "positive and finite"});
     this->detection_ = detection;
   }
   this->detection_.setKSearch(101);
