@@ -23,11 +23,26 @@ struct Classification {
   std::vector<pcl::PointIndices> members;      ///< one a class
 };
 
+/** \param[in] is_default the model, which tells planar from curved surfaces */
+std::vector<std::vector<float>>
+likelihoodsOf(Detector& detector, bool is_default, Report& report)
+{
+  if (!is_default) {
+    std::vector<std::vector<float>> likelihoods;
+    detector.compute(likelihoods);
+    return likelihoods;
+  }
+  pcl::Surfaces surfaces;
+  detector.classify(surfaces);
+  report.setNumber("", largest_radius, pcl::largestCurvedRadius(surfaces));
+  return std::move(surfaces.likelihoods);
+}
+
 Classification
-classify(Detector& detector, const CloudFile& file)
+classify(Detector& detector, const CloudFile& file, bool is_default, Report& report)
 {
   Classification classes;
-  detector.compute(classes.likelihoods);
+  classes.likelihoods = likelihoodsOf(detector, is_default, report);
   classes.members = detector.classesOf(classes.likelihoods);
   if (classes.likelihoods.empty() || classes.members.empty())
     throw InputError(file.path + ": refused for the reason given above");
@@ -42,8 +57,9 @@ addClasses(CloudFile& file,
 {
   Detector detector;
   prepare(detector, file, settings, arguments, report);
-  const Classification classes =
-      report.time("back_projection", [&] { return classify(detector, file); });
+  const bool is_default = settings.adaptive && !arguments.has("model");
+  const Classification classes = report.time(
+      "back_projection", [&] { return classify(detector, file, is_default, report); });
   const std::vector<std::string> names = detector.getClasses();
 
   std::vector<std::uint32_t> surface(file.size(), 0);

@@ -13,6 +13,7 @@
 #include "common/filter_app.h"
 #include "common/grasps_file.h"
 #include "common/pcd_reader.h"
+#include "common/resolution.h"
 #include "common/selection.h"
 
 #include <pcl/segmentation/suction_grasp_estimation.h>
@@ -45,11 +46,14 @@ makeEstimation(const Arguments& arguments, Report& report)
   const std::uint64_t max_grasps =
       arguments.integer("max_grasps", 1, most_grasps).value_or(default_grasps);
   estimation.setMaximumGrasps(max_grasps);
+  const double resolution = resolutionOf(arguments);
+  estimation.setResolution(resolution);
   estimation.setNumberOfThreads(arguments.threads());
   report.setText("parameters", "surface", surface);
   report.setNumber("parameters", "cup_radius", estimation.getCupRadius());
   report.setNumber("parameters", "compliance", estimation.getCompliance());
   report.setCount("parameters", "max_grasps", max_grasps);
+  reportResolution(resolution, report);
   report.setCount("parameters", "threads", arguments.threads());
   return estimation;
 }
@@ -158,6 +162,7 @@ main(int argc, char** argv)
       .option("max_grasps", "N", "at most (10)")
       .option(
           "viewpoint", "X,Y,Z", "from where the cloud was seen, instead of the file's");
+  addResolutionOption(command_line);
   addSelectionOptions(command_line);
   addCommonOptions(command_line);
   return runApp(command_line, argc, argv, run);

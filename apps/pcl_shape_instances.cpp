@@ -12,6 +12,7 @@
 #include "common/filter_app.h"
 #include "common/instances_json.h"
 #include "common/model_file.h"
+#include "common/resolution.h"
 
 #include <pcl/segmentation/shape_instance_segmentation.h>
 
@@ -30,6 +31,7 @@ struct Settings {
   double high = 0.0, low = 0.0;
   std::uint64_t min_points = 0;
   pcl::PrimitiveType primitive = pcl::PrimitiveType::None;
+  double resolution = 0.0;
 };
 
 pcl::PrimitiveType
@@ -88,6 +90,7 @@ settingsOf(const Arguments& arguments)
       arguments.integer("min_points", 1, std::numeric_limits<std::uint32_t>::max())
           .value_or(default_points);
   settings.primitive = primitiveType(arguments);
+  settings.resolution = resolutionOf(arguments);
   if (arguments.has("model"))
     settings.model = densityModel(arguments.text("model"));
   checkClass(settings);
@@ -103,6 +106,7 @@ reportSettings(const Settings& settings, const Arguments& arguments, Report& rep
   report.setNumber("parameters", "low", settings.low);
   report.setCount("parameters", "min_points", settings.min_points);
   report.setText("parameters", "primitive", arguments.text("primitive", "none"));
+  reportResolution(settings.resolution, report);
   report.setCount("parameters", "threads", arguments.threads());
 }
 
@@ -123,6 +127,7 @@ addInstances(CloudFile& file,
   segmentation.setThresholds(settings.high, settings.low);
   segmentation.setMinPoints(settings.min_points);
   segmentation.setPrimitive(settings.primitive);
+  segmentation.setResolution(settings.resolution);
   segmentation.setNumberOfThreads(arguments.threads());
   std::vector<pcl::ShapeInstance> instances;
   if (!report.time("instances", [&] { return segmentation.segment(instances); }))
@@ -179,6 +184,7 @@ main(int argc, char** argv)
               "P",
               "to fit to each: none (default), auto, plane, cylinder, sphere; see "
               "-json");
+  addResolutionOption(command_line);
   addFilterOptions(command_line);
   return runApp(command_line, argc, argv, run);
 }

@@ -13,6 +13,7 @@
 #include "common/filter_app.h"
 #include "common/label_directory.h"
 #include "common/labelled_cloud.h"
+#include "common/resolution.h"
 
 #include <filesystem>
 
@@ -99,6 +100,7 @@ main(int argc, char** argv)
       .flag("overwrite", "of a directory: label everything anew")
       .option("input_dir", "D", "a directory of clouds, instead of DIR ...")
       .option("output_dir", "D", "... and OUTDIR");
+  addResolutionOption(command_line);
   addCommonOptions(command_line);
   return runApp(command_line, argc, argv, run);
 }

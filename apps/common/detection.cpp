@@ -10,6 +10,7 @@
 #include "detection.h"
 
 #include "model_file.h"
+#include "resolution.h"
 
 namespace pcl::app {
 void
@@ -21,14 +22,18 @@ addDetectionOptions(CommandLine& command_line)
       .option(
           "threshold", "T", "likelihood from which a point is of the surface (0.5)");
   addInadOptions(command_line);
+  addResolutionOption(command_line);
   command_line
       .flag("ignore_model_parameters",
             "use a model at other radii than it was made with")
       .flag("normals", "write normal_x normal_y normal_z curvature too");
 }
 
+namespace {
+
+/** All but the resolution. */
 DetectionSettings
-detectionSettings(const Arguments& arguments, const INADParameters& defaults)
+settingsOf(const Arguments& arguments, const INADParameters& defaults)
 {
   constexpr std::uint64_t default_bins = 10;
   constexpr std::uint64_t most_bins = 4096;
@@ -59,6 +64,21 @@ detectionSettings(const Arguments& arguments, const INADParameters& defaults)
   if (!disagreement.empty() && !arguments.has("ignore_model_parameters"))
     throw InputError(path + ": " + disagreement +
                      ": allowed is the model's own value, or -ignore_model_parameters");
+  return settings;
+}
+
+} // namespace
+
+DetectionSettings
+detectionSettings(const Arguments& arguments, const INADParameters& defaults)
+{
+  DetectionSettings settings = settingsOf(arguments, defaults);
+  settings.resolution = resolutionOf(arguments);
+  if (settings.resolution > 0.0 && !settings.adaptive)
+    throw UsageError("-resolution '" + arguments.text("resolution") +
+                     "' with radii, -k, -outlier_rate, -bins, -use_normals, -scale, "
+                     "-mode paper or a model not made with -scale density: allowed is "
+                     "the default mode without them");
   return settings;
 }
 

@@ -15,6 +15,7 @@
 #include "filter_app.h"
 #include "inad_options.h"
 #include "inad_stages.h"
+#include "resolution.h"
 
 #include <pcl/features/shape_model.h>
 
@@ -31,6 +32,7 @@ struct DetectionSettings {
   bool paper = false;
   bool adaptive = false; ///< the parameters are the detector's and the model's own
   double threshold = 0.5;
+  double resolution = 0.0; ///< metres, 0 the cloud's own
   INADParameters parameters;
   pcl::ShapeModel model;
 };
@@ -61,6 +63,8 @@ prepareAdaptive(Detector& detector,
   detector.setInputCloud(points);
   if (arguments.has("model"))
     detector.setModel(settings.model);
+  detector.setResolution(settings.resolution);
+  reportResolution(settings.resolution, report);
   detector.setThreshold(settings.threshold);
   detector.setNumberOfThreads(arguments.threads());
   if (arguments.has("normals"))

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <optional>
 #include <sstream>
@@ -228,6 +229,11 @@ printSummary(const std::string& path, const Report& report)
     if (section.name == "counts")
       for (const auto& [name, value] : section.entries)
         line << ", " << std::get<std::uint64_t>(value) << ' ' << name;
+  for (const Report::Section& section : report.sections())
+    for (const auto& [name, value] : section.entries)
+      if (name == largest_radius)
+        line << ", curved up to a radius of " << std::setprecision(2)
+             << std::get<double>(value);
   line.precision(0);
   line << std::fixed << ", " << report.totalTime() << " ms\n";
   std::cout << line.str();

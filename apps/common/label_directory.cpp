@@ -61,9 +61,11 @@ makeDirectory(const fs::path& directory)
 Json
 parametersOf(const Arguments& arguments, const std::string& format)
 {
-  Json parameters{{"confidence", labelSettings(arguments).confidence},
-                  {"format", format},
-                  {"model", "default"}};
+  const LabelSettings settings = labelSettings(arguments);
+  Json parameters{
+      {"confidence", settings.confidence}, {"format", format}, {"model", "default"}};
+  if (settings.resolution > 0.0)
+    parameters["resolution"] = settings.resolution;
   if (arguments.has("model"))
     parameters["model"] = checksumOf(readFile(arguments.text("model"), "a model file"));
   return parameters;

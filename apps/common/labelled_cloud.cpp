@@ -16,6 +16,7 @@
 #include "model_file.h"
 #include "pcd_writer.h"
 #include "ply_writer.h"
+#include "resolution.h"
 
 #include <pcl/segmentation/shape_labeling.h>
 
@@ -32,6 +33,7 @@ labelingOf(const LabelSettings& settings)
 {
   Labeling labeling;
   labeling.setConfidence(settings.confidence);
+  labeling.setResolution(settings.resolution);
   labeling.setNumberOfThreads(settings.threads);
   if (settings.model)
     labeling.setModel(*settings.model);
@@ -79,6 +81,7 @@ labelSettings(const Arguments& arguments)
   settings.threads = arguments.threads();
   settings.confidence =
       arguments.number("confidence", probability).value_or(settings.confidence);
+  settings.resolution = resolutionOf(arguments);
   if (!arguments.has("model"))
     return settings;
   const std::string path = arguments.text("model");
@@ -111,6 +114,7 @@ labelCloud(CloudFile& cloud, const LabelSettings& settings, Report& report)
   const auto points = pointsOf(cloud);
   reportPoints(*points, report);
   report.setNumber("parameters", "confidence", settings.confidence);
+  reportResolution(settings.resolution, report);
   report.setCount("parameters", "threads", settings.threads);
   Labeling labeling = labelingOf(settings);
   labeling.setInputCloud(points);

@@ -25,11 +25,12 @@ namespace pcl::app {
 /** \brief How clouds are labelled. */
 struct LabelSettings {
   double confidence = pcl::detail::usual_confidence;
+  double resolution = 0.0; ///< metres, 0 the cloud's own
   std::optional<pcl::ShapeModel> model;
   unsigned threads = 0;
 };
 
-/** \brief The settings of -confidence, -model and -threads. */
+/** \brief The settings of -confidence, -resolution, -model and -threads. */
 LabelSettings labelSettings(const Arguments& arguments);
 
 /** \brief The names of the labels from 0 on: void, the classes, edge. */

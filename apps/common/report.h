@@ -18,6 +18,9 @@
 
 namespace pcl::app {
 
+/** \brief The number of a report that printSummary() gives, if there is one. */
+inline const std::string largest_radius = "largest_curved_radius";
+
 /** \brief What an app says about one file, for people and for machines. */
 class Report {
 public:

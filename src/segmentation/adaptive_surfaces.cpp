@@ -8,23 +8,21 @@
  */
 
 #include "../features/shape_evidence.h"
-#include "../kernels/finite.h"
 #include "../kernels/parallel.h"
 #include "adaptive_inad.h"
 #include "evidence_averaging.h"
-#include "point_grid.h"
+#include "median.h"
 
 #include <pcl/segmentation/adaptive_detection.h>
+#include <pcl/segmentation/shape_back_projection.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pcl::detail {
 namespace {
 
 using namespace segmentation;
-using Eigen::Vector3f;
 
 /** The evidence of each class at each point: logarithms of densities, NaN unknown. */
 std::vector<float>
@@ -77,27 +75,16 @@ classifySurfaces(const AdaptiveInput& input,
   return evidence;
 }
 
-std::vector<std::int32_t>
-representatives(const XYZView& queries,
-                const XYZView& surface,
-                const std::vector<float>& spacings)
-{
-  const float most = *std::max_element(spacings.begin(), spacings.end());
-  const PointGrid grid(surface, most);
-  std::vector<std::int32_t> result(queries.size, -1);
-  for (std::size_t q = 0; q < queries.size; ++q) {
-    if (!kernels::isFinite(queries[q]))
-      continue;
-    float nearest = std::numeric_limits<float>::infinity();
-    grid.forEachWithin(
-        positionOf(queries, q), most, [&](std::uint32_t i, float squared) {
-          if (squared < nearest && squared <= spacings[i] * spacings[i]) {
-            nearest = squared;
-            result[q] = static_cast<std::int32_t>(i);
-          }
-        });
-  }
-  return result;
-}
-
 } // namespace pcl::detail
+
+float
+pcl::largestCurvedRadius(const Surfaces& surfaces)
+{
+  constexpr float curved_spacings = 20.0f; // see doc/method.md
+  const bool is_known =
+      std::any_of(surfaces.spacings.begin(),
+                  surfaces.spacings.end(),
+                  [](float spacing) { return std::isfinite(spacing); });
+  return is_known ? curved_spacings * segmentation::medianSpacing(surfaces.spacings)
+                  : 0.0f;
+}

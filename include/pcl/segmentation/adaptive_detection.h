@@ -90,8 +90,20 @@ PCL_SHAPE_EXPORTS std::vector<float> classifySurfaces(const AdaptiveInput& input
 
 /** \brief For each query the surface point it stands for: the nearest one within its
  * spacing, or -1. */
-PCL_SHAPE_EXPORTS std::vector<std::int32_t> representatives(
-    const XYZView& queries, const XYZView& surface, const std::vector<float>& spacings);
+PCL_SHAPE_EXPORTS std::vector<std::int32_t>
+representatives(const XYZView& queries,
+                const XYZView& surface,
+                const std::vector<float>& spacings,
+                unsigned threads);
+
+/** \brief What is wrong with a resolution, metres; empty if nothing is. */
+PCL_SHAPE_EXPORTS std::string problemOfResolution(double resolution,
+                                                  const XYZView& points);
+
+/** \brief The mean of the finite points in each cell, three coordinates each, in an
+ * order, and with values, that do not depend on the order of the points.
+ * \param[in] size of a cell; problemOfResolution() knows which are allowed */
+PCL_SHAPE_EXPORTS std::vector<float> thinned(const XYZView& points, double size);
 
 } // namespace detail
 } // namespace pcl

@@ -25,6 +25,12 @@ struct Surfaces {
   std::vector<CreasePoint> creases;
 };
 
+/** \brief With which radius surfaces may curve to be told from planes by the default
+ * model: 20 local spacings (of a ball 25), where that is the median. Larger ones are
+ * planar. See ShapeDetection::setResolution(). \return metres, 0 if no spacing is known
+ * \ingroup segmentation */
+PCL_SHAPE_EXPORTS float largestCurvedRadius(const Surfaces& surfaces);
+
 /** \brief Classify points by back-projecting shape histograms.
  *
  * By default (isAdaptive()): the posteriors of "planar" and "curved", or of the classes

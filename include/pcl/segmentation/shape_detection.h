@@ -43,8 +43,10 @@ PCL_SHAPE_EXPORTS std::string problemOfModel(const ShapeModel& model,
  *
  * Errors (those of INADEstimation; INAD of another number than the input's points;
  * radii, k or outlier rate that disagree with the model's, unless
- * setIgnoreModelParameters(); a threshold out of [0, 1]; a model without a class) are
- * reported by PCL_ERROR and give empty outputs. \ingroup segmentation
+ * setIgnoreModelParameters(); a threshold out of [0, 1]; a model without a class; a
+ * resolution that is negative, finer than what a float holds at the largest coordinate,
+ * or set without isAdaptive()) are reported by PCL_ERROR and give empty outputs.
+ * \ingroup segmentation
  */
 template <typename PointT, typename PointNT = pcl::Normal>
 class ShapeDetection : public PCLBase<PointT>,
@@ -130,6 +132,25 @@ public:
    * rate, normals nor INAD are set, the radius mode is DENSITY or not set, and the
    * model, if one is set, was made in DENSITY mode and has several classes. */
   bool isAdaptive() const;
+
+  /** \brief Work as if no points were closer than this, if isAdaptive(): the mean of
+   * the points in each cell of this size stands for them, and each point of the input
+   * gets what the nearest of these gets. Neighborhoods follow the density, and surfaces
+   * that curve with more than 20 local spacings are planar: of clouds with many points
+   * this sets what is, a radius of up to about 40 times the resolution. It is also much
+   * faster, and takes noise that is larger than the distances between points.
+   * \param[in] metres between points; 0 (default) for the cloud's own */
+  void
+  setResolution(double metres)
+  {
+    resolution_ = metres;
+  }
+
+  double
+  getResolution() const
+  {
+    return resolution_;
+  }
 
   /** \brief Nearest points instead of the two radii, for normals and INAD alike. */
   void
@@ -246,13 +267,12 @@ protected:
   adaptiveLikelihoods(const detail::AdaptiveInput& input,
                       std::vector<float>& spacings) const = 0;
 
-  /** \brief Call use(detail::AdaptiveInput) with all points of the search surface. */
-  template <typename Use>
-  void withAdaptiveInput(const Use& use) const;
-
-  /** \brief For each index the point of the search surface that it stands for, -1 if
-   * there is none. */
-  std::vector<std::int32_t> surfacePoints(const std::vector<float>& spacings) const;
+  /** \brief Call find(detail::AdaptiveInput) with all points of the search surface, as
+   * fine as the resolution. \param[in] find returns their spacings
+   * \return for each index the point of these that it stands for, -1 if there is none
+   */
+  template <typename Find>
+  std::vector<std::int32_t> withAdaptiveInput(const Find& find) const;
 
   bool initCompute();
 
@@ -262,6 +282,17 @@ protected:
 
 private:
   void computeAdaptive(std::vector<float>& likelihoods) const;
+
+  /** \brief The points to find neighbors among. */
+  PointCloudConstPtr searchSurface() const;
+
+  /** \brief The same, thinned out to the resolution. */
+  PointCloudConstPtr adaptiveSurface() const;
+
+  std::vector<std::int32_t> surfacePoints(const PointCloud& surface,
+                                          std::vector<float> spacings) const;
+
+  std::string problemOfResolution() const;
 
   /** \brief What is wrong with the input or the settings; empty if nothing is. */
   std::string findProblem() const;
@@ -283,6 +314,7 @@ private:
   std::optional<double> radius_;
   std::optional<int> k_;
   std::optional<double> outlier_rate_;
+  double resolution_ = 0.0;
   bool ignore_model_parameters_ = false;
   bool has_radius_mode_ = false;
   Mode mode_ = DEFAULT;

@@ -117,6 +117,14 @@ public:
     view_point_ = Eigen::Vector3f(x, y, z);
   }
 
+  /** \brief Work on means of points, see ShapeDetection::setResolution().
+   * \param[in] metres between points; 0 (default) for the cloud's own */
+  void
+  setResolution(double metres)
+  {
+    back_projection_.setResolution(metres);
+  }
+
   /** \param[in] threads 0 for all cores */
   void
   setNumberOfThreads(unsigned threads = 0)

@@ -64,6 +64,14 @@ public:
     detection_.setSearchMethod(search);
   }
 
+  /** \brief Work on means of points, see ShapeDetection::setResolution().
+   * \param[in] metres between points; 0 (default) for the cloud's own */
+  void
+  setResolution(double metres)
+  {
+    detection_.setResolution(metres);
+  }
+
   /** \param[in] threads 0 for all cores */
   void
   setNumberOfThreads(unsigned threads = 0)

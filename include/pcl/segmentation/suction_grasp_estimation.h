@@ -120,6 +120,14 @@ public:
     search_ = search;
   }
 
+  /** \brief Find the surfaces on means of points, see ShapeDetection::setResolution().
+   * \param[in] metres between points; 0 (default) for the cloud's own */
+  void
+  setResolution(double metres)
+  {
+    resolution_ = metres;
+  }
+
   /** \param[in] threads 0 for all cores */
   void
   setNumberOfThreads(unsigned threads = 0)
@@ -150,6 +158,7 @@ private:
   std::size_t most_grasps_ = 0;
   std::optional<Eigen::Vector3f> view_point_;
   shared_ptr<const Surfaces> given_surfaces_;
+  double resolution_ = 0.0;
   SearchPtr search_;
   unsigned threads_ = 0;
 };

@@ -110,9 +110,10 @@ ShapeBackProjection<PointT, PointNT>::classify(Surfaces& surfaces)
   }
   detail::AdaptiveEdges edges;
   std::vector<float> posteriors;
-  this->withAdaptiveInput([&](const detail::AdaptiveInput& input) {
+  const auto points = this->withAdaptiveInput([&](const detail::AdaptiveInput& input) {
     edges = detail::findEdges(input, edge_model_.value_or(ShapeModel::defaultEdges()));
     posteriors = detail::classifySurfaces(input, edges, this->getModel());
+    return edges.spacings;
   });
   const std::size_t classes = getClasses().size();
   constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
@@ -120,7 +121,7 @@ ShapeBackProjection<PointT, PointNT>::classify(Surfaces& surfaces)
   surfaces.noise = edges.noise;
   surfaces.creases = std::move(edges.creases);
   surfaces.normals.header = this->input_->header;
-  for (const std::int32_t point : this->surfacePoints(edges.spacings)) {
+  for (const std::int32_t point : points) {
     const bool known = point >= 0;
     const auto i = static_cast<std::size_t>(known ? point : 0);
     for (std::size_t c = 0; c < classes; ++c) {

@@ -14,6 +14,7 @@
 #include <pcl/features/impl/normal_3d_sweep.hpp>
 #include <pcl/segmentation/impl/shape_detection_settings.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -26,7 +27,7 @@ ShapeDetection<PointT, PointNT>::estimateNormals(const INADParameters& parameter
                                                  const SweepIndex::Ptr& index) const
 {
   NormalEstimationSweep<PointT, PointNT> estimation(threads_);
-  estimation.setInputCloud(surface_ ? surface_ : this->input_);
+  estimation.setInputCloud(searchSurface());
   estimation.setRadiusMode(parameters.radius_mode);
   estimation.setSearchMethod(search_);
   estimation.setSweepIndex(index);
@@ -50,8 +51,8 @@ ShapeDetection<PointT, PointNT>::computeINAD(pcl::PointCloud<INAD>& inad) const
     }
     return;
   }
-  const INADParameters parameters = detail::withNoiseOfCloud<PointT>(
-      getParameters(), surface_ ? surface_ : this->input_, threads_);
+  const INADParameters parameters =
+      detail::withNoiseOfCloud<PointT>(getParameters(), searchSurface(), threads_);
   const auto index = index_ ? index_ : std::make_shared<SweepIndex>();
   INADEstimation<PointT, PointNT> estimation(threads_);
   estimation.setInputCloud(this->input_);
@@ -70,46 +71,80 @@ ShapeDetection<PointT, PointNT>::computeINAD(pcl::PointCloud<INAD>& inad) const
 }
 
 template <typename PointT, typename PointNT>
-template <typename Use>
-void
-ShapeDetection<PointT, PointNT>::withAdaptiveInput(const Use& use) const
+typename ShapeDetection<PointT, PointNT>::PointCloudConstPtr
+ShapeDetection<PointT, PointNT>::searchSurface() const
 {
-  const PointCloudConstPtr surface = surface_ ? surface_ : this->input_;
+  return surface_ ? surface_ : this->input_;
+}
+
+template <typename PointT, typename PointNT>
+typename ShapeDetection<PointT, PointNT>::PointCloudConstPtr
+ShapeDetection<PointT, PointNT>::adaptiveSurface() const
+{
+  const PointCloudConstPtr all = searchSurface();
+  if (resolution_ == 0.0) {
+    return all;
+  }
+  const std::vector<float> xyz = detail::thinned(detail::xyzOf(*all), resolution_);
+  const auto surface = pcl::make_shared<PointCloud>();
+  surface->resize(xyz.size() / 3);
+  for (std::size_t i = 0; i < surface->size(); ++i) {
+    (*surface)[i].getVector3fMap() = Eigen::Map<const Eigen::Vector3f>(&xyz[3 * i]);
+  }
+  return surface;
+}
+
+template <typename PointT, typename PointNT>
+std::vector<std::int32_t>
+ShapeDetection<PointT, PointNT>::surfacePoints(const PointCloud& surface,
+                                               std::vector<float> spacings) const
+{
+  std::vector<std::int32_t> points(this->indices_->begin(), this->indices_->end());
+  if (&surface == this->input_.get()) {
+    return points;
+  }
+  const auto cell_diagonal = static_cast<float>(std::sqrt(3.0) * resolution_);
+  for (float& spacing : spacings) {
+    spacing = std::max(spacing, cell_diagonal);
+  }
+  const auto nearest = detail::representatives(
+      detail::xyzOf(*this->input_), detail::xyzOf(surface), spacings, threads_);
+  for (std::int32_t& point : points) {
+    point = nearest[static_cast<std::size_t>(point)];
+  }
+  return points;
+}
+
+template <typename PointT, typename PointNT>
+template <typename Find>
+std::vector<std::int32_t>
+ShapeDetection<PointT, PointNT>::withAdaptiveInput(const Find& find) const
+{
+  const PointCloudConstPtr surface = adaptiveSurface();
   pcl::Indices all(surface->size());
   std::iota(all.begin(), all.end(), 0);
   detail::CloudNeighborhoods<PointT> neighborhoods(surface, surface, all, threads_);
   neighborhoods.setSearch(search_);
   neighborhoods.setIndex(index_);
   const XYZView points = detail::xyzOf(*surface);
-  use(detail::AdaptiveInput{
-      neighborhoods, points, detail::countFinite(points), threads_});
-}
-
-template <typename PointT, typename PointNT>
-std::vector<std::int32_t>
-ShapeDetection<PointT, PointNT>::surfacePoints(const std::vector<float>& spacings) const
-{
-  std::vector<std::int32_t> points(this->indices_->begin(), this->indices_->end());
-  if (surface_ && surface_ != this->input_) {
-    const auto nearest = detail::representatives(
-        detail::xyzOf(*this->input_), detail::xyzOf(*surface_), spacings);
-    for (std::int32_t& point : points) {
-      point = nearest[static_cast<std::size_t>(point)];
-    }
-  }
-  return points;
+  return surfacePoints(
+      *surface,
+      find(detail::AdaptiveInput{
+          neighborhoods, points, detail::countFinite(points), threads_}));
 }
 
 template <typename PointT, typename PointNT>
 void
 ShapeDetection<PointT, PointNT>::computeAdaptive(std::vector<float>& likelihoods) const
 {
-  std::vector<float> of_surface, spacings;
-  withAdaptiveInput([&](const detail::AdaptiveInput& input) {
+  std::vector<float> of_surface;
+  const auto points = withAdaptiveInput([&](const detail::AdaptiveInput& input) {
+    std::vector<float> spacings;
     of_surface = adaptiveLikelihoods(input, spacings);
+    return spacings;
   });
   const std::size_t classes = getClasses().size();
-  for (const std::int32_t point : surfacePoints(spacings)) {
+  for (const std::int32_t point : points) {
     for (std::size_t c = 0; c < classes; ++c) {
       likelihoods.push_back(
           point < 0 ? std::numeric_limits<float>::quiet_NaN()

@@ -78,7 +78,7 @@ std::string
 ShapeDetection<PointT, PointNT>::findProblem() const
 {
   const INADParameters parameters = getParameters();
-  const auto& surface = surface_ ? surface_ : this->input_;
+  const PointCloudConstPtr surface = searchSurface();
   for (const double radius : {parameters.normal_radius, parameters.radius}) {
     std::string problem = detail::problemOf({detail::xyzOf(*this->input_),
                                              detail::xyzOf(*surface),
@@ -103,7 +103,24 @@ ShapeDetection<PointT, PointNT>::findProblem() const
                                      model_ && !ignore_model_parameters_ ? &parameters
                                                                          : nullptr);
   }
+  if (problem.empty()) {
+    problem = problemOfResolution();
+  }
   return problem.empty() ? problemOfClasses(getModel()) : problem;
+}
+
+template <typename PointT, typename PointNT>
+std::string
+ShapeDetection<PointT, PointNT>::problemOfResolution() const
+{
+  if (resolution_ == 0.0) {
+    return {};
+  }
+  if (!isAdaptive()) {
+    return "a resolution is set: it is allowed in DEFAULT mode without radii, k, "
+           "outlier rate, normals or INAD of your own";
+  }
+  return detail::problemOfResolution(resolution_, detail::xyzOf(*searchSurface()));
 }
 
 template <typename PointT, typename PointNT>

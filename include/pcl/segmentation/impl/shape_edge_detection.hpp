@@ -96,11 +96,12 @@ ShapeEdgeDetection<PointT, PointNT>::detect(Edges& edges)
   }
   detail::AdaptiveEdges found;
   std::vector<EdgeType> types;
-  this->withAdaptiveInput([&](const detail::AdaptiveInput& input) {
+  const auto points = this->withAdaptiveInput([&](const detail::AdaptiveInput& input) {
     found = detail::findEdges(input, this->getModel());
     types = detail::edgeTypes(input, found, this->threshold_);
+    return found.spacings;
   });
-  for (const std::int32_t point : this->surfacePoints(found.spacings)) {
+  for (const std::int32_t point : points) {
     const auto i = static_cast<std::size_t>(point);
     edges.likelihood.push_back(point < 0 ? std::numeric_limits<float>::quiet_NaN()
                                          : found.likelihood[i]);

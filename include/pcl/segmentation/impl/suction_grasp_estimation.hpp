@@ -64,6 +64,7 @@ SuctionGraspEstimation<PointT>::classified() const
   ShapeBackProjection<PointT> back_projection;
   back_projection.setInputCloud(this->input_);
   back_projection.setSearchMethod(search_);
+  back_projection.setResolution(resolution_);
   back_projection.setNumberOfThreads(threads_);
   back_projection.classify(*surfaces);
   return surfaces->likelihoods.empty() ? nullptr : surfaces;

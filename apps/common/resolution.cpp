@@ -1,0 +1,38 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "resolution.h"
+
+#include "errors.h"
+
+namespace pcl::app {
+
+void
+addResolutionOption(CommandLine& command_line)
+{
+  command_line.option(
+      "resolution",
+      "L",
+      "work on means of points in cells of L metres, for the results of "
+      "all points:\nfor clouds with many points, see the method");
+}
+
+double
+resolutionOf(const Arguments& arguments)
+{
+  return arguments.number("resolution", positive_length).value_or(0.0);
+}
+
+void
+reportResolution(double resolution, Report& report)
+{
+  report.setNumber("parameters", "resolution", resolution);
+}
+
+} // namespace pcl::app
