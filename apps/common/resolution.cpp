@@ -16,11 +16,10 @@ namespace pcl::app {
 void
 addResolutionOption(CommandLine& command_line)
 {
-  command_line.option(
-      "resolution",
-      "L",
-      "work on means of points in cells of L metres, for the results of "
-      "all points:\nfor clouds with many points, see the method");
+  command_line.option("resolution",
+                      "L",
+                      "look no finer than cells of L metres, where clouds have many "
+                      "points;\nall points get results");
 }
 
 double
