@@ -29,8 +29,8 @@ namespace pcl {
  * faster than a tree; a method given with setSearchMethod() is used as it is, by
  * several threads at once: one that does not allow that needs setNumberOfThreads(1).
  * Normals belong to the search surface (setSearchSurface(), else the input). NaN where
- * the point or its normal is not finite, or with fewer than five neighbors or neighbors
- * on a line or a point; the output is then not dense.
+ * the point or its normal is not finite, or with fewer than five neighbors, or where
+ * these lie on a line through the point or at one place; the output is then not dense.
  *
  * The radius is in metres, or as setRadiusMode() says (see AdaptiveRadius).
  *

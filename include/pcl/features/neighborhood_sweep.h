@@ -78,15 +78,16 @@ struct NeighborhoodSize {
  * offsets, in 2^-20 of a power of two above the radius. But with one radius for all
  * points these are summed as floats, by cells that follow from the radius, and by x, y
  * and z in them. Either way a result depends on the neighbors of its point only: not on
- * the order of the points, nor on the number of threads, nor on points further away.
+ * the order of the points (but for ties, see above and computeINAD()), nor on the
+ * number of threads, nor on points further away.
  *
- * Fewer than five neighbors besides the point itself, or neighbors on a line or a
- * point, give NaN. All methods that compute or count throw std::invalid_argument unless
- * exactly one of radius, radii and k is set, for a radius that is not positive and
- * finite, a k that is not in [1, number of finite surface points], or more than
- * 2^31 - 1 points or queries. computeINAD() also does for normals of another number
- * than the surface's points, and for an outlier rate that is negative or not finite.
- * Positions are in metres, angles in radians. \ingroup features
+ * Fewer than five neighbors besides the point itself, or neighbors on a line through it
+ * or at one place, give NaN. All methods that compute or count throw
+ * std::invalid_argument unless exactly one of radius, radii and k is set, for a radius
+ * that is not positive and finite, a k that is not in [1, number of finite surface
+ * points], or more than 2^31 - 1 points or queries. computeINAD() also does for normals
+ * of another number than the surface's points, and for an outlier rate that is negative
+ * or not finite. Positions are in metres, angles in radians. \ingroup features
  */
 class PCL_SHAPE_EXPORTS NeighborhoodSweep {
 public:
