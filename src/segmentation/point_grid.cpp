@@ -19,6 +19,7 @@ namespace pcl::segmentation {
 namespace {
 
 constexpr float most_cells = 1 << 20; // in each direction: a key has 21 bits for it
+constexpr std::size_t most_rows = 1 << 16; // and one for each point
 
 struct Entry {
   std::uint64_t key;
@@ -72,6 +73,7 @@ PointGrid::PointGrid(const XYZView& points, float cell) : cell_(cell)
     positions_.push_back(positionOf(points, entry.index));
     begins_.back() = static_cast<std::uint32_t>(indices_.size());
   }
+  findRows();
 }
 
 Eigen::Array3i
@@ -81,11 +83,21 @@ PointGrid::cellOf(const Eigen::Array3f& position) const
   return cell.max(0.0f).min(last_).cast<int>();
 }
 
-std::size_t
-PointGrid::firstCell(std::uint64_t key) const
+void
+PointGrid::findRows()
 {
-  return static_cast<std::size_t>(std::lower_bound(keys_.begin(), keys_.end(), key) -
-                                  keys_.begin());
+  row_count_ = static_cast<std::size_t>(last_.y()) + 1;
+  const std::size_t rows = row_count_ * (static_cast<std::size_t>(last_.z()) + 1);
+  if (rows > most_rows + indices_.size())
+    return;
+  rows_.reserve(rows + 1);
+  for (std::size_t c = 0; c < keys_.size(); ++c) {
+    const std::size_t z = keys_[c] >> (2 * axis_bits);
+    const std::size_t y = (keys_[c] >> axis_bits) & ((1U << axis_bits) - 1);
+    while (rows_.size() <= z * row_count_ + y)
+      rows_.push_back(static_cast<std::uint32_t>(c));
+  }
+  rows_.resize(rows + 1, static_cast<std::uint32_t>(keys_.size()));
 }
 
 } // namespace pcl::segmentation

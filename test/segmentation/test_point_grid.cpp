@@ -1,0 +1,225 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#include "segmentation/evidence_averaging.h"
+#include "segmentation/evidence_nodes.h"
+#include "segmentation/point_grid.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+// Points in cells, and the nodes that evidence is averaged over, beside all points.
+namespace {
+
+using namespace pcl;
+using namespace pcl::test;
+using namespace pcl::segmentation;
+using Eigen::Vector3f;
+
+std::set<std::uint32_t>
+allWithin(const XYZView& points, const Vector3f& center, float radius)
+{
+  std::set<std::uint32_t> near;
+  for (std::uint32_t i = 0; i < points.size; ++i)
+    if ((positionOf(points, i) - center).squaredNorm() < radius * radius)
+      near.insert(i);
+  return near;
+}
+
+void
+expectBruteForce(const XYZView& points, float cell, float radius)
+{
+  const PointGrid grid(points, cell);
+  for (std::size_t q = 0; q < points.size; q += 37) {
+    const Vector3f center = positionOf(points, q) + Vector3f::Constant(0.3f * radius);
+    if (!center.allFinite())
+      continue;
+    std::set<std::uint32_t> found, in_ranges;
+    std::size_t visits = 0;
+    grid.forEachWithin(center, radius, [&](std::uint32_t i, float squared) {
+      EXPECT_EQ((positionOf(points, i) - center).squaredNorm(), squared);
+      found.insert(i);
+      ++visits;
+    });
+    grid.forEachRangeWithin(
+        center, radius, [&](std::uint32_t begin, std::uint32_t end) {
+          ASSERT_LT(begin, end);
+          for (std::uint32_t k = begin; k < end; ++k)
+            EXPECT_TRUE(in_ranges.insert(grid.order()[k]).second);
+        });
+    EXPECT_EQ(found.size(), visits);
+    EXPECT_EQ(allWithin(points, center, radius), found);
+    EXPECT_TRUE(
+        std::includes(in_ranges.begin(), in_ranges.end(), found.begin(), found.end()));
+  }
+}
+
+TEST(PointGrid, FindsWhatBruteForceFinds)
+{
+  Random random(41);
+  const Surface surface = plane(2000, 1.0, random);
+  for (const float cell : {0.02f, 0.1f, 3.0f})
+    for (const float radius : {0.03f, 0.1f, 0.5f})
+      expectBruteForce(surface.points(), cell, radius);
+}
+
+TEST(PointGrid, FarOutliersAndPointsThatAreNotFinite)
+{
+  Random random(42);
+  Surface surface = plane(2000, 1.0, random);
+  surface.add({{1e6, -2e6, 3e5}, {0, 0, 1}});
+  surface.add({{std::numeric_limits<double>::quiet_NaN(), 0, 0}, {0, 0, 1}});
+  expectBruteForce(surface.points(), 0.05f, 0.1f);
+}
+
+TEST(PointGrid, WithoutFinitePoints)
+{
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float xyz[] = {nan, 0, 0};
+  const PointGrid grid({xyz, 3, 1}, 0.1f);
+  grid.forEachWithin(Vector3f::Zero(), 1.0f, [](std::uint32_t, float) {
+    ADD_FAILURE() << "no point is there";
+  });
+  EXPECT_TRUE(grid.order().empty());
+}
+
+class NoNeighborhoods : public detail::NeighborhoodStatistics {
+public:
+  bool
+  computeNormals(const NeighborhoodSize&, float*, float*, std::size_t) const override
+  {
+    return false;
+  }
+
+  bool
+  computeINAD(const NeighborhoodSize&, const XYZView&, double, float*) const override
+  {
+    return false;
+  }
+
+  void
+  computeDistanceToNearest(std::size_t, float*) const override
+  {}
+
+  std::unique_ptr<NeighborhoodStatistics>
+  among(const pcl::Indices&) const override
+  {
+    return nullptr;
+  }
+};
+
+/** A floor and a wall; points near where they meet are edges. */
+class EvidenceAveraging : public testing::Test {
+protected:
+  EvidenceAveraging()
+  {
+    Random random(43);
+    surface = plane(3000, 0.2, random);
+    Surface wall = plane(3000, 0.2, random);
+    Eigen::Isometry3d upright = Eigen::Isometry3d::Identity();
+    upright.rotate(Eigen::AngleAxisd(-pi / 2, Eigen::Vector3d::UnitY()));
+    wall.move(upright);
+    surface.append(wall);
+    edges.normals = surface.normals;
+    for (std::size_t i = 0; i < surface.size(); ++i) {
+      const Eigen::Vector3d p = surface.position(i);
+      edges.likelihood.push_back(p.x() < 0.01 && p.z() < 0.01 ? 1.0f : 0.0f);
+      edges.spacings.push_back(0.007f + 0.01f * static_cast<float>(p.y()));
+      is_known.push_back(i % 11 != 0);
+    }
+  }
+
+  const NoNeighborhoods neighborhoods{};
+  Surface surface;
+  detail::AdaptiveEdges edges;
+  std::vector<bool> is_known;
+};
+
+TEST_F(EvidenceAveraging, WeightsAreThoseOfTheMethod)
+{
+  const detail::AdaptiveInput input{neighborhoods, surface.points(), surface.size(), 1};
+  const EvidenceNodes nodes(input, edges, is_known);
+  ASSERT_GT(nodes.size(), 100U);
+  ASSERT_LT(nodes.size(), surface.size() / 4);
+  std::vector<float> scratch;
+  std::size_t weighted = 0;
+  for (std::size_t i = 0; i < surface.size(); i += 17) {
+    std::vector<float> found(nodes.size(), 0.0f);
+    nodes.forEachRange(
+        i, scratch, [&](std::size_t first, const std::vector<float>& weights) {
+          for (std::size_t k = 0; k < weights.size(); ++k)
+            found.at(first + k) += weights[k];
+        });
+    const double reach = 5.0 * static_cast<double>(edges.spacings[i]);
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const std::size_t j = nodes.point(k);
+      ASSERT_TRUE(is_known[j]);
+      const double distance = (surface.position(i) - surface.position(j)).norm();
+      if (std::abs(distance - reach) < 1e-6)
+        continue;
+      const bool is_same = std::abs(surface.normal(i).dot(surface.normal(j))) > 0.7071;
+      const double weight =
+          (edges.likelihood[j] > 0.5f ? 0.05 : 1.0) * (is_same ? 1.0 : 0.05);
+      EXPECT_NEAR(distance < reach ? weight : 0.0, static_cast<double>(found[k]), 1e-6);
+      weighted += distance < reach ? 1 : 0;
+    }
+  }
+  EXPECT_GT(weighted, 1000U);
+}
+
+TEST_F(EvidenceAveraging, FourRoundsAreThoseInDouble)
+{
+  const detail::AdaptiveInput input{neighborhoods, surface.points(), surface.size(), 2};
+  Random random(44);
+  std::vector<float> evidence;
+  for (std::size_t i = 0; i < surface.size(); ++i)
+    for (int c = 0; c < 2; ++c)
+      evidence.push_back(is_known[i] ? static_cast<float>(random.normal())
+                                     : std::numeric_limits<float>::quiet_NaN());
+  const std::vector<float> found = averageEvidence(input, edges, evidence, 2);
+
+  const EvidenceNodes nodes(input, edges, is_known);
+  std::vector<float> scratch;
+  const auto meanAt = [&](std::size_t i, const std::vector<double>& values) {
+    double sum = 0.0, total = 0.0;
+    nodes.forEachRange(
+        i, scratch, [&](std::size_t first, const std::vector<float>& weights) {
+          for (std::size_t k = 0; k < weights.size(); ++k) {
+            sum += static_cast<double>(weights[k]) * values[first + k];
+            total += static_cast<double>(weights[k]);
+          }
+        });
+    return sum / total;
+  };
+  for (std::size_t c = 0; c < 2; ++c) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      values.push_back(static_cast<double>(evidence[2 * nodes.point(k) + c]));
+    for (int round = 1; round < 4; ++round) {
+      std::vector<double> next;
+      for (std::size_t k = 0; k < nodes.size(); ++k)
+        next.push_back(meanAt(nodes.point(k), values));
+      values = next;
+    }
+    for (std::size_t i = 0; i < surface.size(); ++i) {
+      if (is_known[i]) {
+        EXPECT_NEAR(meanAt(i, values), static_cast<double>(found[2 * i + c]), 1e-5);
+      }
+      else {
+        EXPECT_TRUE(std::isnan(found[2 * i + c]));
+      }
+    }
+  }
+}
+
+} // namespace
