@@ -77,7 +77,7 @@ private:
   /** What is around a point. */
   struct Around {
     float squared_border = reach * reach; ///< to the nearest point of another kind
-    float edge = least_edge;              ///< the most, log odds
+    float edge = 0.0f;                    ///< the largest likelihood
     double turn = 0.0;                    ///< sum of 1 - |cosine| of normals
     Eigen::Vector3d offset = Eigen::Vector3d::Zero(); ///< sum, metres
     double points = 0.0, known = 0.0, surfaces = 0.0, same = 0.0;
@@ -144,7 +144,7 @@ private:
         return;
       around.known += 1.0;
       around.turn += 1.0 - std::abs(normal.dot(normalAt(j)));
-      around.edge = std::max(around.edge, logOdds(input_.surfaces.edge_likelihood[j]));
+      around.edge = std::max(around.edge, input_.surfaces.edge_likelihood[j]);
       around.surfaces += isEdge(j) ? 0.0 : 1.0;
       around.same += labels_[j] == labels_[i] ? 1.0 : 0.0;
       if (isEdge(j) != isEdge(i))
@@ -180,7 +180,7 @@ private:
               log_normal_radius_};
     return {marginAt(i),
             std::sqrt(around.squared_border),
-            -around.edge,
+            -logOdds(around.edge),
             -offset,
             static_cast<float>(around.same / around.surfaces)};
   }
