@@ -56,20 +56,26 @@ reportLabels(const PointLabels& labels,
       "", "mean_confidence", sum / static_cast<double>(labels.confidence.size()));
 }
 
+bool
+isKey(const std::string& name)
+{
+  return name != "void" && name != pcl::detail::edge_class &&
+         std::all_of(name.begin(), name.end(), [](unsigned char c) {
+           return c > ' ' && c <= '~' && c != '"' && c != '\\';
+         });
+}
+
 /** Names of classes become keys of JSON and YAML, beside void and edge. */
 void
 requireNames(const pcl::ShapeModel& model, const std::string& path)
 {
-  for (const auto& of : model.classes()) {
-    const std::string& name = of.name;
-    const bool is_plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
-      return c > ' ' && c <= '~' && c != '"' && c != '\\';
-    });
-    if (!is_plain || name == "void" || name == pcl::detail::edge_class)
-      throw InputError(path + ": class '" + name +
-                       "': allowed are names in ASCII without blanks and quotes, other "
-                       "than void and edge");
-  }
+  const auto& classes = model.classes();
+  const auto bad = std::find_if(
+      classes.begin(), classes.end(), [](const auto& of) { return !isKey(of.name); });
+  if (bad != classes.end())
+    throw InputError(path + ": class '" + bad->name +
+                     "': allowed are names in ASCII without blanks and quotes, other "
+                     "than void and edge");
 }
 
 } // namespace

@@ -29,10 +29,10 @@ enum class EdgeType : std::uint8_t {
 
 /** \brief A point of a crease. \ingroup segmentation */
 struct CreasePoint {
-  std::array<float, 3> position;  ///< metres
-  std::array<float, 3> direction; ///< of the crease, unit, of either sign
-  float angle = 0.0f;             ///< by which the surface turns, radians, 0 to pi
-  float spacing = 0.0f;           ///< the local spacing there, metres
+  std::array<float, 3> position{};  ///< metres
+  std::array<float, 3> direction{}; ///< of the crease, unit, of either sign
+  float angle = 0.0f;               ///< by which the surface turns, radians, 0 to pi
+  float spacing = 0.0f;             ///< the local spacing there, metres
 };
 
 /** \brief A crease from one end to the other. \ingroup segmentation */
