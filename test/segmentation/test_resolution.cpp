@@ -258,4 +258,100 @@ TEST(Resolution, OfLabelsInstancesAndGrasps)
   EXPECT_FALSE(grasps.empty());
 }
 
+/** The share of each object's points that its most frequent instance has, 0 where
+ * another object has more of it. */
+std::vector<double>
+sharesFound(const std::vector<ShapeInstance>& instances, const Labels& truth)
+{
+  std::map<std::uint32_t, double> sizes;
+  for (const std::uint32_t object : truth) {
+    sizes[object] += 1.0;
+  }
+  std::map<std::uint32_t, double> most;
+  for (const ShapeInstance& instance : instances) {
+    std::map<std::uint32_t, double> counts;
+    for (const index_t index : instance.indices) {
+      counts[truth[static_cast<std::size_t>(index)]] += 1.0;
+    }
+    const auto best = std::max_element(
+        counts.begin(), counts.end(), [](const auto& a, const auto& b) {
+          return a.second < b.second;
+        });
+    most[best->first] = std::max(most[best->first], best->second);
+  }
+  std::vector<double> shares;
+  for (const auto& [object, size] : sizes) {
+    if (object != 0) {
+      shares.push_back(most[object] / size);
+    }
+  }
+  return shares;
+}
+
+TEST(Resolution, ObjectsOfADenseDepthImage)
+{
+  const scene::Scene scene = denseScene(31, 1280);
+  ShapeInstanceSegmentation<PointXYZ> segmentation;
+  segmentation.setInputCloud(cloudOf(scene));
+  segmentation.setClass("object");
+  segmentation.setResolution(0.003);
+  std::vector<ShapeInstance> instances;
+  ASSERT_TRUE(segmentation.segment(instances));
+  const std::vector<double> shares = sharesFound(instances, scene.instance);
+  EXPECT_EQ(8U, shares.size());
+  EXPECT_GE(std::count_if(
+                shares.begin(), shares.end(), [](double share) { return share > 0.9; }),
+            7);
+  EXPECT_LE(instances.size(), 9U);
+  for (const ShapeInstance& instance : instances) {
+    EXPECT_TRUE(std::is_sorted(instance.indices.begin(), instance.indices.end()));
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const index_t index : instance.indices) {
+      sum += Eigen::Map<const Eigen::Vector3f>(
+                 &scene.xyz[3 * static_cast<std::size_t>(index)])
+                 .cast<double>();
+    }
+    const double points = static_cast<double>(instance.indices.size());
+    EXPECT_LE((sum / points - instance.centroid.cast<double>()).norm(), 1e-6);
+  }
+}
+
+TEST(Resolution, InstancesAmongSomePoints)
+{
+  const auto cloud = cloudOf(sampledScene(29));
+  Indices left;
+  for (std::size_t i = 0; i < cloud->size(); ++i) {
+    if ((*cloud)[i].x < 0.0f) {
+      left.push_back(static_cast<index_t>(i));
+    }
+  }
+  ShapeInstanceSegmentation<PointXYZ> segmentation;
+  segmentation.setInputCloud(cloud);
+  segmentation.setIndices(indicesOf(left));
+  segmentation.setClass("planar");
+  segmentation.setResolution(0.004);
+  std::vector<ShapeInstance> instances;
+  ASSERT_TRUE(segmentation.segment(instances));
+  ASSERT_FALSE(instances.empty());
+  for (const ShapeInstance& instance : instances) {
+    EXPECT_TRUE(std::includes(
+        left.begin(), left.end(), instance.indices.begin(), instance.indices.end()));
+  }
+  segmentation.setResolution(0.0);
+  std::vector<ShapeInstance> own, fresh;
+  ASSERT_TRUE(segmentation.segment(own));
+  ShapeInstanceSegmentation<PointXYZ> other;
+  other.setInputCloud(cloud);
+  other.setIndices(indicesOf(left));
+  other.setClass("planar");
+  ASSERT_TRUE(other.segment(fresh));
+  ASSERT_EQ(fresh.size(), own.size());
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    EXPECT_EQ(fresh[k].indices, own[k].indices);
+  }
+  segmentation.setIndices(indicesOf({0, 1, 1 << 30}));
+  expectParts(errorsOf([&] { EXPECT_FALSE(segmentation.segment(own)); }),
+              {"ShapeInstanceSegmentation::segment", "1073741824"});
+}
+
 } // namespace

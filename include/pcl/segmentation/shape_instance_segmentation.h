@@ -117,8 +117,9 @@ public:
     view_point_ = Eigen::Vector3f(x, y, z);
   }
 
-  /** \brief Work on means of points, see ShapeDetection::setResolution().
-   * \param[in] metres between points; 0 (default) for the cloud's own */
+  /** \brief Work on means of points, see ShapeDetection::setResolution(): each point is
+   * in the instance of the nearest mean. setMinPoints() and the shares then count
+   * means. \param[in] metres between points; 0 (default) for the cloud's own */
   void
   setResolution(double metres)
   {
@@ -146,12 +147,25 @@ private:
   /** \brief The position of a class in getClasses(), or their number. */
   std::size_t positionOfClass(const std::string& name) const;
 
+  /** \brief The points that instances are made of, three coordinates each: those of the
+   * indices, thinned out to the resolution. */
+  std::vector<float> workedOn() const;
+
+  void setUpBackProjection(const std::vector<float>& positions);
+
   detail::InstanceInput inputOf(Surfaces& surfaces,
                                 const std::vector<float>& positions) const;
 
+  /** \brief For each index which of the points worked on it stands for, -1 none. */
+  std::vector<std::int32_t> representatives(const detail::InstanceInput& input) const;
+
+  /** \brief All but the points. \param[in] members of the points worked on */
   ShapeInstance describe(const std::vector<std::uint32_t>& members,
                          const detail::InstanceInput& input,
                          const Surfaces& surfaces) const;
+
+  void setPoints(const std::vector<std::int32_t>& labels,
+                 std::vector<ShapeInstance>& instances) const;
 
   ShapeBackProjection<PointT> back_projection_;
   std::string class_ = "curved";
