@@ -1,17 +1,12 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "common/app.h"
-#include "common/errors.h"
-#include "common/filter_app.h"
-#include "common/inad_options.h"
-#include "common/inad_stages.h"
+#include "cli/app.h"
+#include "cli/errors.h"
+#include "cli/filter_app.h"
+#include "detection/inad_options.h"
+#include "detection/inad_stages.h"
 
 #include <cmath>
 

@@ -1,15 +1,10 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "common/app.h"
-#include "common/detection.h"
-#include "common/filter_app.h"
+#include "cli/app.h"
+#include "cli/filter_app.h"
+#include "detection/detection.h"
 
 #include <pcl/segmentation/shape_back_projection.h>
 

@@ -1,16 +1,11 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "common/app.h"
-#include "common/detection.h"
-#include "common/filter_app.h"
-#include "common/lines_file.h"
+#include "cli/app.h"
+#include "cli/filter_app.h"
+#include "detection/detection.h"
+#include "results/lines_file.h"
 
 #include <pcl/segmentation/shape_edge_detection.h>
 

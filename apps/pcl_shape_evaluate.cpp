@@ -1,21 +1,16 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "common/any_cloud.h"
-#include "common/app.h"
-#include "common/atomic_file.h"
-#include "common/errors.h"
-#include "common/evaluation_tasks.h"
-#include "common/filter_app.h"
-#include "common/outcomes.h"
-#include "common/pcd_writer.h"
-#include "common/report.h"
+#include "cli/app.h"
+#include "cli/atomic_file.h"
+#include "cli/errors.h"
+#include "cli/filter_app.h"
+#include "cli/report.h"
+#include "evaluation/evaluation_tasks.h"
+#include "evaluation/outcomes.h"
+#include "io/any_cloud.h"
+#include "io/pcd.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,20 +1,15 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "common/app.h"
-#include "common/atomic_file.h"
-#include "common/errors.h"
-#include "common/filter_app.h"
-#include "common/grasps_file.h"
-#include "common/pcd_reader.h"
-#include "common/resolution.h"
-#include "common/selection.h"
+#include "cli/app.h"
+#include "cli/atomic_file.h"
+#include "cli/errors.h"
+#include "cli/filter_app.h"
+#include "detection/resolution.h"
+#include "io/pcd.h"
+#include "results/grasps_file.h"
+#include "results/selection.h"
 
 #include <pcl/segmentation/suction_grasp_estimation.h>
 

@@ -1,18 +1,13 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "common/app.h"
-#include "common/errors.h"
-#include "common/filter_app.h"
-#include "common/instances_json.h"
-#include "common/model_file.h"
-#include "common/resolution.h"
+#include "cli/app.h"
+#include "cli/errors.h"
+#include "cli/filter_app.h"
+#include "detection/model_file.h"
+#include "detection/resolution.h"
+#include "results/instances_json.h"
 
 #include <pcl/segmentation/shape_instance_segmentation.h>
 

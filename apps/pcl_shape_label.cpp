@@ -1,19 +1,14 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "common/any_cloud.h"
-#include "common/app.h"
-#include "common/errors.h"
-#include "common/filter_app.h"
-#include "common/label_directory.h"
-#include "common/labelled_cloud.h"
-#include "common/resolution.h"
+#include "cli/app.h"
+#include "cli/errors.h"
+#include "cli/filter_app.h"
+#include "detection/resolution.h"
+#include "io/any_cloud.h"
+#include "labels/label_directory.h"
+#include "labels/labelled_cloud.h"
 
 #include <filesystem>
 

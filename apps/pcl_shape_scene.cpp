@@ -1,19 +1,14 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "common/app.h"
-#include "common/atomic_file.h"
-#include "common/filter_app.h"
-#include "common/lidar_scene.h"
-#include "common/pcd_writer.h"
-#include "common/table_options.h"
-#include "common/table_scene.h"
+#include "cli/app.h"
+#include "cli/atomic_file.h"
+#include "cli/filter_app.h"
+#include "io/pcd.h"
+#include "scene/lidar_scene.h"
+#include "scene/table_options.h"
+#include "scene/table_scene.h"
 
 namespace {
 

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "common/options.h"
 #include "grasps/grasp_poses.h"
@@ -43,12 +38,10 @@ parseArguments(int argc, char** argv, Arguments& a)
       "cup_radius", po::value(&a.cup_radius), "metres (0.01)")(
       "noise", po::value(&a.noise), "kinect (default) or none")(
       "verbose", po::bool_switch(&a.verbose), "a line for each target")("help", "this");
-  if (!parseCommandLine(argc, argv, options)) {
+  if (!parseCommandLine(argc, argv, options))
     return false;
-  }
-  if (a.noise != "kinect" && a.noise != "none") {
+  if (a.noise != "kinect" && a.noise != "none")
     throw std::invalid_argument("-noise " + a.noise + ": allowed is kinect, none");
-  }
   if (!(a.cup_radius >= 0.004 && a.cup_radius <= 0.1)) {
     throw std::invalid_argument("-cup_radius " + std::to_string(a.cup_radius) +
                                 ": allowed is 0.004 to 0.1 metres");
@@ -75,11 +68,9 @@ public:
     back_projection.classify(*surfaces);
     for (const std::size_t target : scene.targets) {
       const auto points = pcl::make_shared<pcl::Indices>();
-      for (std::size_t i = 0; i < cloud->size(); ++i) {
-        if (scene.object[i] == static_cast<int>(target)) {
+      for (std::size_t i = 0; i < cloud->size(); ++i)
+        if (scene.object[i] == static_cast<int>(target))
           points->push_back(static_cast<pcl::index_t>(i));
-        }
-      }
       addTarget(scene, cloud, target, points, surfaces, seed);
     }
   }
@@ -140,18 +131,16 @@ private:
                       arguments_.cup_radius);
     }
     note(outcome);
-    if (arguments_.verbose) {
+    if (arguments_.verbose)
       describe(seed, target, scene::name(solid.shape), points->size(), outcome, grasps);
-    }
   }
 
   void
   note(const Outcome& outcome)
   {
     ++all_;
-    if (outcome.has_face) {
+    if (outcome.has_face)
       (outcome.is_curved ? curved_ : planar_).add(outcome);
-    }
     sealing_ += outcome.seals ? 1 : 0;
     sealing_on_one_face_ += outcome.seals && outcome.is_on_one_face ? 1 : 0;
   }
@@ -166,13 +155,11 @@ int
 runComparison(int argc, char** argv)
 {
   Arguments arguments;
-  if (!parseArguments(argc, argv, arguments)) {
+  if (!parseArguments(argc, argv, arguments))
     return 0;
-  }
   Comparison comparison(arguments);
-  for (unsigned s = 0; s < arguments.scenes; ++s) {
+  for (unsigned s = 0; s < arguments.scenes; ++s)
     comparison.addScene(arguments.first_seed + s);
-  }
   std::cout << comparison.toJson().dump() << std::endl;
   return 0;
 }

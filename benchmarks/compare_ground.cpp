@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "common/measure.h"
 #include "ground/methods.h"
@@ -54,9 +49,8 @@ parseArguments(int argc, char** argv, Arguments& a)
       "beams", po::value(&a.beams)->multitoken(), "64, 16 (both)")(
       "threads", po::value(&a.threads), "(1)")(
       "repeat", po::value(&a.repeat), "runs of each, in turns (7)")("help", "this");
-  if (!parseCommandLine(argc, argv, options)) {
+  if (!parseCommandLine(argc, argv, options))
     return false;
-  }
   if (a.streets == 0 || a.threads == 0 || a.repeat == 0 || a.slow_streets > a.streets)
     throw std::invalid_argument("at least 1 street, thread and run are needed, and no "
                                 "more slow streets than streets");

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "common/measure.h"
 #include "common/options.h"
@@ -72,9 +67,8 @@ parseArguments(int argc, char** argv, Arguments& a)
       "verbose", po::bool_switch(&a.verbose), "a line for each cloud")(
       "threads", po::value(&a.threads), "of this library (1, as the peers have)")(
       "help", "this");
-  if (!parseCommandLine(argc, argv, options, po::value(&a.clouds))) {
+  if (!parseCommandLine(argc, argv, options, po::value(&a.clouds)))
     return false;
-  }
   for (const std::string& group : a.groups)
     if (group != "none" && groups().count(group) == 0)
       throw std::invalid_argument("-groups " + group +

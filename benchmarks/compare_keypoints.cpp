@@ -1,15 +1,11 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "common/measure.h"
 #include "common/options.h"
 #include "keypoints/keypoints.h"
+#include "scene/scene.h"
 
 #include <pcl/console/print.h>
 
@@ -20,8 +16,6 @@
 #include <cmath>
 #include <iostream>
 #include <map>
-
-#include <scene/scene.h>
 
 // Align two views of one generated scene by keypoints: points of creases, as many and
 // ten times as many at equal distances, and Intrinsic Shape Signatures.
@@ -44,9 +38,8 @@ viewOf(std::uint64_t seed, double turn)
   Pose view{pcl::make_shared<Cloud>(), Eigen::Isometry3d::Identity()};
   for (std::size_t i = 0; i < scene.surface.size(); ++i) {
     const float* p = &scene.xyz[3 * i];
-    if (std::isfinite(p[2])) {
+    if (std::isfinite(p[2]))
       view.cloud->emplace_back(p[0], p[1], p[2]);
-    }
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     view.camera.linear().col(static_cast<Eigen::Index>(axis)) =
@@ -69,9 +62,8 @@ errorOf(const Pose& from, const Pose& to, const Eigen::Matrix4f& found)
   Eigen::Isometry3d estimate;
   estimate.matrix() = found.cast<double>();
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const pcl::PointXYZ& point : *from.cloud) {
+  for (const pcl::PointXYZ& point : *from.cloud)
     middle += point.getVector3fMap().cast<double>();
-  }
   middle /= static_cast<double>(from.cloud->size());
   const Eigen::AngleAxisd rotation(truth.linear().transpose() * estimate.linear());
   return {rotation.angle() * 180.0 / M_PI,
@@ -95,9 +87,8 @@ score(const Pose& from,
 {
   View views[2] = {{from.cloud, nullptr}, {to.cloud, nullptr}};
   score.keypoints_ms.push_back(millisecondsOf([&] {
-    for (View& view : views) {
+    for (View& view : views)
       view.keypoints = keypointsOf(view.cloud);
-    }
   }));
   score.keypoints.push_back(static_cast<double>(views[0].keypoints->size()));
   Alignment alignment;
@@ -106,9 +97,8 @@ score(const Pose& from,
   const PoseError error = errorOf(from, to, alignment.pose);
   score.degrees.push_back(error.degrees);
   score.millimetres.push_back(error.millimetres);
-  if (error.degrees <= most_degrees && error.millimetres <= most_millimetres) {
+  if (error.degrees <= most_degrees && error.millimetres <= most_millimetres)
     ++score.aligned;
-  }
 }
 
 nlohmann::ordered_json

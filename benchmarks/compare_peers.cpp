@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "common/options.h"
 #include "peers/peer.h"
@@ -39,9 +34,8 @@ tasksOf(const Arguments& arguments)
 {
   std::vector<Task> tasks;
   for (const std::string& name : arguments.tasks) {
-    if (name != "edges" && name != "surfaces") {
+    if (name != "edges" && name != "surfaces")
       throw std::invalid_argument("-tasks " + name + ": allowed is edges, surfaces");
-    }
     tasks.push_back(name == "edges" ? Task::edges : Task::surfaces);
   }
   return tasks;
@@ -50,9 +44,8 @@ tasksOf(const Arguments& arguments)
 void
 check(const Arguments& arguments)
 {
-  if (arguments.clouds.empty()) {
+  if (arguments.clouds.empty())
     throw std::invalid_argument("no clouds: PCD files with truth are needed");
-  }
   for (const auto* radii :
        {&arguments.edge_radii, &arguments.surface_radii, &arguments.voronoi_radii}) {
     for (const double radius : *radii) {
@@ -81,9 +74,8 @@ parseArguments(int argc, char** argv, Arguments& a)
       "voronoi_radii", po::value(&a.voronoi_radii)->multitoken(), "CGAL's, likewise")(
       "jobs", po::value(&a.jobs), "clouds at a time, one thread each (1)")("help",
                                                                            "this");
-  if (!parseCommandLine(argc, argv, options, po::value(&a.clouds))) {
+  if (!parseCommandLine(argc, argv, options, po::value(&a.clouds)))
     return false;
-  }
   check(a);
   return true;
 }
@@ -108,9 +100,8 @@ trialsOf(const Setting& setting,
       failure = std::current_exception();
     }
   }
-  if (failure) {
+  if (failure)
     std::rethrow_exception(failure);
-  }
   return trials;
 }
 
@@ -143,9 +134,8 @@ peersOf(Task task, const Arguments& arguments)
                                        : surfacePeers(arguments.surface_radii);
   peers.insert(peers.end(), others.begin(), others.end());
 #ifdef PCL_SHAPE_HAS_CGAL
-  if (task == Task::edges) {
+  if (task == Task::edges)
     peers.push_back(voronoiPeer(arguments.voronoi_radii));
-  }
 #endif
   const auto isLeftOut = [&](const Peer& peer) {
     return std::none_of(
@@ -167,30 +157,26 @@ int
 runComparison(int argc, char** argv)
 {
   Arguments arguments;
-  if (!parseArguments(argc, argv, arguments)) {
+  if (!parseArguments(argc, argv, arguments))
     return 0;
-  }
 #ifndef PCL_SHAPE_HAS_CGAL
   std::cerr << "compare_peers: built without CGAL, whose edges are left out\n";
 #endif
   const std::vector<Task> tasks = tasksOf(arguments);
   std::vector<std::vector<Peer>> peers;
   peers.reserve(tasks.size());
-  for (const Task task : tasks) {
+  for (const Task task : tasks)
     peers.push_back(peersOf(task, arguments));
-  }
   std::vector<LabelledCloud> clouds;
-  for (const std::string& path : arguments.clouds) {
+  for (const std::string& path : arguments.clouds)
     clouds.push_back(readLabelledCloud(path, tasks));
-  }
   nlohmann::ordered_json report = describe(clouds);
   report["jobs"] = arguments.jobs;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     auto& rows = report[tasks[i] == Task::edges ? "edges" : "surfaces"];
     rows = nlohmann::ordered_json::array();
-    for (const Peer& peer : peers[i]) {
+    for (const Peer& peer : peers[i])
       rows.push_back(toJson(compete(peer, clouds, tasks[i], arguments.jobs)));
-    }
   }
   std::cout << report.dump() << std::endl;
   return 0;

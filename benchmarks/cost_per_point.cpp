@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "common/measure.h"
 #include "common/options.h"
@@ -57,9 +52,8 @@ run(int argc, char** argv)
   description.add_options()(
       "points", po::value(&points)->multitoken(), "numbers of points");
   parse(argc, argv, description, options);
-  if (!options.cloud.empty() || !options.generate.empty()) {
+  if (!options.cloud.empty() || !options.generate.empty())
     throw std::invalid_argument("its clouds are its own: a cloud is not allowed");
-  }
   const Pipeline pipeline = Pipeline::of("pipeline", 1.0);
   const std::size_t most = *std::max_element(points.begin(), points.end());
   std::vector<Size> sizes;

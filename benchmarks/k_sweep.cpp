@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "common/clouds.h"
 #include "common/measure.h"
@@ -54,9 +49,8 @@ overTree(const Tree& tree, const Normals& normals, int k, int threads)
 {
   const Cloud::ConstPtr cloud = tree.getInputCloud();
   Result result;
-  for (auto* values : {&result.mu, &result.sigma, &result.furthest}) {
+  for (auto* values : {&result.mu, &result.sigma, &result.furthest})
     values->resize(cloud->size());
-  }
 #pragma omp parallel for schedule(dynamic, 256) num_threads(threads)
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(cloud->size()); ++i) {
     pcl::Indices found;
@@ -147,9 +141,8 @@ compare(const Options& options,
                              {"paper_us", nullptr},
                              {"mu_p99", mu},
                              {"sigma_p99", sigma}};
-  if (paper_us.count(k) > 0) {
+  if (paper_us.count(k) > 0)
     row["paper_us"] = paper_us.at(k);
-  }
   return row;
 }
 
@@ -180,9 +173,8 @@ run(int argc, char** argv)
                                       {"pcl_build_us", build_us},
                                       {"k_sweep", rows}};
   std::cout << report.dump() << std::endl;
-  if (!agrees) {
+  if (!agrees)
     std::cerr << "k_sweep: the results do not agree\n";
-  }
   return agrees ? 0 : 1;
 }
 

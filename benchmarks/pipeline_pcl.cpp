@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "common/pcl_inad.h"
 #include "pipeline.h"
@@ -37,11 +32,9 @@ backProject(const std::vector<float>& mu,
     return binOf(mu[i]) * bins + binOf(sigma[i]);
   };
   counts[0] = own_histogram ? 0.0f : 1.0f;
-  for (std::size_t i = 0; own_histogram && i < mu.size(); ++i) {
-    if (!std::isnan(mu[i]) && binAt(i) < counts.size()) {
+  for (std::size_t i = 0; own_histogram && i < mu.size(); ++i)
+    if (!std::isnan(mu[i]) && binAt(i) < counts.size())
       ++counts[binAt(i)];
-    }
-  }
   const float peak = *std::max_element(counts.begin(), counts.end());
   std::vector<float> likelihood(mu.size());
 #pragma omp parallel for num_threads(threads)

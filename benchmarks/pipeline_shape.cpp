@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "common/heap_counter.h"
 #include "common/pcl_inad.h"
@@ -54,9 +49,8 @@ runEstimations(const Pipeline& pipeline,
 pcl::ShapeHistogram
 histogramOf(const Inad& inad, bool own_histogram, unsigned threads)
 {
-  if (!own_histogram) {
+  if (!own_histogram)
     return pcl::ShapeModel::idealPlane({}, bins).classes().front().histogram;
-  }
   pcl::ShapeHistogram histogram(bins, bins);
   histogram.add(inad, threads);
   return histogram;
@@ -75,12 +69,10 @@ backProject(Inad& inad, bool own_histogram, unsigned threads, PipelineResult& re
 Pipeline
 Pipeline::of(const std::string& task, double scale)
 {
-  if (task == "pipeline") {
+  if (task == "pipeline")
     return {0.010 * scale, {0.006 * scale, 0.020 * scale}, true};
-  }
-  if (task != "edges" && task != "surfaces") {
+  if (task != "edges" && task != "surfaces")
     throw std::invalid_argument(task + ": pipeline, edges or surfaces is allowed");
-  }
   const auto radii =
       task == "edges" ? pcl::INADParameters::edges() : pcl::INADParameters::surfaces();
   return {radii.normal_radius * scale, {radii.radius * scale}, false};
@@ -92,9 +84,8 @@ runShape(const Pipeline& pipeline, const Cloud::ConstPtr& cloud, unsigned thread
   PipelineResult result;
   runEstimations(pipeline, cloud, threads, [&](auto& estimation, auto& output) {
     estimation.compute(output);
-    if constexpr (std::is_same_v<std::decay_t<decltype(output)>, Inad>) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(output)>, Inad>)
       backProject(output, pipeline.own_histogram, threads, result);
-    }
   });
   return result;
 }
@@ -139,9 +130,8 @@ mostExtraBytes(const Pipeline& pipeline, const Cloud::ConstPtr& cloud, unsigned 
     const auto peak = static_cast<double>(takeHeapPeak());
     const auto returned = static_cast<double>(output.size() * sizeof(output[0]));
     most = std::max(most, peak - of_normals - returned);
-    if constexpr (std::is_same_v<std::decay_t<decltype(output)>, Normals>) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(output)>, Normals>)
       of_normals = returned;
-    }
   });
   stopCountingHeap();
   return most / static_cast<double>(cloud->size());

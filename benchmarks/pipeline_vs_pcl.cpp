@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "common/measure.h"
 #include "common/options.h"
@@ -119,9 +114,8 @@ run(int argc, char** argv)
   std::cout << report.dump() << std::endl;
   const bool agrees = neighbors == theirs.neighbors && quantile(mu, 0.99) < agreement &&
                       quantile(sigma, 0.99) < agreement;
-  if (!agrees) {
+  if (!agrees)
     std::cerr << "pipeline_vs_pcl: the results do not agree\n";
-  }
   return agrees ? 0 : 1;
 }
 

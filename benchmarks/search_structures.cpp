@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "search_structures.h"
 
@@ -113,11 +108,9 @@ public:
   : points_(std::make_shared<FinitePoints>())
   {
     points_->cloud = cloud;
-    for (std::size_t i = 0; i < cloud->size(); ++i) {
-      if (pcl::isFinite((*cloud)[i])) {
+    for (std::size_t i = 0; i < cloud->size(); ++i)
+      if (pcl::isFinite((*cloud)[i]))
         points_->points.push_back(static_cast<pcl::index_t>(i));
-      }
-    }
     tree_ = std::make_shared<Tree>(3, *points_, leaf_size);
     tree_->buildIndex();
   }
@@ -129,9 +122,8 @@ public:
     tree_->radiusSearch(
         cloud[point].data, r2, matches_, nanoflann::SearchParams(0, 0.0f, false));
     found.clear();
-    for (const auto& match : matches_) {
+    for (const auto& match : matches_)
       found.push_back(points_->points[match.first]);
-    }
   }
 
 private:

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "common/clouds.h"
 #include "common/measure.h"
@@ -56,9 +51,8 @@ runShape(const Cloud::ConstPtr& cloud,
   pcl::PointCloud<pcl::INAD> inad;
   estimation.compute(inad);
   std::vector<float> mu;
-  for (const pcl::INAD& value : inad) {
+  for (const pcl::INAD& value : inad)
     mu.push_back(value.mu);
-  }
   return mu;
 }
 
@@ -85,9 +79,8 @@ settingsOf(int argc, char** argv)
   description.add_options()("radius", po::value(&settings.radius), "of INAD, metres")(
       "normal_radius", po::value(&settings.normal_radius), "metres");
   parse(argc, argv, description, settings);
-  if (settings.shuffle) {
+  if (settings.shuffle)
     throw std::invalid_argument("organized clouds cannot be shuffled");
-  }
   return settings;
 }
 
@@ -113,9 +106,8 @@ measure(const Settings& settings, const Cloud::ConstPtr& cloud)
   const Normals::ConstPtr normals = normalsOf(cloud, settings);
   const std::vector<SearchStructure> structures = searchStructures(*cloud);
   AllMeasured all;
-  for (const SearchStructure& structure : structures) {
+  for (const SearchStructure& structure : structures)
     all.structures.push_back({structure.name, {}, {}, {}});
-  }
   for (unsigned i = 0; i < settings.repeat; ++i) {
     for (std::size_t s = 0; s < structures.size(); ++s) {
       Measured& m = all.structures[s];
@@ -157,9 +149,8 @@ run(int argc, char** argv)
       {"pcl_shape_us_per_query", 1e3 * median(all.shape_ms) / queries},
       {"structures", rows}};
   std::cout << report.dump() << std::endl;
-  if (!all_agree) {
+  if (!all_agree)
     std::cerr << "structures: the results do not agree\n";
-  }
   return all_agree ? 0 : 1;
 }
 

@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
-# Make src/segmentation/label_weights.h, the confidence of labels, from generated scenes: depth camera and
+# Make src/labels/label_weights.h, the confidence of labels, from generated scenes: depth camera and
 # CAD-like sampling, several noise levels. No real scene is used. Build again to use it.
 # Usage: scripts/calibrate_labels.sh BUILD_DIR [OUTPUT_FILE]
 set -euo pipefail
 export LC_ALL=C
 
 build=${1:?usage: scripts/calibrate_labels.sh BUILD_DIR [OUTPUT_FILE]}
-output=${2:-$(dirname "${BASH_SOURCE[0]}")/../src/segmentation/label_weights.h}
+output=${2:-$(dirname "${BASH_SOURCE[0]}")/../src/labels/label_weights.h}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-"$build"/calibration/calibrate_labels >"$work/weights"
+"$build"/tools/calibrate_labels >"$work/weights"
 # The numbers are replaced, the rest of the file stays.
 awk 'NR == FNR { split($0, word, /[ {]/); line[word[3]] = $0; next }
   { split($0, word, /[ {]/) }

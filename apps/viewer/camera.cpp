@@ -1,17 +1,12 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "camera.h"
+#include "viewer/camera.h"
 
-#include "common/arguments.h"
-#include "common/errors.h"
-#include "common/pcd_values.h"
+#include "cli/arguments.h"
+#include "cli/errors.h"
+#include "io/pcd.h"
 
 #include <pcl/common/common.h>
 #include <pcl/common/point_tests.h>

@@ -1,17 +1,12 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "field_view.h"
+#include "viewer/field_view.h"
 
-#include "common/errors.h"
-#include "label_view.h"
-#include "number_view.h"
+#include "cli/errors.h"
+#include "viewer/label_view.h"
+#include "viewer/number_view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,16 +1,11 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "label_view.h"
+#include "viewer/label_view.h"
 
-#include "common/errors.h"
-#include "label_names.h"
+#include "cli/errors.h"
+#include "viewer/label_names.h"
 
 #include <pcl/common/point_tests.h>
 

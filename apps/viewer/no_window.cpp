@@ -1,14 +1,9 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "common/errors.h"
-#include "window.h"
+#include "cli/errors.h"
+#include "viewer/window.h"
 
 // In the place of window.cpp where there is no X11, or PCL has no visualization.
 namespace pcl::app {

@@ -1,17 +1,12 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #pragma once
 
-#include "camera.h"
-#include "field_view.h"
-#include "scene_files.h"
+#include "viewer/camera.h"
+#include "viewer/field_view.h"
+#include "viewer/scene_files.h"
 
 #include <string>
 #include <vector>

@@ -1,17 +1,12 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "window.h"
+#include "viewer/window.h"
 
-#include "annotations.h"
-#include "common/errors.h"
-#include "overlays.h"
+#include "cli/errors.h"
+#include "viewer/annotations.h"
+#include "viewer/overlays.h"
 
 #include <pcl/common/point_tests.h>
 #include <pcl/visualization/pcl_visualizer.h>

@@ -1,15 +1,10 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "clouds.h"
 
-#include "../../src/scene/scene.h"
+#include "scene/scene.h"
 
 #include <pcl/filters/filter.h>
 #include <pcl/io/pcd_io.h>
@@ -57,24 +52,21 @@ sheetCloud(std::size_t points)
 Cloud::Ptr
 cloudOf(const Options& options)
 {
-  if (options.generate == "laser") {
+  if (options.generate == "laser")
     return laserCloud();
-  }
   if (options.generate == "sheet") {
     constexpr std::size_t points = 200000;
     return sheetCloud(points);
   }
   if (options.cloud.empty() || !options.generate.empty()) {
-    if (options.generate.empty() || options.generate == "scene") {
+    if (options.generate.empty() || options.generate == "scene")
       return sceneCloud();
-    }
     throw std::invalid_argument(options.generate +
                                 ": scene, sheet or laser is allowed");
   }
   const auto cloud = pcl::make_shared<Cloud>();
-  if (pcl::io::loadPCDFile(options.cloud, *cloud) != 0) {
+  if (pcl::io::loadPCDFile(options.cloud, *cloud) != 0)
     throw std::runtime_error(options.cloud + ": cannot be read as a PCD file");
-  }
   return cloud;
 }
 
@@ -84,8 +76,7 @@ finiteCloudOf(const Options& options)
   const Cloud::Ptr cloud = cloudOf(options);
   pcl::Indices kept;
   pcl::removeNaNFromPointCloud(*cloud, *cloud, kept);
-  if (options.shuffle) {
+  if (options.shuffle)
     std::shuffle(cloud->begin(), cloud->end(), std::mt19937(1));
-  }
   return cloud;
 }

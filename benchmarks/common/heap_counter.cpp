@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "heap_counter.h"
 
@@ -50,9 +45,8 @@ counted(void* p)
 void
 uncount(void* p)
 {
-  if (p && is_counting.load(std::memory_order_relaxed)) {
+  if (p && is_counting.load(std::memory_order_relaxed))
     in_use -= usableSize(p);
-  }
 }
 
 } // namespace

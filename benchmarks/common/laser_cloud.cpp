@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "clouds.h"
 
@@ -81,12 +76,10 @@ double
 rangeIn(const Street& street, const Eigen::Array3d& ray)
 {
   double range = ray.z() < 0.0 ? ground / ray.z() : infinity;
-  for (const House& box : street.boxes) {
+  for (const House& box : street.boxes)
     range = std::min(range, rangeOf(box, ray));
-  }
-  for (const Trunk& trunk : street.trunks) {
+  for (const Trunk& trunk : street.trunks)
     range = std::min(range, rangeOf(trunk, ray));
-  }
   return range;
 }
 

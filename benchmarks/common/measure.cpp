@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "measure.h"
 
@@ -16,9 +11,8 @@
 double
 quantile(std::vector<double> values, double share)
 {
-  if (values.empty()) {
+  if (values.empty())
     return 0.0;
-  }
   const auto at =
       static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + at, values.end());
@@ -29,10 +23,8 @@ std::vector<double>
 differences(const std::vector<float>& a, const std::vector<float>& b)
 {
   std::vector<double> result;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (!std::isnan(a[i]) && !std::isnan(b[i])) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (!std::isnan(a[i]) && !std::isnan(b[i]))
       result.push_back(std::abs(double{a[i]} - b[i]));
-    }
-  }
   return result;
 }

@@ -1,15 +1,10 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "options.h"
 
-#include "../../src/kernels/targets.h"
+#include "sweep/portable/targets.h"
 
 #include <iostream>
 #include <stdexcept>
@@ -20,9 +15,8 @@ po::options_description
 commonOptions(const std::string& program, Options& o)
 {
   std::string targets;
-  for (const std::string& target : pcl::kernels::availableTargets()) {
+  for (const std::string& target : pcl::kernels::availableTargets())
     targets += (targets.empty() ? "of this machine's: " : ", ") + target;
-  }
   po::options_description description(program + " [CLOUD.pcd] [options]");
   const auto add = [&](const char* name, auto* value, const std::string& help) {
     description.add_options()(name, po::value(value), help.c_str());
@@ -70,19 +64,15 @@ parseCommandLine(int argc,
 void
 parse(int argc, char** argv, const po::options_description& description, Options& o)
 {
-  if (!parseCommandLine(argc, argv, description, po::value(&o.cloud), 1)) {
+  if (!parseCommandLine(argc, argv, description, po::value(&o.cloud), 1))
     std::exit(0);
-  }
-  if (o.repeat == 0 || o.threads == 0) {
+  if (o.repeat == 0 || o.threads == 0)
     throw std::invalid_argument("at least 1 thread and 1 run are needed");
-  }
-  if (!o.cloud.empty() && !o.generate.empty()) {
+  if (!o.cloud.empty() && !o.generate.empty())
     throw std::invalid_argument("a file or -generate is allowed, not both");
-  }
   pcl::kernels::chooseTarget(o.target);
-  if (o.target.empty()) {
+  if (o.target.empty())
     o.target = pcl::kernels::availableTargets().front();
-  }
 }
 
 int

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "pcl_inad.h"
 
@@ -20,14 +15,12 @@ MeanAndDeviation
 momentsOf(const std::vector<float>& angles)
 {
   float sum = 0.0f;
-  for (const float a : angles) {
+  for (const float a : angles)
     sum += a;
-  }
   const float mean = sum / static_cast<float>(angles.size());
   float squares = 0.0f;
-  for (const float a : angles) {
+  for (const float a : angles)
     squares += (a - mean) * (a - mean);
-  }
   return {mean, std::sqrt(squares / static_cast<float>(angles.size()))};
 }
 
@@ -41,9 +34,8 @@ inadAt(const Normals& normals, const pcl::Indices& found, pcl::index_t point)
   const Eigen::Vector3f own = normals[point].getNormalVector3fMap();
   for (const pcl::index_t j : found) {
     const float cosine = std::abs(own.dot(normals[j].getNormalVector3fMap()));
-    if (j != point && std::isfinite(cosine)) {
+    if (j != point && std::isfinite(cosine))
       angles.push_back(std::acos(std::min(cosine, 1.0f)));
-    }
   }
   constexpr std::size_t least = 5;
   if (!std::isfinite(own.x()) || angles.size() < least) {

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "pcl_regions.h"
 
@@ -155,9 +150,8 @@ describe(const CylinderFit& fit)
 {
   std::ostringstream text;
   text << 1000.0 * fit.distance << " mm";
-  if (fit.normal_weight > 0.0) {
+  if (fit.normal_weight > 0.0)
     text << ", normals weigh " << fit.normal_weight;
-  }
   return text.str();
 }
 

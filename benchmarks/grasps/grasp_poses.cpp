@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "grasp_poses.h"
 
@@ -20,9 +15,8 @@ Cloud::Ptr
 cloudOf(const scene::GraspScene& scene)
 {
   auto cloud = pcl::make_shared<Cloud>();
-  for (std::size_t i = 0; i < scene.object.size(); ++i) {
+  for (std::size_t i = 0; i < scene.object.size(); ++i)
     cloud->emplace_back(scene.xyz[3 * i], scene.xyz[3 * i + 1], scene.xyz[3 * i + 2]);
-  }
   return cloud;
 }
 

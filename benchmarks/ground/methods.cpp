@@ -1,21 +1,16 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "methods.h"
+
+#include "scene/lidar.h"
 
 #include <pcl/segmentation/progressive_morphological_filter.h>
 #include <pcl/segmentation/sac_segmentation.h>
 #include <pcl/segmentation/shape_ground_segmentation.h>
 
 #include <sstream>
-
-#include <scene/lidar.h>
 
 namespace ground {
 namespace {

@@ -1,16 +1,11 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "instance_cloud.h"
 
-#include "common/cloud_file.h"
-#include "common/pcd_reader.h"
+#include "io/cloud_file.h"
+#include "io/pcd.h"
 
 #include <pcl/segmentation/extract_clusters.h>
 

@@ -1,13 +1,10 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #pragma once
+
+#include "scene/scene.h"
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -15,8 +12,6 @@
 #include <cstdint>
 #include <string>
 #include <vector>
-
-#include <scene/scene.h>
 
 namespace instances {
 

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "local_features.h"
 
@@ -57,9 +52,8 @@ differenceOfNormals(const Cloud::ConstPtr& cloud, double small, double large)
   estimation.initCompute();
   estimation.computeFeature(differences);
   Scores scores;
-  for (const pcl::PointNormal& difference : differences) {
+  for (const pcl::PointNormal& difference : differences)
     scores.push_back(difference.curvature); // its length
-  }
   return scores;
 }
 

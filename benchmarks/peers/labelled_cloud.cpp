@@ -1,17 +1,12 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "labelled_cloud.h"
 
-#include "common/errors.h"
-#include "common/evaluation_tasks.h"
-#include "common/pcd_reader.h"
+#include "cli/errors.h"
+#include "evaluation/evaluation_tasks.h"
+#include "io/pcd.h"
 
 #include <pcl/segmentation/extract_clusters.h>
 
@@ -37,9 +32,8 @@ truthOf(const pcl::app::CloudFile& file, const std::string& task)
       pcl::app::selectPoints(task, pcl::app::Convention::strict, numbered, file);
   Truth truth;
   truth.classes = selected.classes;
-  for (const pcl::app::LabelPair& pair : selected.points) {
+  for (const pcl::app::LabelPair& pair : selected.points)
     truth.points.push_back({pair.truth, pair.predicted});
-  }
   return truth;
 }
 
@@ -77,14 +71,11 @@ countCurvedParts(const LabelledCloud& cloud)
   constexpr double gap = 0.010;
   constexpr int least = 100;
   const auto curved = pcl::make_shared<Cloud>();
-  for (const Truth::Point& point : cloud.surfaces.points) {
-    if (point.label == cloud.surfaces.classes.front().label) {
+  for (const Truth::Point& point : cloud.surfaces.points)
+    if (point.label == cloud.surfaces.classes.front().label)
       curved->push_back((*cloud.points)[point.index]);
-    }
-  }
-  if (curved->empty()) {
+  if (curved->empty())
     return 0;
-  }
   pcl::EuclideanClusterExtraction<pcl::PointXYZ> clustering;
   clustering.setInputCloud(curved);
   clustering.setClusterTolerance(gap);

@@ -1,17 +1,12 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #pragma once
 
 #include "../common/clouds.h"
-#include "common/cloud_file.h"
-#include "common/evaluation.h"
+#include "evaluation/evaluation.h"
+#include "io/cloud_file.h"
 
 #include <cstdint>
 #include <string>

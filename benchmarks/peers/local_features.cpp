@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "local_features.h"
 
@@ -25,9 +20,8 @@ variationOf(const Cloud::ConstPtr& cloud, double radius)
 {
   const Normals::ConstPtr normals = normalsOf(cloud, radius);
   Scores scores;
-  for (const pcl::Normal& normal : *normals) {
+  for (const pcl::Normal& normal : *normals)
     scores.push_back(normal.curvature);
-  }
   return scores;
 }
 
@@ -66,9 +60,8 @@ curvatureOf(const Cloud::ConstPtr& cloud, double radius)
   pcl::PointCloud<pcl::PrincipalCurvatures> curvatures;
   estimation.compute(curvatures);
   Scores scores;
-  for (const pcl::PrincipalCurvatures& at : curvatures) {
+  for (const pcl::PrincipalCurvatures& at : curvatures)
     scores.push_back(at.pc1);
-  }
   return scores;
 }
 

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "peer.h"
 
@@ -30,11 +25,9 @@ detect(Detector& detector, const LabelledCloud& cloud, std::size_t looked_for)
   std::vector<pcl::PointIndices> classes;
   detector.segment(classes);
   Scores scores(cloud.points->size(), std::numeric_limits<float>::quiet_NaN());
-  for (std::size_t c = 0; c < classes.size(); ++c) {
-    for (const pcl::index_t i : classes[c].indices) {
+  for (std::size_t c = 0; c < classes.size(); ++c)
+    for (const pcl::index_t i : classes[c].indices)
       scores[static_cast<std::size_t>(i)] = c == looked_for ? 1.0f : 0.0f;
-    }
-  }
   return scores;
 }
 

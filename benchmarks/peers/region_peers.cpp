@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "../common/pcl_regions.h"
 #include "local_features.h"
@@ -37,9 +32,8 @@ flatnessOf(const Cloud& cloud, const pcl::Indices& region)
 void
 setScores(const pcl::Indices& indices, float score, Scores& scores)
 {
-  for (const pcl::index_t i : indices) {
+  for (const pcl::index_t i : indices)
     scores[static_cast<std::size_t>(i)] = score;
-  }
 }
 
 /** A region's points are as curved as it is not flat; points of no region are curved.
@@ -49,9 +43,8 @@ flatnessOfRegions(const Cloud::ConstPtr& cloud, double degrees)
 {
   constexpr float very_curved = 1.0f;
   Scores scores(cloud->size(), very_curved);
-  for (const pcl::PointIndices& region : pcl_regions::grownRegions(cloud, degrees)) {
+  for (const pcl::PointIndices& region : pcl_regions::grownRegions(cloud, degrees))
     setScores(region.indices, flatnessOf(*cloud, region.indices), scores);
-  }
   return scores;
 }
 
@@ -62,9 +55,8 @@ awayFromPlanes(const Cloud::ConstPtr& cloud, double distance)
   constexpr std::size_t share = 100;
   Scores scores(cloud->size(), 1.0f);
   for (const pcl::Indices& plane :
-       pcl_regions::planes(cloud, distance, cloud->size(), cloud->size() / share)) {
+       pcl_regions::planes(cloud, distance, cloud->size(), cloud->size() / share))
     setScores(plane, 0.0f, scores);
-  }
   return scores;
 }
 
@@ -74,9 +66,8 @@ onCylinders(const LabelledCloud& labelled, const pcl_regions::CylinderFit& fit)
 {
   Scores scores(labelled.points->size(), 0.0f);
   for (const pcl::Indices& cylinder :
-       pcl_regions::cylinders(labelled.points, fit, countCurvedParts(labelled))) {
+       pcl_regions::cylinders(labelled.points, fit, countCurvedParts(labelled)))
     setScores(cylinder, 1.0f, scores);
-  }
   return scores;
 }
 

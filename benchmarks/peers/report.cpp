@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "report.h"
 
@@ -26,20 +21,17 @@ numbersOf(const Trial& trial, float threshold)
   const std::string& looked_for = trial.truth->classes.front().name;
   Json numbers{{"seconds", trial.seconds}};
   for (const pcl::app::ClassScore& of : evaluation.classes) {
-    if (of.name == looked_for && !trial.truth->hasAny()) {
+    if (of.name == looked_for && !trial.truth->hasAny())
       continue;
-    }
     const std::map<std::string, double> values{{"f1", of.score.f1()},
                                                {"precision", of.score.precision()},
                                                {"recall", of.score.recall()},
                                                {"iou", of.score.iou()}};
-    for (const auto& [name, value] : values) {
+    for (const auto& [name, value] : values)
       numbers[of.name + "_" + name] = std::isnan(value) ? 0.0 : value;
-    }
   }
-  if (evaluation.classes.size() > 1 && trial.truth->hasAny()) {
+  if (evaluation.classes.size() > 1 && trial.truth->hasAny())
     numbers["mean_iou"] = evaluation.mean_iou;
-  }
   numbers["accuracy"] = evaluation.accuracy;
   return numbers;
 }
@@ -57,9 +49,8 @@ meansOf(const Json& clouds)
     }
   }
   Json means;
-  for (const auto& [name, sum] : sums) {
+  for (const auto& [name, sum] : sums)
     means[name] = sum.first / sum.second;
-  }
   return means;
 }
 

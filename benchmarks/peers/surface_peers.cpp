@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "local_features.h"
 
@@ -28,9 +23,8 @@ curvatureByRadii(const Cloud::ConstPtr& cloud, double radius)
   pcl::PointCloud<pcl::PrincipalRadiiRSD> found;
   estimation.compute(found);
   Scores scores;
-  for (const pcl::PrincipalRadiiRSD& radii : found) {
+  for (const pcl::PrincipalRadiiRSD& radii : found)
     scores.push_back(1.0f / radii.r_min);
-  }
   return scores;
 }
 
@@ -59,9 +53,8 @@ surfacePeers(const std::vector<double>& radii)
                           principalCurvature(radii),
                           simple_types,
                           radiiPeer("pcl::RSDEstimation, best threshold", radii)};
-  for (const Peer& peer : regionPeers()) {
+  for (const Peer& peer : regionPeers())
     peers.push_back(peer);
-  }
   return peers;
 }
 

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "trial.h"
 
@@ -30,9 +25,8 @@ lookedFor(const Truth& truth)
 std::uint32_t
 labelOf(float score, float threshold, const Truth& truth)
 {
-  if (std::isnan(score)) {
+  if (std::isnan(score))
     return 0;
-  }
   return score >= threshold ? lookedFor(truth)
                             : (truth.classes.size() > 1 ? truth.classes[1].label : 0);
 }
@@ -56,18 +50,15 @@ thresholdsOf(const std::vector<Trial>& trials)
 {
   std::vector<float> scores;
   for (const Trial& trial : trials) {
-    for (std::size_t i = 0; i < trial.scores.size(); ++i) {
+    for (std::size_t i = 0; i < trial.scores.size(); ++i)
       if (trial.truth->points[i].label == lookedFor(*trial.truth) &&
-          !std::isnan(trial.scores[i])) {
+          !std::isnan(trial.scores[i]))
         scores.push_back(trial.scores[i]);
-      }
-    }
   }
   std::sort(scores.begin(), scores.end());
   std::vector<float> thresholds;
-  for (std::size_t c = 0; c < candidates && !scores.empty(); ++c) {
+  for (std::size_t c = 0; c < candidates && !scores.empty(); ++c)
     thresholds.push_back(scores[c * (scores.size() - 1) / candidates]);
-  }
   thresholds.erase(std::unique(thresholds.begin(), thresholds.end()), thresholds.end());
   return thresholds;
 }
@@ -88,9 +79,8 @@ run(const Setting& setting, const LabelledCloud& cloud, Task task)
                              " scores: allowed is one for each of the " +
                              std::to_string(cloud.points->size()) + " points");
   }
-  for (const Truth::Point& point : truth.points) {
+  for (const Truth::Point& point : truth.points)
     trial.scores.push_back(scores[point.index]);
-  }
   return trial;
 }
 

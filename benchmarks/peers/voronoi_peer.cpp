@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "local_features.h"
 
@@ -29,9 +24,8 @@ ratioOf(const Covariance& covariance)
 {
   std::array<double, 3> values{};
   if (!CGAL::Default_diagonalize_traits<double, 3>::
-          diagonalize_selfadjoint_covariance_matrix(covariance, values)) {
+          diagonalize_selfadjoint_covariance_matrix(covariance, values))
     return 0.0f; // no feature edge, as there
-  }
   return static_cast<float>(values[1] / (values[0] + values[1] + values[2]));
 }
 
@@ -56,9 +50,8 @@ voronoiScores(const Cloud::ConstPtr& cloud,
 {
   const Cloud::Ptr thin = thinned(cloud, 0.5 * convolution_radius);
   std::vector<Kernel::Point_3> points;
-  for (const pcl::PointXYZ& p : *thin) {
+  for (const pcl::PointXYZ& p : *thin)
     points.emplace_back(p.x, p.y, p.z);
-  }
   std::vector<Covariance> covariances;
   CGAL::compute_vcm(points, covariances, offset_radius, convolution_radius);
   pcl::search::KdTree<pcl::PointXYZ> tree;

@@ -33,9 +33,8 @@ main()
   pcl::NeighborhoodSweep sweep({xyz.data(), 3, size});
   std::vector<float> radii(size);
   sweep.computeDistanceToNearest(12, radii.data()); // about two point distances
-  for (float& radius : radii) {
+  for (float& radius : radii)
     radius *= 3.0f;
-  }
   const auto neighborhood = pcl::NeighborhoodSize::ofRadii(radii.data());
 
   std::vector<float> normals(3 * size);
@@ -47,9 +46,8 @@ main()
   // [sweep]
 
   float largest = 0.0f;
-  for (std::size_t i = 0; i < size; ++i) {
+  for (std::size_t i = 0; i < size; ++i)
     largest = std::max(largest, mu_sigma[2 * i]);
-  }
   std::cout << "largest mean angle " << largest << " rad\n";
   return largest > 0.0f ? 0 : 1;
 }

@@ -35,9 +35,8 @@ main(int argc, char** argv)
   // [normals]
 
   std::size_t known = 0;
-  for (const pcl::Normal& normal : normals) {
+  for (const pcl::Normal& normal : normals)
     known += std::isfinite(normal.normal_x);
-  }
   std::cout << known << " of " << normals.size() << " points have a normal\n";
   return known == 0 ? 1 : 0;
 }

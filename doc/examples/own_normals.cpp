@@ -45,9 +45,8 @@ main(int argc, char** argv)
   std::vector<pcl::PointIndices> classes;
   surfaces.segment(classes); // planar, curved
 
-  if (classes.size() != 2) {
+  if (classes.size() != 2)
     return 1;
-  }
   std::cout << classes[0].indices.size() << " planar and " << classes[1].indices.size()
             << " curved points of " << cloud->size() << '\n';
   return classes[0].indices.empty() ? 1 : 0;

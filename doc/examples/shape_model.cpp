@@ -103,9 +103,8 @@ main(int argc, char** argv)
   // [model]
 
   const std::vector<std::string> names = surfaces.getClasses();
-  for (std::size_t c = 0; c < classes.size(); ++c) {
+  for (std::size_t c = 0; c < classes.size(); ++c)
     std::cout << names[c] << ": " << classes[c].indices.size() << " points\n";
-  }
   return classes.size() == 2 && classes[1].indices.size() > classes[0].indices.size()
              ? 0
              : 1;

@@ -36,9 +36,8 @@ main(int argc, char** argv)
   edge_detection.segment(edges);
   // [pipeline]
 
-  if (classes.size() != 2) {
+  if (classes.size() != 2)
     return 1;
-  }
   std::cout << classes[0].indices.size() << " planar, " << classes[1].indices.size()
             << " curved, " << edges.indices.size() << " edge points of "
             << cloud->size() << '\n';

@@ -47,9 +47,8 @@ main(int argc, char** argv)
   // [index]
 
   std::size_t sharper = 0;
-  for (std::size_t i = 0; i < fine.size(); ++i) {
+  for (std::size_t i = 0; i < fine.size(); ++i)
     sharper += fine[i].mu > coarse[i].mu;
-  }
   std::cout << sharper << " of " << cloud->size()
             << " points are more curved at 6 mm than at 20 mm\n";
   return fine.empty() || coarse.empty() ? 1 : 0;

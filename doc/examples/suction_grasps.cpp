@@ -31,9 +31,8 @@ main(int argc, char** argv)
   estimation.compute(grasps); // the best first
   // [grasps]
 
-  if (grasps.empty() || !grasps.front().seals()) {
+  if (grasps.empty() || !grasps.front().seals())
     return 1;
-  }
   std::cout << grasps.size() << " places, the best at "
             << grasps.front().position.transpose() << " along "
             << grasps.front().approach.transpose() << '\n';

@@ -1,15 +1,10 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "../kernels/finite.h"
-#include "../kernels/parallel.h"
-#include "number_text.h"
+#include "common/finite.h"
+#include "common/number_text.h"
+#include "common/parallel.h"
 
 #include <pcl/features/impl/cloud_neighborhoods.hpp>
 
@@ -25,19 +20,16 @@ using kernels::isFinite;
 std::string
 problemOfCloud(const std::string& name, const XYZView& points)
 {
-  if (points.size == 0) {
+  if (points.size == 0)
     return name + " is empty: at least one point is needed";
-  }
   if (points.size >
       static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
     return name + " has " + std::to_string(points.size) +
            " points: at most 2^31 - 1 are allowed";
   }
-  for (std::size_t i = 0; i < points.size; ++i) {
-    if (isFinite(points[i])) {
+  for (std::size_t i = 0; i < points.size; ++i)
+    if (isFinite(points[i]))
       return {};
-    }
-  }
   return name + " has no finite point: at least one of its " +
          std::to_string(points.size) + " points must be finite";
 }
@@ -48,9 +40,8 @@ problemOfIndices(const pcl::Indices& indices, std::size_t size)
   const auto bad = std::find_if(indices.begin(), indices.end(), [size](index_t i) {
     return i < 0 || static_cast<std::size_t>(i) >= size;
   });
-  if (bad == indices.end()) {
+  if (bad == indices.end())
     return {};
-  }
   return "index " + std::to_string(*bad) + " (at position " +
          std::to_string(bad - indices.begin()) + ") is out of range: 0 to " +
          std::to_string(size - 1) + " are allowed";
@@ -61,9 +52,8 @@ bool
 hasFinite(const XYZView& points, std::size_t count)
 {
   std::size_t found = 0;
-  for (std::size_t i = 0; found < count && i < points.size; ++i) {
+  for (std::size_t i = 0; found < count && i < points.size; ++i)
     found += isFinite(points[i]) ? 1 : 0;
-  }
   return found >= count;
 }
 
@@ -74,9 +64,8 @@ problemOfSize(double radius, int k, const XYZView& surface)
     return "both radius (" + numberText(radius) + " m) and k (" + std::to_string(k) +
            ") are set: set one of them to 0";
   }
-  if (radius == 0.0 && k == 0) {
+  if (radius == 0.0 && k == 0)
     return "neither radius nor k is set: set one of them to a positive number";
-  }
   if (k != 0) {
     return k > 0 && hasFinite(surface, static_cast<std::size_t>(k))
                ? std::string()
@@ -95,15 +84,12 @@ std::string
 problemOf(const NeighborhoodRequest& request)
 {
   std::string problem = problemOfCloud("the input cloud", request.input);
-  if (problem.empty() && request.surface.first != request.input.first) {
+  if (problem.empty() && request.surface.first != request.input.first)
     problem = problemOfCloud("the search surface", request.surface);
-  }
-  if (problem.empty() && request.indices) {
+  if (problem.empty() && request.indices)
     problem = problemOfIndices(*request.indices, request.input.size);
-  }
-  if (problem.empty()) {
+  if (problem.empty())
     problem = problemOfSize(request.radius, request.k, request.surface);
-  }
   return problem;
 }
 

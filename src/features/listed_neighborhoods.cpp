@@ -1,16 +1,11 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "../kernels/finite.h"
-#include "../kernels/neighborhood.h"
-#include "../kernels/parallel.h"
-#include "inad_input.h"
+#include "common/finite.h"
+#include "common/parallel.h"
+#include "sweep/inad_input.h"
+#include "sweep/portable/neighborhood.h"
 
 #include <pcl/features/listed_neighborhoods.h>
 
@@ -34,9 +29,8 @@ collectNeighbors(const XYZView& surface,
   neighbors.clear();
   for (const std::int32_t index : found) {
     const auto position = static_cast<std::uint32_t>(index);
-    if (isFinite(surface[position])) {
+    if (isFinite(surface[position]))
       neighbors.push_back(neighborAt(surface[position], q, position));
-    }
   }
 }
 
@@ -72,15 +66,13 @@ ListedNeighborhoods::forEachQuery(const Visit& visit) const
       const std::size_t point =
           has_indices_ ? static_cast<std::size_t>(indices_[i]) : i;
       const float* q = points[point];
-      if (!isFinite(q)) {
+      if (!isFinite(q))
         continue;
-      }
       found.clear();
       find_(i, found);
       collectNeighbors(surface_, found, q, neighbors);
-      if (neighbors.empty()) {
+      if (neighbors.empty())
         continue;
-      }
       const auto own = static_cast<std::uint32_t>(point);
       const bool contains_itself =
           own_queries_
@@ -115,9 +107,8 @@ ListedNeighborhoods::computeNormals(float* normals,
     curvature[i * stride] = result.curvature;
   });
   bool is_finite = true;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; ++i)
     is_finite = is_finite && !std::isnan(normals[i * stride]);
-  }
   return is_finite;
 }
 

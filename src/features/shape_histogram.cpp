@@ -1,24 +1,46 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "../kernels/parallel.h"
-#include "binning.h"
-#include "errors.h"
+#include "common/errors.h"
+#include "common/parallel.h"
 
 #include <pcl/features/shape_histogram.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 
 namespace pcl {
+
+/** \brief The bins of many pairs: numbers that a loop keeps in registers. */
+class Binning {
+public:
+  explicit Binning(const ShapeHistogram& histogram)
+  : mu_bins_(static_cast<double>(histogram.muBins()))
+  , sigma_bins_(static_cast<double>(histogram.sigmaBins()))
+  , mu_range_(histogram.muRange())
+  , sigma_range_(histogram.sigmaRange())
+  {}
+
+  /** \brief Position of the pair's bin, or the number of bins beyond the ranges. */
+  std::int32_t
+  operator()(const INAD& inad) const
+  {
+    const double i = inad.mu * mu_bins_ / mu_range_;
+    const double j = inad.sigma * sigma_bins_ / sigma_range_;
+    const bool is_inside = i >= 0.0 && i < mu_bins_ && j >= 0.0 && j < sigma_bins_;
+    const auto row = static_cast<std::int32_t>(is_inside ? i : mu_bins_);
+    const auto column = static_cast<std::int32_t>(is_inside ? j : 0.0);
+    return row * static_cast<std::int32_t>(sigma_bins_) + column;
+  }
+
+private:
+  double mu_bins_, sigma_bins_, mu_range_, sigma_range_;
+};
+
 namespace {
 
 constexpr std::size_t most_bins = 4096;
@@ -74,9 +96,8 @@ ShapeHistogram::binOf(const INAD& inad) const
 void
 ShapeHistogram::add(const INAD& inad)
 {
-  if (isNaN(inad)) {
+  if (isNaN(inad))
     return;
-  }
   const std::size_t bin = binOf(inad);
   if (bin == counts_.size()) {
     ++outside_;
@@ -100,9 +121,8 @@ ShapeHistogram::add(const PointCloud<INAD>& cloud, unsigned threads)
     histograms[i].addRange(
         cloud, i * cloud.size() / parts, (i + 1) * cloud.size() / parts);
   });
-  for (const ShapeHistogram& histogram : histograms) {
+  for (const ShapeHistogram& histogram : histograms)
     merge(histogram);
-  }
 }
 
 void
@@ -173,20 +193,17 @@ ShapeHistogram::merge(const ShapeHistogram& other)
                                        other.sigma_bins_,
                                        " bins, or of other ranges, cannot be merged"));
   }
-  for (std::size_t i = 0; i < mu_bins_; ++i) {
-    for (std::size_t j = 0; j < sigma_bins_; ++j) {
+  for (std::size_t i = 0; i < mu_bins_; ++i)
+    for (std::size_t j = 0; j < sigma_bins_; ++j)
       add(i, j, other.count(i, j));
-    }
-  }
   outside_ += other.outside_;
 }
 
 float
 ShapeHistogram::likelihoodOf(std::size_t bin) const
 {
-  if (bin == counts_.size() || peak_ == 0) {
+  if (bin == counts_.size() || peak_ == 0)
     return 0.0f;
-  }
   return static_cast<float>(static_cast<double>(counts_[bin]) /
                             static_cast<double>(peak_));
 }
@@ -194,9 +211,8 @@ ShapeHistogram::likelihoodOf(std::size_t bin) const
 float
 ShapeHistogram::likelihood(const INAD& inad) const
 {
-  if (isNaN(inad)) {
+  if (isNaN(inad))
     return std::numeric_limits<float>::quiet_NaN();
-  }
   return likelihoodOf(binOf(inad));
 }
 
@@ -205,9 +221,8 @@ ShapeHistogram::backProject(const PointCloud<INAD>& cloud, unsigned threads) con
 {
   const bool has_few_bins = counts_.size() < cloud.size();
   std::vector<float> of_bins(has_few_bins ? counts_.size() + 1 : 0);
-  for (std::size_t bin = 0; bin < of_bins.size(); ++bin) {
+  for (std::size_t bin = 0; bin < of_bins.size(); ++bin)
     of_bins[bin] = likelihoodOf(bin);
-  }
   std::vector<float> likelihoods(cloud.size());
   const Binning binning(*this);
   kernels::parallelForRanges(
@@ -225,13 +240,11 @@ ShapeHistogram::backProject(const PointCloud<INAD>& cloud, unsigned threads) con
 double
 ShapeHistogram::density(const INAD& inad) const
 {
-  if (isNaN(inad)) {
+  if (isNaN(inad))
     return std::numeric_limits<double>::quiet_NaN();
-  }
   const std::size_t bin = binOf(inad);
-  if (bin == counts_.size() || total_ == 0) {
+  if (bin == counts_.size() || total_ == 0)
     return 0.0;
-  }
   const double area = mu_range_ * sigma_range_ / static_cast<double>(counts_.size());
   return static_cast<double>(counts_[bin]) / (static_cast<double>(total_) * area);
 }

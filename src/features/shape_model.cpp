@@ -1,13 +1,8 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "errors.h"
+#include "common/errors.h"
 
 #include <pcl/features/shape_model.h>
 
@@ -80,9 +75,8 @@ ShapeModel::idealPlane(const INADParameters& parameters, std::size_t bins)
 void
 ShapeModel::add(const std::string& name, const ShapeHistogram& histogram, double prior)
 {
-  if (name.empty()) {
+  if (name.empty())
     raise<BadArgumentException>(textOf("a class needs a name"));
-  }
   if (histogram.total() == 0) {
     raise<BadArgumentException>(textOf("the histogram of class '",
                                        name,
@@ -167,10 +161,9 @@ ShapeModel::disagreement(const INADParameters& other) const
   std::ostringstream text;
   const auto compare =
       [&](const char* name, double mine, double its, const char* unit) {
-        if (differs(mine, its)) {
+        if (differs(mine, its))
           text << (text.tellp() > 0 ? "; " : "") << name << " " << its << unit
                << " is asked for, the model was made with " << mine << unit;
-        }
       };
   const char* unit =
       parameters_.radius_mode == AdaptiveRadius::DENSITY ? " spacings" : " m";

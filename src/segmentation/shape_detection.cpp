@@ -1,14 +1,9 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "../features/number_text.h"
-#include "../features/point_types.h"
+#include "common/number_text.h"
+#include "common/point_types.h"
 
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/segmentation/impl/shape_back_projection.hpp>
@@ -22,12 +17,10 @@ problemOfModel(const ShapeModel& model,
                double threshold,
                const INADParameters* parameters)
 {
-  if (model.classes().empty()) {
+  if (model.classes().empty())
     return "the model has no class: add() at least one";
-  }
-  if (!(threshold >= 0.0 && threshold <= 1.0)) {
+  if (!(threshold >= 0.0 && threshold <= 1.0))
     return "threshold is " + numberText(threshold) + ": 0 to 1 is allowed";
-  }
   const std::string disagreement = parameters ? model.disagreement(*parameters) : "";
   return disagreement.empty()
              ? std::string()

@@ -1,13 +1,8 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "../features/point_types.h"
+#include "common/point_types.h"
 
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/segmentation/impl/suction_grasp_estimation.hpp>

@@ -1,15 +1,10 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "app_test.h"
-#include "common/atomic_file.h"
-#include "common/errors.h"
+#include "cli/atomic_file.h"
+#include "cli/errors.h"
 
 #include <csignal>
 #include <filesystem>

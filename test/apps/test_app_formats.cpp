@@ -1,19 +1,13 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "app_test.h"
-#include "common/any_cloud.h"
-#include "common/errors.h"
-#include "common/kitti_file.h"
-#include "common/pcd_reader.h"
-#include "common/ply_reader.h"
-#include "common/ply_writer.h"
+#include "cli/errors.h"
+#include "io/any_cloud.h"
+#include "io/kitti_file.h"
+#include "io/pcd.h"
+#include "io/ply.h"
 
 #include <pcl/conversions.h>
 #include <pcl/io/ply_io.h>

@@ -1,17 +1,12 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 // pcl_shape_instances, and pcl_shape_scene -shapes
 
 #include "app_test.h"
-#include "common/cloud_file.h"
-#include "common/pcd_reader.h"
+#include "io/cloud_file.h"
+#include "io/pcd.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

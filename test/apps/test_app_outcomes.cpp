@@ -1,16 +1,11 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 // pcl_shape_evaluate -out
 
 #include "app_test.h"
-#include "common/pcd_reader.h"
+#include "io/pcd.h"
 
 namespace {
 

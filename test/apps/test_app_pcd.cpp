@@ -1,17 +1,10 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "app_test.h"
-#include "common/errors.h"
-#include "common/lzf.h"
-#include "common/pcd_reader.h"
-#include "common/pcd_writer.h"
+#include "cli/errors.h"
+#include "io/pcd.h"
 
 #include <pcl/io/pcd_io.h>
 

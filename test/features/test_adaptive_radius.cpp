@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "support/clouds.h"
 #include "support/errors.h"
@@ -66,9 +61,8 @@ Cloud::Ptr
 scaled(const Cloud& cloud, float factor)
 {
   const auto result = make_shared<Cloud>(cloud);
-  for (PointXYZ& point : *result) {
+  for (PointXYZ& point : *result)
     point.getVector3fMap() *= factor;
-  }
   return result;
 }
 
@@ -77,9 +71,8 @@ TEST(AdaptiveRadius, DepthGrowsTheRadiusBeyond80Centimetres)
   using Estimation = INADEstimation<PointXYZ, Normal>;
   const auto cloud = toCloud<PointXYZ>(noisyFold(0.001));
   for (const float z : {0.5f, 1.6f}) {
-    for (PointXYZ& point : *cloud) {
+    for (PointXYZ& point : *cloud)
       point.z = z; // one depth: one radius
-    }
     const double radius = 0.01 * std::max(1.0f, z / 0.8f);
     EXPECT_TRUE(sameBits(inadOf(cloud, radius, Estimation::FIXED),
                          inadOf(cloud, 0.01, Estimation::DEPTH)));
@@ -119,9 +112,8 @@ TEST(AdaptiveRadius, ASearchMethodFindsTheSameNeighbors)
   const auto swept = inadOf(cloud, 3.0, Estimation::DENSITY);
   const auto listed = inadOf(cloud, 3.0, Estimation::DENSITY, tree);
   std::size_t same = 0;
-  for (std::size_t i = 0; i < swept.size(); ++i) {
+  for (std::size_t i = 0; i < swept.size(); ++i)
     same += std::abs(swept[i] - listed[i]) <= 1e-5f ? 1 : 0;
-  }
   EXPECT_GE(static_cast<double>(same), 0.999 * static_cast<double>(swept.size()));
 }
 

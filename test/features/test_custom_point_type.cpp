@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 // Point types that the library is not compiled for.
 #define PCL_NO_PRECOMPILE
@@ -122,9 +117,8 @@ TEST_F(CustomPointType, SearchMethod)
   estimation.compute(swept);
   estimation.setSearchMethod(make_shared<search::BruteForce<LaserPoint>>());
   estimation.compute(found);
-  for (std::size_t i = 0; i < swept.size(); ++i) {
+  for (std::size_t i = 0; i < swept.size(); ++i)
     ASSERT_NEAR(swept[i].mu, found[i].mu, 1e-6);
-  }
 }
 
 TEST_F(CustomPointType, Detection)

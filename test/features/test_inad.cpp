@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "support/clouds.h"
 #include "support/differences.h"
@@ -45,9 +40,8 @@ protected:
     estimation_.setInputCloud(cloud_);
     estimation_.setInputNormals(normals_);
     estimation_.setRadiusSearch(radius);
-    if (GetParam()) {
+    if (GetParam())
       estimation_.setSearchMethod(make_shared<search::KdTree<PointXYZ>>());
-    }
   }
 
   std::vector<float>
@@ -164,9 +158,8 @@ TEST_P(INADEstimationTest, CopyOfTheInputAsSearchSurfaceChangesNothing)
 
 TEST_P(INADEstimationTest, BadPointsWhateverTheCloudSaysOfItself)
 {
-  for (std::size_t i = 0; i < cloud_->size(); i += 7) {
+  for (std::size_t i = 0; i < cloud_->size(); i += 7)
     (*cloud_)[i].y = i % 2 == 0 ? nan : std::numeric_limits<float>::infinity();
-  }
   std::vector<float> results[2];
   for (const bool is_dense : {false, true}) {
     cloud_->is_dense = is_dense;

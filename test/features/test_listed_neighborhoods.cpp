@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "support/shapes.h"
 
@@ -28,9 +23,8 @@ protected:
   : surface_(plane(50, 0.1, random_))
   , neighborhoods_(surface_.points(),
                    [this](std::size_t, std::vector<std::int32_t>& found) {
-                     for (std::size_t i = 0; i < surface_.size(); ++i) {
+                     for (std::size_t i = 0; i < surface_.size(); ++i)
                        found.push_back(static_cast<std::int32_t>(i));
-                     }
                    })
   {}
 

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "support/clouds.h"
 #include "support/differences.h"
@@ -44,12 +39,10 @@ protected:
   configure(Estimation& estimation) const
   {
     estimation.setInputCloud(cloud_);
-    if (GetParam()) {
+    if (GetParam())
       estimation.setKSearch(40);
-    }
-    else {
+    else
       estimation.setRadiusSearch(0.02);
-    }
   }
 
   /** \brief Directions, signs and curvatures against NormalEstimationOMP. */
@@ -148,9 +141,8 @@ TEST_P(NormalEstimationSweepTest, IndicesAndSearchSurface)
 TEST_P(NormalEstimationSweepTest, BadPointsWhateverTheCloudSaysOfItself)
 {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-  for (std::size_t i = 0; i < cloud_->size(); i += 5) {
+  for (std::size_t i = 0; i < cloud_->size(); i += 5)
     (*cloud_)[i].z = nan;
-  }
   for (const bool is_dense : {false, true}) {
     cloud_->is_dense = is_dense;
     PointCloud<Normal> normals;
@@ -170,9 +162,8 @@ TEST_P(NormalEstimationSweepTest, OrganizedOutputAndSecondCompute)
   estimation_.compute(normals);
   EXPECT_EQ(1U, normals.height);
   estimation_.setInputCloud(depthImage<PointXYZ>(64, 48));
-  if (!GetParam()) {
+  if (!GetParam())
     estimation_.setRadiusSearch(0.05);
-  }
   estimation_.compute(normals);
   EXPECT_EQ(64U, normals.width);
   EXPECT_EQ(48U, normals.height);

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "support/clouds.h"
 #include "support/counting_search.h"
@@ -214,9 +209,8 @@ TEST_F(SearchMethods, AnyNumberOfThreadsGivesTheSameBits)
 TEST_F(SearchMethods, IndicesOfOneStayWhenACloudIsNotAsDenseAsItSays)
 {
   auto points = make_shared<Indices>();
-  for (std::size_t i = 0; i < cloud_->size() / 2; ++i) {
+  for (std::size_t i = 0; i < cloud_->size() / 2; ++i)
     points->push_back(static_cast<index_t>(i));
-  }
   (*cloud_)[7].x = std::numeric_limits<float>::quiet_NaN();
   ASSERT_TRUE(cloud_->is_dense);
   const auto honest = make_shared<Cloud>(*cloud_);

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "support/errors.h"
 
@@ -118,11 +113,9 @@ expectEqual(const ShapeHistogram& expected, const ShapeHistogram& histogram)
   EXPECT_EQ(expected.outside(), histogram.outside());
   EXPECT_EQ(expected.total(), histogram.total());
   EXPECT_EQ(expected.peak(), histogram.peak());
-  for (std::size_t i = 0; i < histogram.muBins(); ++i) {
-    for (std::size_t j = 0; j < histogram.sigmaBins(); ++j) {
+  for (std::size_t i = 0; i < histogram.muBins(); ++i)
+    for (std::size_t j = 0; j < histogram.sigmaBins(); ++j)
       EXPECT_EQ(expected.count(i, j), histogram.count(i, j)) << i << ", " << j;
-    }
-  }
 }
 
 TEST(ShapeHistogram, ACloudIsCountedAsItsPairsAre)
@@ -132,9 +125,8 @@ TEST(ShapeHistogram, ACloudIsCountedAsItsPairsAre)
     const auto cloud = allKindsOfPairs(count);
     ShapeHistogram one_by_one = small();
     one_by_one.add(2, 1, 3);
-    for (const pcl::INAD& pair : cloud) {
+    for (const pcl::INAD& pair : cloud)
       one_by_one.add(pair);
-    }
     EXPECT_LE(count / 10, one_by_one.outside());
     for (const unsigned threads : {1u, 2u, 3u, 0u}) {
       SCOPED_TRACE(std::to_string(count) + " pairs, threads " +

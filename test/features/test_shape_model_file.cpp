@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "support/errors.h"
 #include "support/temporary_directory.h"
@@ -83,9 +78,8 @@ TEST_F(ShapeModelFile, RoundTrip)
     EXPECT_EQ(a.name, b.name);
     EXPECT_EQ(a.prior, b.prior);
     EXPECT_TRUE(a.histogram.sameBins(b.histogram));
-    for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t i = 0; i < 6; ++i)
       EXPECT_EQ(a.histogram.count(i / 3, i % 3), b.histogram.count(i / 3, i % 3));
-    }
   }
   loaded.save(file_);
   EXPECT_EQ(text_, contentOf(file_));
@@ -113,9 +107,8 @@ TEST_F(ShapeModelFile, RoundTripOfSmoothing)
 
 TEST_F(ShapeModelFile, Truncated)
 {
-  for (const std::size_t size : {std::size_t{0}, text_.size() / 2, text_.size() - 3}) {
+  for (const std::size_t size : {std::size_t{0}, text_.size() / 2, text_.size() - 3})
     expectRefused(text_.substr(0, size), {"complete JSON"});
-  }
 }
 
 TEST_F(ShapeModelFile, NotJson) { expectRefused("# .PCD v0.7\n", {"JSON"}); }
@@ -124,9 +117,8 @@ TEST_F(ShapeModelFile, SomethingAfterTheEnd) { expectRefused(text_ + "{}", {"JSO
 
 TEST_F(ShapeModelFile, OtherJson)
 {
-  for (const char* other : {"[]", "7", "{}", "{\"format\": \"glTF\"}"}) {
+  for (const char* other : {"[]", "7", "{}", "{\"format\": \"glTF\"}"})
     expectRefused(other, {"not a shape model", "\"format\": \"pcl_shape model\""});
-  }
 }
 
 TEST_F(ShapeModelFile, OtherVersion)

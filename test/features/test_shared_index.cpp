@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 // An index that a class is given is the one that it uses: a class that lost it on the
 // way would give the same results, but sort elsewhere.
@@ -109,9 +104,8 @@ TEST_F(SharedIndex, SaysNothingWithASearchMethod)
 TEST_F(SharedIndex, OfSomeOfThePointsIsThatOfAll)
 {
   Indices all(cloud_->size()), some;
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  for (std::size_t i = 0; i < all.size(); ++i)
     all[i] = static_cast<index_t>(i);
-  }
   some.assign(all.begin(), all.begin() + 100);
   detail::CloudNeighborhoods<PointXYZ> neighborhoods(cloud_, cloud_, all, 1);
   neighborhoods.setIndex(index_);

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "scene/scene.h"
 
@@ -163,9 +158,8 @@ TEST(Scene, LabelsFollowTheConventions)
           scene.surface[i] == SurfacePlanar || scene.surface[i] == SurfaceCurved;
       ASSERT_EQ(scene.edge[i] == EdgeNot, labelled);
       ASSERT_LE(scene.instance[i], scene.objects.size());
-      if (scene.instance[i] == 0) {
+      if (scene.instance[i] == 0)
         ASSERT_NE(scene.surface[i], SurfaceCurved);
-      }
     }
   }
 }

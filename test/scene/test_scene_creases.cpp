@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "scene/creases.h"
 #include "scene/labels.h"
@@ -186,9 +181,8 @@ TEST(SceneCreases, SilhouettesAreVoidAndTheTablesBorderIsNot)
       }
       const bool border = u == 1 || view.sights[i + 1].object == nothing;
       if (border && right.object == table_index && left.object == table_index &&
-          view.sights[i - view.width].object != 1) {
+          view.sights[i - view.width].object != 1)
         ASSERT_FALSE(marks[i]);
-      }
     }
   EXPECT_GT(marked, 50U);
 }

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "scene/random_world.h"
 #include "scene/surface_samples.h"
@@ -95,12 +90,10 @@ TEST(SurfaceSamples, LabelsFollowTheSpacing)
   ASSERT_EQ(3 * scene.surface.size(), scene.xyz.size());
   for (std::size_t i = 0; i < scene.surface.size(); ++i) {
     const double spacings = scene.crease_mm[i] / (1000.0 * options.spacing);
-    if (std::abs(spacings - 2.0) > 1e-3) {
+    if (std::abs(spacings - 2.0) > 1e-3)
       ASSERT_EQ(spacings < 2.0, scene.edge[i] == EdgeCrease) << i;
-    }
-    if (std::abs(spacings - 4.0) > 1e-3) {
+    if (std::abs(spacings - 4.0) > 1e-3)
       ASSERT_EQ(spacings < 4.0, scene.surface[i] == SurfaceCrease) << i;
-    }
   }
   for (const auto value : {SurfacePlanar, SurfaceCurved, SurfaceCrease})
     EXPECT_GT(std::count(scene.surface.begin(), scene.surface.end(), value), 100);
@@ -121,9 +114,8 @@ TEST(SurfaceSamples, ExactOrWithWhiteNoise)
   EXPECT_NEAR(
       0.001, std::sqrt(squares / static_cast<double>(exact.xyz.size())), 0.00002);
   for (std::size_t i = 0; i < exact.instance.size(); ++i)
-    if (exact.instance[i] == 0) {
+    if (exact.instance[i] == 0)
       ASSERT_EQ(0.0f, exact.xyz[3 * i + 2]);
-    }
 }
 
 TEST(SurfaceSamples, TheSameSeedIsTheSameScene)

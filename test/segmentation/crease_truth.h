@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #pragma once
 
@@ -35,20 +30,17 @@ public:
         points_.push_back({part.point(parameter), part.tangent(parameter)});
       }
     }
-    for (const CurvePoint& a : points_) {
-      if (crosses(a.tangent, a.position, 0.5 * spacing)) {
+    for (const CurvePoint& a : points_)
+      if (crosses(a.tangent, a.position, 0.5 * spacing))
         corners_.push_back(a.position);
-      }
-    }
   }
 
   double
   toCorner(const scene::Vec3& p) const
   {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const scene::Vec3& corner : corners_) {
+    for (const scene::Vec3& corner : corners_)
       nearest = std::min(nearest, norm(p - corner));
-    }
     return nearest;
   }
 

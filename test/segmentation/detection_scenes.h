@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #pragma once
 
@@ -29,9 +24,8 @@ inline Cloud::Ptr
 cloudOf(const scene::Scene& scene)
 {
   const auto cloud = make_shared<Cloud>(scene.width, scene.height);
-  for (std::size_t i = 0; i < cloud->size(); ++i) {
+  for (std::size_t i = 0; i < cloud->size(); ++i)
     (*cloud)[i].getVector3fMap() = Eigen::Map<const Eigen::Vector3f>(&scene.xyz[3 * i]);
-  }
   cloud->is_dense = false;
   return cloud;
 }

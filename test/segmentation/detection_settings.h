@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #pragma once
 
@@ -65,9 +60,8 @@ protected:
     for (const auto& values : all) {
       EXPECT_EQ(100U, values.size());
       of_bins.emplace_back();
-      for (std::size_t i = 5; i < values.size(); i += 10) {
+      for (std::size_t i = 5; i < values.size(); i += 10)
         of_bins.back().push_back(values[i]);
-      }
     }
     EXPECT_FALSE(all.empty());
     return of_bins;
@@ -79,9 +73,8 @@ protected:
     std::vector<PointIndices> segments;
     detection_.segment(segments);
     std::vector<std::size_t> sizes;
-    for (const PointIndices& segment : segments) {
+    for (const PointIndices& segment : segments)
       sizes.push_back(segment.indices.size());
-    }
     return sizes;
   }
 

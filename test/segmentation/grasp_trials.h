@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #pragma once
 
@@ -58,9 +53,8 @@ graspTrials(std::uint64_t seed, scene::Noise noise, double radius)
   options.noise = noise;
   const scene::GraspScene scene = scene::graspScene(options);
   const auto cloud = make_shared<PointCloud<PointXYZ>>();
-  for (std::size_t i = 0; i < scene.object.size(); ++i) {
+  for (std::size_t i = 0; i < scene.object.size(); ++i)
     cloud->emplace_back(scene.xyz[3 * i], scene.xyz[3 * i + 1], scene.xyz[3 * i + 2]);
-  }
   ShapeBackProjection<PointXYZ> back_projection;
   back_projection.setInputCloud(cloud);
   const auto surfaces = make_shared<Surfaces>();
@@ -68,11 +62,9 @@ graspTrials(std::uint64_t seed, scene::Noise noise, double radius)
   std::vector<GraspTrial> trials;
   for (const std::size_t target : scene.targets) {
     const auto points = make_shared<Indices>();
-    for (std::size_t i = 0; i < cloud->size(); ++i) {
-      if (scene.object[i] == static_cast<int>(target)) {
+    for (std::size_t i = 0; i < cloud->size(); ++i)
+      if (scene.object[i] == static_cast<int>(target))
         points->push_back(static_cast<index_t>(i));
-      }
-    }
     GraspTrial& trial = trials.emplace_back();
     trial.shows_twice_the_cup = scene::showsDisc(scene, target, 2 * radius, 0.004);
     trial.is_curved = scene.world.solids[target - 1].shape != scene::Shape::Box;

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #pragma once
 
@@ -27,11 +22,9 @@ inline Labels
 labelsOf(const std::vector<PointIndices>& instances, std::size_t points)
 {
   Labels labels(points, 0);
-  for (std::size_t k = 0; k < instances.size(); ++k) {
-    for (const index_t i : instances[k].indices) {
+  for (std::size_t k = 0; k < instances.size(); ++k)
+    for (const index_t i : instances[k].indices)
       labels[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(k + 1);
-    }
-  }
   return labels;
 }
 
@@ -67,9 +60,8 @@ reordered(const Cloud& cloud, const Indices& order)
 {
   // Not copyPointCloud(): it leaves the order as it is when all points are asked for.
   const auto result = make_shared<Cloud>();
-  for (const index_t i : order) {
+  for (const index_t i : order)
     result->push_back(cloud[i]);
-  }
   result->is_dense = cloud.is_dense;
   return result;
 }
@@ -80,9 +72,8 @@ shuffled(std::size_t size)
   Indices order(size);
   std::iota(order.begin(), order.end(), 0);
   Random random(5);
-  for (std::size_t i = size; i > 1; --i) {
+  for (std::size_t i = size; i > 1; --i)
     std::swap(order[i - 1], order[random.index(i)]);
-  }
   return order;
 }
 
@@ -118,9 +109,8 @@ compare(const Labels& truth,
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> both;
   std::size_t true_points = 0, predicted_points = 0, hits = 0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    if (!evaluated[i]) {
+    if (!evaluated[i])
       continue;
-    }
     ++truths[truth[i]];
     ++predictions[predicted[i]];
     ++both[{truth[i], predicted[i]}];
@@ -128,14 +118,12 @@ compare(const Labels& truth,
     predicted_points += predicted[i] > 0 ? 1 : 0;
   }
   Found result;
-  for (const auto& [label, size] : truths) {
+  for (const auto& [label, size] : truths)
     result.instances += label > 0 && size >= least_points ? 1 : 0;
-  }
   for (const auto& [labels, common] : both) {
     const auto [of_truth, of_prediction] = labels;
-    if (of_truth == 0 || of_prediction == 0) {
+    if (of_truth == 0 || of_prediction == 0)
       continue;
-    }
     const std::size_t all = truths[of_truth] + predictions[of_prediction] - common;
     const double iou = static_cast<double>(common) / static_cast<double>(all);
     hits += iou >= 0.5 ? common : 0;

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #pragma once
 
@@ -24,9 +19,8 @@ labelsOf(const Cloud::ConstPtr& cloud, double confidence = -1.0, unsigned thread
   ShapeLabeling<PointXYZ> labeling;
   labeling.setInputCloud(cloud);
   labeling.setNumberOfThreads(threads);
-  if (confidence >= 0.0) {
+  if (confidence >= 0.0)
     labeling.setConfidence(confidence);
-  }
   PointLabels labels;
   labeling.label(labels);
   return labels;

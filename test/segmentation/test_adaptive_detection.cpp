@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "detection_scenes.h"
 #include "support/errors.h"
@@ -53,15 +48,13 @@ TEST(AdaptiveDetection, TheUnitTheOrderAndTheThreadsDoNotMatter)
   EXPECT_TRUE(sameBits(expected, edgesOf(cloud, 3)));
 
   const auto large = pcl::make_shared<Cloud>(*cloud);
-  for (PointXYZ& point : *large) {
+  for (PointXYZ& point : *large)
     point.getVector3fMap() *= 1024.0f;
-  }
   Indices order(cloud->size());
   std::iota(order.begin(), order.end(), 0);
   Random random(5);
-  for (std::size_t i = order.size(); i > 1; --i) {
+  for (std::size_t i = order.size(); i > 1; --i)
     std::swap(order[i - 1], order[random.index(i)]);
-  }
   const auto shuffled = pcl::make_shared<Cloud>(*cloud, order);
   const std::vector<float> of_large = edgesOf(large);
   const std::vector<float> of_shuffled = edgesOf(shuffled);
@@ -87,9 +80,8 @@ TEST(AdaptiveDetection, IndicesAnotherInputAndASearchMethod)
   Likelihoods some;
   detection.compute(some);
   ASSERT_EQ(4U, some.at(0).size());
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 4; ++i)
     EXPECT_EQ(expected[static_cast<std::size_t>((*indices)[i])], some[0][i]);
-  }
 
   const auto queries = make_shared<Cloud>();
   queries->push_back((*cloud)[7]);
@@ -104,9 +96,8 @@ TEST(AdaptiveDetection, IndicesAnotherInputAndASearchMethod)
   searched.setSearchMethod(make_shared<search::KdTree<PointXYZ>>(false));
   const auto listed = likelihoodsOf(searched, cloud)[0];
   std::size_t same = 0;
-  for (std::size_t i = 0; i < listed.size(); ++i) {
+  for (std::size_t i = 0; i < listed.size(); ++i)
     same += (listed[i] > 0.5f) == (expected[i] > 0.5f) ? 1 : 0;
-  }
   EXPECT_GE(static_cast<double>(same), 0.999 * static_cast<double>(listed.size()));
 }
 

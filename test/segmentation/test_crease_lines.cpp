@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "detection_scenes.h"
 #include "support/errors.h"
@@ -92,9 +87,8 @@ TEST(CreaseLines, TheFoldOfASheet)
     ASSERT_EQ(1U, lines.size()) << between_faces;
     EXPECT_NEAR(lines[0].length, 1.0, 6 * lines[0].spacing);
     EXPECT_NEAR(lines[0].angle, pi - between_faces * degree, 3 * degree);
-    for (const auto& p : lines[0].points) {
+    for (const auto& p : lines[0].points)
       EXPECT_LE(std::hypot(p[1], p[2]), 0.5 * lines[0].spacing);
-    }
   }
 }
 

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "detection_scenes.h"
 #include "scene/creases.h"
@@ -41,9 +36,8 @@ walk(const Lines& lines, const Visit& visit)
     for (std::size_t part = 0; part + 1 < line.points.size(); ++part) {
       const double length = norm(along(line, part, 1) - along(line, part, 0));
       const int steps = 1 + static_cast<int>(length / 0.0005);
-      for (int s = 0; s < steps; ++s) {
+      for (int s = 0; s < steps; ++s)
         visit(along(line, part, (s + 0.5) / steps), length / steps);
-      }
     }
   }
 }

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "detector_test.h"
 
@@ -38,9 +33,8 @@ TYPED_TEST(ShapeDetectionTest, Indices)
   const auto expectSome = [&] {
     const auto some = this->likelihoods();
     ASSERT_EQ(indices->size(), some[0].size());
-    for (const std::size_t i : {0, 2, 3, 4}) {
+    for (const std::size_t i : {0, 2, 3, 4})
       EXPECT_EQ(all[0][static_cast<std::size_t>((*indices)[i])], some[0][i]);
-    }
     EXPECT_TRUE(std::isnan(some[0][1]));
     std::size_t found = 0;
     for (const PointIndices& segment : this->segments()) {
@@ -60,9 +54,8 @@ TYPED_TEST(ShapeDetectionTest, AllIndicesInAnotherOrder)
 {
   const auto all = this->likelihoods();
   const auto backwards = make_shared<Indices>();
-  for (std::size_t i = this->cloud_->size(); i > 0; --i) {
+  for (std::size_t i = this->cloud_->size(); i > 0; --i)
     backwards->push_back(static_cast<index_t>(i - 1));
-  }
   const std::vector<float> expected(all[0].rbegin(), all[0].rend());
   this->detection_.setIndices(backwards);
   EXPECT_GE(this->shareOfEqual(expected, this->likelihoods()[0]), 1.0);
@@ -74,24 +67,21 @@ TYPED_TEST(ShapeDetectionTest, SearchSurface)
 {
   const auto expected = this->likelihoods();
   const auto queries = make_shared<Cloud>();
-  for (std::size_t i = 0; i < 8000; i += 10) {
+  for (std::size_t i = 0; i < 8000; i += 10)
     queries->push_back((*this->cloud_)[i]);
-  }
   this->detection_.setInputCloud(queries);
   this->detection_.setSearchSurface(this->cloud_);
   const auto some = this->likelihoods();
   ASSERT_EQ(800U, some[0].size());
-  for (std::size_t i = 0; i < 800; ++i) {
+  for (std::size_t i = 0; i < 800; ++i)
     ASSERT_EQ(expected[0][10 * i], some[0][i]);
-  }
 }
 
 TYPED_TEST(ShapeDetectionTest, OrganizedCloudWithHoles)
 {
   const auto image = depthImage<PointXYZ>(320, 240);
-  for (std::size_t i = 0; i < image->size(); i += 11) {
+  for (std::size_t i = 0; i < image->size(); i += 11)
     (*image)[i].x = std::numeric_limits<float>::quiet_NaN();
-  }
   for (const bool is_dense : {true, false}) {
     image->is_dense = is_dense;
     this->detection_.setInputCloud(image);

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "detection_scenes.h"
 #include "support/errors.h"
@@ -42,9 +37,8 @@ TEST(EdgeTypes, CornersAreWhereCreasesMeet)
   EXPECT_LT(far_corners, corners / 10);
   EXPECT_LT(boundary, cube.size() / 100);
   std::size_t right_angles = 0;
-  for (const CreasePoint& crease : edges.creases) {
+  for (const CreasePoint& crease : edges.creases)
     right_angles += std::abs(crease.angle - pi / 2) < 0.1 ? 1 : 0;
-  }
   EXPECT_GT(static_cast<double>(right_angles),
             0.9 * static_cast<double>(edges.creases.size()));
 }

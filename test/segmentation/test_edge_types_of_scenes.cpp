@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "crease_truth.h"
 #include "detection_scenes.h"
@@ -132,9 +127,8 @@ addCameraScene(std::uint64_t seed, Shares& shares)
 TEST(EdgeTypesOfScenes, CreasesCornersAndTheTablesRim)
 {
   Shares shares;
-  for (const std::uint64_t seed : {31U, 32U, 33U, 201U, 202U, 203U, 204U, 205U}) {
+  for (const std::uint64_t seed : {31U, 32U, 33U, 201U, 202U, 203U, 204U, 205U})
     addSampledScene(seed, shares);
-  }
   ASSERT_GT(shares.rim.all, 100);
   ASSERT_GT(shares.corners.all, 1000);
   // Almost all of what is far from any doubt; at corners three faces meet, which two
@@ -149,9 +143,8 @@ TEST(EdgeTypesOfScenes, CreasesCornersAndTheTablesRim)
 TEST(EdgeTypesOfScenes, CreasesAndCornersOfADepthCamera)
 {
   Shares shares;
-  for (const std::uint64_t seed : {201U, 202U, 203U, 204U, 205U, 206U, 207U, 208U}) {
+  for (const std::uint64_t seed : {201U, 202U, 203U, 204U, 205U, 206U, 207U, 208U})
     addCameraScene(seed, shares);
-  }
   ASSERT_GT(shares.corners.all, 150);
   EXPECT_GE(shares.creases.value(), 0.99);
   EXPECT_GE(shares.corners.value(), 0.67);

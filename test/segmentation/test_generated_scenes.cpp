@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "scene/scene.h"
 
@@ -47,9 +42,8 @@ strictEdgeF1(const pcl::scene::Scene& scene)
   pcl::PointIndices found;
   detection.segment(found);
   std::vector<bool> is_found(scene.edge.size(), false);
-  for (const pcl::index_t i : found.indices) {
+  for (const pcl::index_t i : found.indices)
     is_found[static_cast<std::size_t>(i)] = true;
-  }
   double hits = 0, misses = 0, false_alarms = 0;
   for (std::size_t i = 0; i < is_found.size(); ++i) {
     hits += scene.edge[i] == 1 && is_found[i] ? 1 : 0;

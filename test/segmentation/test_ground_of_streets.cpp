@@ -1,13 +1,9 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "ground_truth.h"
+#include "scene/lidar.h"
 #include "support/clouds.h"
 
 #include <Eigen/Geometry>
@@ -16,8 +12,6 @@
 #include <cmath>
 #include <numeric>
 #include <utility>
-
-#include <scene/lidar.h>
 
 // Other streets than those that the constants were chosen on. The floors are those that
 // the method has to reach.

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "instance_scenes.h"
 #include "support/errors.h"
@@ -58,15 +53,13 @@ TEST_P(Instances, DoNotDependOnThreadsOrOrderOrUnit)
   const Indices order = shuffled(cloud->size());
   const Labels of_order = instancesOf(reordered(*cloud, order), GetParam());
   std::size_t same = 0;
-  for (std::size_t k = 0; k < order.size(); ++k) {
+  for (std::size_t k = 0; k < order.size(); ++k)
     same += labels[static_cast<std::size_t>(order[k])] == of_order[k] ? 1 : 0;
-  }
   EXPECT_GE(same, cloud->size() - cloud->size() / 1000);
 
   const auto large = make_shared<Cloud>(*cloud);
-  for (PointXYZ& point : *large) {
+  for (PointXYZ& point : *large)
     point.getVector3fMap() *= 1024.0f;
-  }
   EXPECT_EQ(labels, instancesOf(large, GetParam()));
 }
 
@@ -75,11 +68,9 @@ TEST_P(Instances, AreOfTheGivenIndicesOnly)
   const Cloud::Ptr cloud = cloudOf(smallScene({}, 6));
   const Labels all = instancesOf(cloud, GetParam());
   Indices half;
-  for (std::size_t i = 0; i < cloud->size(); ++i) {
-    if (i % cloud->width < cloud->width / 2) {
+  for (std::size_t i = 0; i < cloud->size(); ++i)
+    if (i % cloud->width < cloud->width / 2)
       half.push_back(static_cast<index_t>(i));
-    }
-  }
   ShapeInstanceSegmentation<PointXYZ> segmentation;
   segmentation.setInputCloud(cloud);
   segmentation.setIndices(indicesOf(half));
@@ -121,9 +112,8 @@ TEST(Instances, AreSortedAndDisjointAndLargeEnough)
       seen[static_cast<std::size_t>(i)] = true;
     }
   }
-  for (const PointIndices& instance : large) {
+  for (const PointIndices& instance : large)
     EXPECT_GE(instance.indices.size(), 1000U);
-  }
 }
 
 TEST(Instances, ObjectsAreSortedByShape)
@@ -138,9 +128,8 @@ TEST(Instances, ObjectsAreSortedByShape)
   const std::vector<ShapeInstance> balls =
       describedIn(cloudOf(fullScene({Shape::Sphere})), "object");
   ASSERT_EQ(3U, balls.size());
-  for (const ShapeInstance& ball : balls) {
+  for (const ShapeInstance& ball : balls)
     EXPECT_GE(ball.shares.at(1), 0.9f) << "curved";
-  }
 }
 
 TEST(Instances, CentroidIsTheMeanOfThePoints)
@@ -148,9 +137,8 @@ TEST(Instances, CentroidIsTheMeanOfThePoints)
   const Cloud::Ptr cloud = cloudOf(smallScene({Shape::Cylinder}));
   for (const ShapeInstance& instance : describedIn(cloud, "curved")) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const index_t i : instance.indices) {
+    for (const index_t i : instance.indices)
       sum += (*cloud)[i].getVector3fMap().cast<double>();
-    }
     sum /= static_cast<double>(instance.indices.size());
     EXPECT_LT((sum.cast<float>() - instance.centroid).norm(), 1e-5f);
   }

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "instance_scenes.h"
 
@@ -49,9 +44,8 @@ Found
 objects(const scene::Scene& scene)
 {
   std::vector<bool> evaluated;
-  for (const std::uint32_t surface : scene.surface) {
+  for (const std::uint32_t surface : scene.surface)
     evaluated.push_back(surface != scene::SurfaceVoid);
-  }
   return compare(scene.instance, instancesOf(cloudOf(scene), "object"), evaluated);
 }
 
@@ -73,27 +67,24 @@ faces(const scene::Scene& scene)
 TEST(InstancesOfScenes, CylindersAreFound)
 {
   Found sum;
-  for (const unsigned objects : {1U, 4U, 8U, 12U}) {
+  for (const unsigned objects : {1U, 4U, 8U, 12U})
     sum += curvedSides(sceneOf(700 + objects, objects, {Shape::Cylinder}));
-  }
   EXPECT_GE(sum.share(), least_share) << sum.found << " of " << sum.instances;
 }
 
 TEST(InstancesOfScenes, BoxesAreFoundAsWholeObjects)
 {
   Found sum;
-  for (const unsigned count : {1U, 4U, 8U, 12U}) {
+  for (const unsigned count : {1U, 4U, 8U, 12U})
     sum += objects(sceneOf(800 + count, count, {Shape::Box}));
-  }
   EXPECT_GE(sum.share(), least_share) << sum.found << " of " << sum.instances;
 }
 
 TEST(InstancesOfScenes, FacesOfBoxesAreFound)
 {
   Found sum;
-  for (const unsigned count : {2U, 6U, 10U}) {
+  for (const unsigned count : {2U, 6U, 10U})
     sum += faces(sceneOf(600 + count, count, {Shape::Box}));
-  }
   EXPECT_GE(sum.share(), least_share) << sum.found << " of " << sum.instances;
 }
 

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "instance_scenes.h"
 
@@ -66,9 +61,8 @@ TEST(Instances, APlaneIsFittedWithItsNormalAndResidual)
   Random random(9);
   Surface surface = plane(20000, 0.3, random);
   constexpr double sigma = 2e-4;
-  for (std::size_t i = 2; i < surface.xyz.size(); i += 3) {
+  for (std::size_t i = 2; i < surface.xyz.size(); i += 3)
     surface.xyz[i] += static_cast<float>(sigma * random.normal());
-  }
   const auto found = fittedTo(surface, "planar", PrimitiveType::Auto);
   ASSERT_EQ(1U, found.size());
   const ShapePrimitive& fit = found[0].primitive;
@@ -116,9 +110,8 @@ Surface
 egg(Random& random)
 {
   Surface surface = sphere(20000, 0.05, random);
-  for (std::size_t i = 2; i < surface.xyz.size(); i += 3) {
+  for (std::size_t i = 2; i < surface.xyz.size(); i += 3)
     surface.xyz[i] *= 1.6f;
-  }
   return surface;
 }
 
@@ -137,9 +130,8 @@ TEST(Instances, DoNotDependOnWhatIsFarAway)
   Random random(13);
   const Surface one = egg(random);
   Surface two = one;
-  for (std::size_t i = 0; i < one.xyz.size(); i += 3) {
+  for (std::size_t i = 0; i < one.xyz.size(); i += 3)
     two.xyz.insert(two.xyz.end(), {one.xyz[i] + 16.0f, one.xyz[i + 1], one.xyz[i + 2]});
-  }
   EXPECT_EQ(1U, fittedTo(one, "curved", PrimitiveType::None).size());
   EXPECT_EQ(2U, fittedTo(two, "curved", PrimitiveType::None).size());
 }
@@ -164,14 +156,12 @@ TEST(Instances, FacesThatCrossAreTwo)
   Surface faces = uprightSquare(0.0, 0.0, random);
   const Surface above = uprightSquare(0.25, 0.15, random);
   faces.xyz.insert(faces.xyz.end(), above.xyz.begin(), above.xyz.end());
-  for (float& x : faces.xyz) {
+  for (float& x : faces.xyz)
     x += static_cast<float>(4e-4 * random.normal());
-  }
   const auto found = fittedTo(faces, "planar", PrimitiveType::None);
   ASSERT_EQ(2U, found.size());
-  for (const ShapeInstance& face : found) {
+  for (const ShapeInstance& face : found)
     EXPECT_NEAR(10000.0, static_cast<double>(face.indices.size()), 500.0);
-  }
 }
 
 TEST(Instances, NothingIsFoundWhereThereIsNothing)

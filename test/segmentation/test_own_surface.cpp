@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "detection_scenes.h"
 
@@ -32,9 +27,8 @@ torus(std::size_t count, Random& random)
     for (;;) {
       const double u = r.uniform(0, 2 * pi), v = r.uniform(0, 2 * pi);
       const double radius = large + small * std::cos(v);
-      if (r.uniform(0, large + small) > radius) {
+      if (r.uniform(0, large + small) > radius)
         continue; // as much of each piece as it is large
-      }
       const Eigen::Vector3d n(
           std::cos(u) * std::cos(v), std::sin(u) * std::cos(v), std::sin(v));
       const Eigen::Vector3d p(

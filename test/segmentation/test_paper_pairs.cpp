@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "support/clouds.h"
 #include "support/differences.h"
@@ -84,11 +79,9 @@ IndicesPtr
 indicesInside(const Surface& surface, const IsInside& is_inside)
 {
   Indices inside;
-  for (std::size_t i = 0; i < surface.size(); ++i) {
-    if (is_inside(surface.position(i))) {
+  for (std::size_t i = 0; i < surface.size(); ++i)
+    if (is_inside(surface.position(i)))
       inside.push_back(static_cast<index_t>(i));
-    }
-  }
   return indicesOf(inside);
 }
 

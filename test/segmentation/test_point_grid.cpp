@@ -1,16 +1,10 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "segmentation/evidence_averaging.h"
-#include "segmentation/evidence_nodes.h"
-#include "segmentation/point_grid.h"
+#include "geometry/point_grid.h"
 #include "support/shapes.h"
+#include "surfaces/evidence_averaging.h"
 
 #include <gtest/gtest.h>
 
@@ -211,14 +205,11 @@ TEST_F(EvidenceAveraging, FourRoundsAreThoseInDouble)
         next.push_back(meanAt(nodes.point(k), values));
       values = next;
     }
-    for (std::size_t i = 0; i < surface.size(); ++i) {
-      if (is_known[i]) {
+    for (std::size_t i = 0; i < surface.size(); ++i)
+      if (is_known[i])
         EXPECT_NEAR(meanAt(i, values), static_cast<double>(found[2 * i + c]), 1e-5);
-      }
-      else {
+      else
         EXPECT_TRUE(std::isnan(found[2 * i + c]));
-      }
-    }
   }
 }
 

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "instance_scenes.h"
 
@@ -66,9 +61,8 @@ protected:
   void
   SetUp() override
   {
-    if (std::string(PCL_SHAPE_TEST_DATA).empty()) {
+    if (std::string(PCL_SHAPE_TEST_DATA).empty())
       GTEST_SKIP() << "PCL_SHAPE_TEST_DATA is not set: no scenes";
-    }
   }
 
   void
@@ -78,9 +72,8 @@ protected:
         std::string(PCL_SHAPE_TEST_DATA) + "/osd/" + scene + "_gt.pcd";
     ASSERT_EQ(0, io::loadPCDFile(file, truth_)) << file;
     cloud_ = make_shared<Cloud>();
-    for (const LabelledPoint& point : truth_) {
+    for (const LabelledPoint& point : truth_)
       cloud_->push_back(PointXYZ(point.x, point.y, point.z));
-    }
   }
 
   /** \brief The class of each point: 1, 2, ... or 0 for none. */
@@ -94,11 +87,9 @@ protected:
     std::vector<PointIndices> classes;
     detection.segment(classes);
     std::vector<std::size_t> result(cloud_->size());
-    for (std::size_t c = 0; c < classes.size(); ++c) {
-      for (const index_t i : classes[c].indices) {
+    for (std::size_t c = 0; c < classes.size(); ++c)
+      for (const index_t i : classes[c].indices)
         result[static_cast<std::size_t>(i)] = c + 1;
-      }
-    }
     return result;
   }
 
@@ -132,9 +123,8 @@ TEST_F(RealScenes, CylindersOfLearn33)
   for (std::size_t i = 0; i < truth_.size(); ++i) {
     const std::uint32_t surface = truth_[i].surface;
     evaluated.push_back(surface == 1 || surface == 2);
-    if (surface == 2) {
+    if (surface == 2)
       curved->push_back(static_cast<index_t>(i));
-    }
   }
   EuclideanClusterExtraction<PointXYZ> clustering;
   clustering.setInputCloud(cloud_);
@@ -167,11 +157,9 @@ TEST_F(RealScenes, EdgesOfAllScenes)
     load(scene);
     const auto found = detect<ShapeEdgeDetection<PointXYZ>>();
     Counts edges;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      if (truth_[i].edge <= 1) {
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (truth_[i].edge <= 1)
         edges.add(truth_[i].edge == 1, found[i] == 1);
-      }
-    }
     mean += edges.f1() / static_cast<double>(scenes.size());
     RecordProperty(scene, std::to_string(edges.f1()));
   }

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "detection_scenes.h"
 #include "support/errors.h"
@@ -47,13 +42,11 @@ shuffled(const std::vector<float>& xyz)
   std::vector<std::size_t> order(xyz.size() / 3);
   std::iota(order.begin(), order.end(), 0);
   Random random(32);
-  for (std::size_t i = order.size(); i > 1; --i) {
+  for (std::size_t i = order.size(); i > 1; --i)
     std::swap(order[i - 1], order[random.index(i)]);
-  }
   std::vector<float> result;
-  for (const std::size_t i : order) {
+  for (const std::size_t i : order)
     result.insert(result.end(), &xyz[3 * i], &xyz[3 * i] + 3);
-  }
   return result;
 }
 
@@ -107,9 +100,8 @@ TEST(Thinning, CellsOfOnePointKeepIt)
   const std::vector<float> xyz{-3.25f, 1e-3f, 7.0f, 5.0f, -2.0f, 8.5f};
   const std::vector<float> thin = detail::thinned({xyz.data(), 3, 2}, 1e-3);
   ASSERT_EQ(6U, thin.size());
-  for (std::size_t i = 0; i < 6; ++i) {
+  for (std::size_t i = 0; i < 6; ++i)
     EXPECT_NEAR(xyz[i], thin[i], 1e-9 + 6e-8 * std::abs(xyz[i]));
-  }
 }
 
 template <typename Class>
@@ -131,9 +123,8 @@ TYPED_TEST(Resolution, IsASearchSurfaceOfMeans)
       {cloud->front().data, sizeof(PointXYZ) / sizeof(float), cloud->size()},
       resolution);
   const auto surface = make_shared<Cloud>();
-  for (std::size_t i = 0; i < xyz.size(); i += 3) {
+  for (std::size_t i = 0; i < xyz.size(); i += 3)
     surface->emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
-  }
   EXPECT_LT(surface->size(), cloud->size() / 2);
   TypeParam other;
   other.setSearchSurface(surface);
@@ -264,15 +255,13 @@ std::vector<double>
 sharesFound(const std::vector<ShapeInstance>& instances, const Labels& truth)
 {
   std::map<std::uint32_t, double> sizes;
-  for (const std::uint32_t object : truth) {
+  for (const std::uint32_t object : truth)
     sizes[object] += 1.0;
-  }
   std::map<std::uint32_t, double> most;
   for (const ShapeInstance& instance : instances) {
     std::map<std::uint32_t, double> counts;
-    for (const index_t index : instance.indices) {
+    for (const index_t index : instance.indices)
       counts[truth[static_cast<std::size_t>(index)]] += 1.0;
-    }
     const auto best = std::max_element(
         counts.begin(), counts.end(), [](const auto& a, const auto& b) {
           return a.second < b.second;
@@ -280,11 +269,9 @@ sharesFound(const std::vector<ShapeInstance>& instances, const Labels& truth)
     most[best->first] = std::max(most[best->first], best->second);
   }
   std::vector<double> shares;
-  for (const auto& [object, size] : sizes) {
-    if (object != 0) {
+  for (const auto& [object, size] : sizes)
+    if (object != 0)
       shares.push_back(most[object] / size);
-    }
-  }
   return shares;
 }
 
@@ -320,11 +307,9 @@ TEST(Resolution, InstancesAmongSomePoints)
 {
   const auto cloud = cloudOf(sampledScene(29));
   Indices left;
-  for (std::size_t i = 0; i < cloud->size(); ++i) {
-    if ((*cloud)[i].x < 0.0f) {
+  for (std::size_t i = 0; i < cloud->size(); ++i)
+    if ((*cloud)[i].x < 0.0f)
       left.push_back(static_cast<index_t>(i));
-    }
-  }
   ShapeInstanceSegmentation<PointXYZ> segmentation;
   segmentation.setInputCloud(cloud);
   segmentation.setIndices(indicesOf(left));
@@ -346,9 +331,8 @@ TEST(Resolution, InstancesAmongSomePoints)
   other.setClass("planar");
   ASSERT_TRUE(other.segment(fresh));
   ASSERT_EQ(fresh.size(), own.size());
-  for (std::size_t k = 0; k < own.size(); ++k) {
+  for (std::size_t k = 0; k < own.size(); ++k)
     EXPECT_EQ(fresh[k].indices, own[k].indices);
-  }
   segmentation.setIndices(indicesOf({0, 1, 1 << 30}));
   expectParts(errorsOf([&] { EXPECT_FALSE(segmentation.segment(own)); }),
               {"ShapeInstanceSegmentation::segment", "1073741824"});

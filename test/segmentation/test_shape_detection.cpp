@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "detector_test.h"
 #include "support/counting_search.h"
@@ -43,9 +38,8 @@ TYPED_TEST(ShapeDetectionTest, PlanesAndTheirCrease)
     const double away = std::hypot(p.y(), p.z());
     const float plane = classes[TypeParam::plane_class][i];
     ASSERT_FLOAT_EQ(1.0f, classes[0][i] + classes[1][i]);
-    if (away > reach) {
+    if (away > reach)
       ASSERT_EQ(1.0f, plane) << i;
-    }
     near += away < 0.002;
     not_plane += away < 0.002 && plane < 0.5f;
   }
@@ -84,9 +78,8 @@ TYPED_TEST(ShapeDetectionTest, PointsWithoutNeighborsAreUnknown)
 {
   const auto classes = this->likelihoods();
   const auto segments = this->segments();
-  for (const auto& values : classes) {
+  for (const auto& values : classes)
     EXPECT_TRUE(std::isnan(values[8000]) && std::isnan(values[8001]));
-  }
   EXPECT_EQ(8000U, segments[0].indices.size() + segments[1].indices.size());
 }
 
@@ -107,9 +100,8 @@ TYPED_TEST(ShapeDetectionTest, WrongNormalsAndINADAreBelieved)
   this->detection_.setInputNormals(
       make_shared<PointCloud<Normal>>(size, 1, Normal(0, 0, 1)));
   const auto flat = this->likelihoods()[TypeParam::plane_class];
-  for (std::size_t i = 0; i < 8000; ++i) {
+  for (std::size_t i = 0; i < 8000; ++i)
     ASSERT_EQ(1.0f, flat[i]) << i;
-  }
   this->detection_.setInputINAD(
       make_shared<PointCloud<INAD>>(size, 1, INAD{0.5f, 0.5f}));
   EXPECT_EQ(std::vector<float>(size, 0.0f),

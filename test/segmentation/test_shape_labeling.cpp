@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "labeling_scenes.h"
 #include "support/errors.h"
@@ -46,9 +41,8 @@ protected:
   differences(const Labels& labels)
   {
     std::size_t different = 0;
-    for (std::size_t i = 0; i < labels_.labels.size(); ++i) {
+    for (std::size_t i = 0; i < labels_.labels.size(); ++i)
       different += labels.at(i) != labels_.labels[i] ? 1 : 0;
-    }
     return different;
   }
 
@@ -67,9 +61,8 @@ TEST_F(OneScene, OneLabelAPointAndVoidBelowTheConfidence)
     ASSERT_LE(labels_.labels[i], edge);
     ASSERT_EQ(labels_.labels[i] != 0,
               labels_.confidence[i] >= static_cast<float>(detail::usual_confidence));
-    if (!isFinite((*cloud_)[i])) {
+    if (!isFinite((*cloud_)[i]))
       ASSERT_EQ(labels_.confidence[i], 0.0f);
-    }
   }
 }
 
@@ -79,9 +72,8 @@ TEST_F(OneScene, LessConfidenceKeepsTheSameAndMore)
   EXPECT_EQ(all.confidence, labels_.confidence);
   std::size_t more = 0;
   for (std::size_t i = 0; i < cloud_->size(); ++i) {
-    if (labels_.labels[i] != 0) {
+    if (labels_.labels[i] != 0)
       ASSERT_EQ(all.labels[i], labels_.labels[i]);
-    }
     more += all.labels[i] != 0 && labels_.labels[i] == 0 ? 1 : 0;
   }
   EXPECT_GT(more, 0u);
@@ -99,9 +91,8 @@ TEST_F(OneScene, ThreadsDoNotMatter)
 TEST_F(OneScene, NeitherDoesTheUnitOfLength)
 {
   const auto large = pcl::make_shared<Cloud>(*cloud_);
-  for (PointXYZ& point : *large) {
+  for (PointXYZ& point : *large)
     point.getVector3fMap() *= 1024.0f;
-  }
   EXPECT_LE(differences(labelsOf(large).labels), cloud_->size() / 1000);
 }
 
@@ -136,9 +127,8 @@ TEST_F(OneScene, AModelsClassesComeBeforeEdges)
   ShapeModel three(two.parameters());
   three.setSmoothing(two.smoothing());
   three.setFloor(two.floor());
-  for (const auto& of : two.classes()) {
+  for (const auto& of : two.classes())
     three.add(of.name == "planar" ? "flat" : "round", of.histogram, of.prior);
-  }
   three.add("rare", two.classes().back().histogram, 1e-6);
   ShapeLabeling<PointXYZ> labeling;
   labeling.setModel(three);

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "labeling_scenes.h"
 
@@ -26,14 +21,11 @@ Labels
 truthOf(const scene::Scene& scene)
 {
   Labels truth(scene.edge.size(), 0);
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    if (scene.edge[i] == scene::EdgeCrease) {
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    if (scene.edge[i] == scene::EdgeCrease)
       truth[i] = edge;
-    }
-    else if (scene.edge[i] == scene::EdgeNot && scene.surface[i] <= curved) {
+    else if (scene.edge[i] == scene::EdgeNot && scene.surface[i] <= curved)
       truth[i] = scene.surface[i];
-    }
-  }
   return truth;
 }
 
@@ -46,9 +38,8 @@ struct Quality {
   {
     for (std::size_t i = 0; i < truth.size(); ++i) {
       const std::uint32_t label = labels.labels[i];
-      if (truth[i] == 0) {
+      if (truth[i] == 0)
         continue;
-      }
       points += 1;
       truths[truth[i]] += 1;
       kept += label != 0 ? 1 : 0;
@@ -89,9 +80,8 @@ TEST(ShapeLabeling, ConfidenceIsTheShareOfRightLabels)
     const Labels truth = truthOf(scene);
     const PointLabels labels = labelsOf(cloudOf(scene), 0.0);
     for (std::size_t i = 0; i < truth.size(); ++i) {
-      if (truth[i] == 0 || labels.labels[i] == 0) {
+      if (truth[i] == 0 || labels.labels[i] == 0)
         continue;
-      }
       const auto bin = static_cast<std::size_t>(
           std::upper_bound(limits.begin(), limits.end(), labels.confidence[i]) -
           limits.begin() - 1);
@@ -103,9 +93,8 @@ TEST(ShapeLabeling, ConfidenceIsTheShareOfRightLabels)
   for (std::size_t bin = 0; bin < count.size(); ++bin) {
     ASSERT_GT(count[bin], 100);
     EXPECT_NEAR(right[bin] / count[bin], sum[bin] / count[bin], 0.15) << bin;
-    if (bin > 0) {
+    if (bin > 0)
       EXPECT_GT(right[bin] / count[bin], right[bin - 1] / count[bin - 1]);
-    }
   }
 }
 

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "grasp_surfaces.h"
 #include "support/errors.h"
@@ -108,9 +103,8 @@ TEST(SuctionGrasps, DoNotDependOnThreadsOrderOrUnknownPoints)
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   for (std::size_t i = cloud->size(); i-- > 0;) {
     changed->push_back((*cloud)[i]);
-    if (i % 100 == 0) {
+    if (i % 100 == 0)
       changed->emplace_back(nan, nan, nan);
-    }
   }
   changed->is_dense = false;
   estimation.setInputCloud(changed);
@@ -122,11 +116,9 @@ TEST(SuctionGrasps, UseSurfacesThatAreKnown)
   Random random(917);
   const Cloud::Ptr cloud = toCloud<PointXYZ>(sheet({0, 0, 0}, 0.08, 0.06, random));
   const auto target = make_shared<Indices>();
-  for (std::size_t i = 0; i < cloud->size(); ++i) {
-    if ((*cloud)[i].x < 0.04f) {
+  for (std::size_t i = 0; i < cloud->size(); ++i)
+    if ((*cloud)[i].x < 0.04f)
       target->push_back(static_cast<index_t>(i));
-    }
-  }
   Estimation estimation = seenFromAbove(cloud);
   estimation.setIndices(target);
   const Grasps grasps = graspsOf(estimation);
@@ -151,9 +143,8 @@ TEST(SuctionGrasps, PointsOfWhichNothingIsKnownDoNotCount)
   Random random(912);
   const Cloud::Ptr cloud = toCloud<PointXYZ>(sheet({0, 0, 0}, 0.08, 0.06, random));
   const std::size_t known = cloud->size();
-  for (std::size_t i = 0; i < 2 * known; ++i) {
+  for (std::size_t i = 0; i < 2 * known; ++i)
     cloud->push_back(PointXYZ(0.3f, 0.001f * static_cast<float>(i), 0.0f));
-  }
   ShapeBackProjection<PointXYZ> back_projection;
   back_projection.setInputCloud(cloud);
   const auto surfaces = make_shared<Surfaces>();
@@ -168,9 +159,8 @@ TEST(SuctionGrasps, PointsOfWhichNothingIsKnownDoNotCount)
   estimation.setInputSurfaces(surfaces);
   const Grasps grasps = graspsOf(estimation);
   ASSERT_FALSE(grasps.empty());
-  for (const SuctionGrasp& grasp : grasps) {
+  for (const SuctionGrasp& grasp : grasps)
     EXPECT_LT(grasp.position.x(), 0.1f);
-  }
 }
 
 TEST(SuctionGrasps, ScaleWithTheCloud)
@@ -179,9 +169,8 @@ TEST(SuctionGrasps, ScaleWithTheCloud)
   const Cloud::Ptr cloud = toCloud<PointXYZ>(sheet({0, 0, 0}, 0.08, 0.08, random));
   Estimation estimation = seenFromAbove(cloud);
   const Grasps small = graspsOf(estimation);
-  for (PointXYZ& point : *cloud) {
+  for (PointXYZ& point : *cloud)
     point.getVector3fMap() *= 1024.0f;
-  }
   estimation.setViewPoint(0, 0, 5120);
   estimation.setCupRadius(1024 * cup);
   const Grasps large = graspsOf(estimation);

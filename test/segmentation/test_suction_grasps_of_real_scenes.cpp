@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include <pcl/io/pcd_io.h>
 #include <pcl/segmentation/suction_grasp_estimation.h>
@@ -38,25 +33,22 @@ isFreeOfCreases(const PointCloud<CreasePointXYZ>& truth,
   constexpr float on_a_crease = 1.5f; // millimetres, as the points are apart
   for (const CreasePointXYZ& point : truth) {
     const float distance = (point.getVector3fMap() - grasp.position).norm();
-    if (distance < radius && point.crease_mm < on_a_crease) {
+    if (distance < radius && point.crease_mm < on_a_crease)
       return false;
-    }
   }
   return true;
 }
 
 TEST(SuctionGraspsOfRealScenes, AreFreeOfCreases)
 {
-  if (std::string(PCL_SHAPE_TEST_DATA).empty()) {
+  if (std::string(PCL_SHAPE_TEST_DATA).empty())
     GTEST_SKIP() << "PCL_SHAPE_TEST_DATA is not set: no scenes";
-  }
   PointCloud<CreasePointXYZ> truth;
   const std::string file = std::string(PCL_SHAPE_TEST_DATA) + "/osd/learn33_gt.pcd";
   ASSERT_EQ(0, io::loadPCDFile(file, truth)) << file;
   const auto cloud = make_shared<PointCloud<PointXYZ>>();
-  for (const CreasePointXYZ& point : truth) {
+  for (const CreasePointXYZ& point : truth)
     cloud->emplace_back(point.x, point.y, point.z);
-  }
   SuctionGraspEstimation<PointXYZ> estimation;
   estimation.setInputCloud(cloud);
   std::vector<SuctionGrasp> grasps;

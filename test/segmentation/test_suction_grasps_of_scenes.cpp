@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "grasp_trials.h"
 
@@ -32,9 +27,8 @@ countsOf(scene::Noise noise, std::uint64_t first_seed, std::uint64_t scenes)
   Counts counts;
   for (std::uint64_t seed = first_seed; seed < first_seed + scenes; ++seed) {
     for (const GraspTrial& trial : graspTrials(seed, noise, cup_radius)) {
-      if (!trial.shows_twice_the_cup) {
+      if (!trial.shows_twice_the_cup)
         continue;
-      }
       ++counts.targets;
       counts.curved += trial.is_curved ? 1 : 0;
       counts.sealed += !trial.grasps.empty() && trial.grasps[0].seals() ? 1 : 0;

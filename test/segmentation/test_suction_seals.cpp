@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include "grasp_surfaces.h"
 
@@ -46,17 +41,14 @@ TEST(SuctionGrasps, AvoidAHole)
   Random random(904);
   Surface surface;
   const Surface whole = sheet({-0.03, -0.03, 0}, 0.06, 0.06, random);
-  for (std::size_t i = 0; i < whole.size(); ++i) {
-    if (whole.position(i).norm() > 0.006) {
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    if (whole.position(i).norm() > 0.006)
       surface.add({whole.position(i), whole.normal(i)});
-    }
-  }
   const Grasps grasps = graspsOn(surface);
   ASSERT_FALSE(grasps.empty());
   EXPECT_TRUE(grasps.front().seals());
-  for (const SuctionGrasp& grasp : grasps) {
+  for (const SuctionGrasp& grasp : grasps)
     EXPECT_TRUE(!grasp.seals() || grasp.position.norm() > 0.016f);
-  }
 }
 
 TEST(SuctionGrasps, KeepAwayFromACrease)
@@ -102,11 +94,9 @@ TEST(SuctionGrasps, BendWithinTheComplianceOnly)
     const Surface tube = cylinder(
         static_cast<std::size_t>(area / (0.0015 * 0.0015)), radius, 0.1, random);
     Surface upper;
-    for (std::size_t i = 0; i < tube.size(); ++i) {
-      if (tube.normal(i).y() > 0) {
+    for (std::size_t i = 0; i < tube.size(); ++i)
+      if (tube.normal(i).y() > 0)
         upper.add({tube.position(i), tube.normal(i)});
-      }
-    }
     Estimation estimation;
     estimation.setInputCloud(toCloud<PointXYZ>(upper));
     estimation.setViewPoint(0, 5, 0);
@@ -133,9 +123,8 @@ TEST(SuctionGrasps, KeepAwayFromWhatStandsOnTheTarget)
   surface.append(sheet({0, 0, 0.015}, 0.04, 0.04, random)); // above the left half
   const Cloud::Ptr cloud = toCloud<PointXYZ>(surface);
   const auto target = make_shared<Indices>();
-  for (std::size_t i = 0; i < own; ++i) {
+  for (std::size_t i = 0; i < own; ++i)
     target->push_back(static_cast<index_t>(i));
-  }
   Estimation estimation = seenFromAbove(cloud);
   estimation.setIndices(target);
   const Grasps grasps = graspsOf(estimation);
@@ -153,17 +142,15 @@ TEST(SuctionGrasps, DoNotSealUnderSomethingElse)
   Random random(916);
   Surface surface = sheet({0, 0, 0}, 0.04, 0.04, random);
   const auto target = make_shared<Indices>();
-  for (std::size_t i = 0; i < surface.size(); ++i) {
+  for (std::size_t i = 0; i < surface.size(); ++i)
     target->push_back(static_cast<index_t>(i));
-  }
   surface.append(sheet({0, 0, 0.015}, 0.04, 0.04, random));
   Estimation estimation = seenFromAbove(toCloud<PointXYZ>(surface));
   estimation.setIndices(target);
   const Grasps grasps = graspsOf(estimation);
   ASSERT_FALSE(grasps.empty());
-  for (const SuctionGrasp& grasp : grasps) {
+  for (const SuctionGrasp& grasp : grasps)
     EXPECT_TRUE(has(grasp, SealProblem::Obstacle));
-  }
 }
 
 TEST(SuctionGrasps, EndWhereTheTargetEnds)
@@ -171,18 +158,15 @@ TEST(SuctionGrasps, EndWhereTheTargetEnds)
   Random random(908);
   const Cloud::Ptr cloud = toCloud<PointXYZ>(sheet({0, 0, 0}, 0.1, 0.06, random));
   const auto target = make_shared<Indices>();
-  for (std::size_t i = 0; i < cloud->size(); ++i) {
-    if ((*cloud)[i].x < 0.05f) {
+  for (std::size_t i = 0; i < cloud->size(); ++i)
+    if ((*cloud)[i].x < 0.05f)
       target->push_back(static_cast<index_t>(i));
-    }
-  }
   Estimation estimation = seenFromAbove(cloud);
   estimation.setIndices(target);
   const Grasps grasps = graspsOf(estimation);
   ASSERT_FALSE(grasps.empty());
-  for (const SuctionGrasp& grasp : grasps) {
+  for (const SuctionGrasp& grasp : grasps)
     EXPECT_TRUE(!grasp.seals() || grasp.position.x() <= 0.05f - cup_radius);
-  }
 }
 
 TEST(SuctionGrasps, DoNotSealOnARoughSurface)
@@ -193,17 +177,15 @@ TEST(SuctionGrasps, DoNotSealOnARoughSurface)
   for (std::size_t i = 0; i < smooth.size();
        ++i) { // one half has waves, less than the band
     Vector3d p = smooth.position(i);
-    if (p.x() < 0.05) {
+    if (p.x() < 0.05)
       p.z() = 0.0009 * std::sin(2 * pi * p.x() / 0.0125);
-    }
     rough.add({p, smooth.normal(i)});
   }
   const Grasps grasps = graspsOn(rough);
   ASSERT_FALSE(grasps.empty());
   EXPECT_TRUE(grasps.front().seals());
-  for (const SuctionGrasp& grasp : grasps) {
+  for (const SuctionGrasp& grasp : grasps)
     EXPECT_TRUE(!grasp.seals() || grasp.position.x() > 0.05f);
-  }
 }
 
 } // namespace

@@ -1,14 +1,8 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
-#include "segmentation/part_assignment.h"
-#include "segmentation/part_borders.h"
+#include "instances/piece_splitting.h"
 #include "small_surfaces.h"
 
 #include <gtest/gtest.h>

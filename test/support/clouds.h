@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #pragma once
 
@@ -60,9 +55,8 @@ inline std::vector<float>
 valuesOf(const pcl::PointCloud<pcl::INAD>& cloud)
 {
   std::vector<float> values;
-  for (const pcl::INAD& inad : cloud) {
+  for (const pcl::INAD& inad : cloud)
     values.insert(values.end(), {inad.mu, inad.sigma});
-  }
   return values;
 }
 
@@ -72,9 +66,8 @@ std::vector<float>
 normalValuesOf(const pcl::PointCloud<PointNT>& cloud)
 {
   std::vector<float> values;
-  for (const PointNT& n : cloud) {
+  for (const PointNT& n : cloud)
     values.insert(values.end(), {n.normal_x, n.normal_y, n.normal_z, n.curvature});
-  }
   return values;
 }
 

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #pragma once
 
@@ -34,9 +29,8 @@ public:
   void
   add(const std::vector<float>& a, const std::vector<float>& b)
   {
-    for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
+    for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i)
       add(i < a.size() ? a[i] : unequal, i < b.size() ? b[i] : 0);
-    }
   }
 
   void

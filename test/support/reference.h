@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #pragma once
 
@@ -50,11 +45,9 @@ neighborsWithin(const XYZView& surface, const float* query, double radius)
 {
   const auto r2 = static_cast<float>(radius * radius);
   Found found;
-  for (std::uint32_t j = 0; j < surface.size; ++j) {
-    if (squaredDistance(surface[j], query) < r2) {
+  for (std::uint32_t j = 0; j < surface.size; ++j)
+    if (squaredDistance(surface[j], query) < r2)
       found.push_back(j);
-    }
-  }
   return found;
 }
 
@@ -65,16 +58,14 @@ neighborsNearest(const XYZView& surface, const float* query, std::size_t k)
   std::vector<std::tuple<float, std::uint32_t>> all;
   for (std::uint32_t j = 0; j < surface.size; ++j) {
     const float d2 = squaredDistance(surface[j], query);
-    if (!std::isnan(d2)) {
+    if (!std::isnan(d2))
       all.emplace_back(d2, j);
-    }
   }
   std::partial_sort(
       all.begin(), all.begin() + static_cast<std::ptrdiff_t>(k), all.end());
   Found found;
-  for (std::size_t i = 0; i < k; ++i) {
+  for (std::size_t i = 0; i < k; ++i)
     found.push_back(std::get<1>(all[i]));
-  }
   return found;
 }
 
@@ -95,13 +86,11 @@ struct ReferenceNormal {
 inline ReferenceNormal
 referenceNormal(const XYZView& surface, const Found& found)
 {
-  if (found.size() < 6) {
+  if (found.size() < 6)
     return {};
-  }
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const std::uint32_t j : found) {
+  for (const std::uint32_t j : found)
     mean += vectorAt(surface, j) / static_cast<double>(found.size());
-  }
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (const std::uint32_t j : found) {
     const Eigen::Vector3d d = vectorAt(surface, j) - mean;
@@ -130,12 +119,10 @@ meanAndDeviation(const std::vector<double>& angles)
 {
   const auto count = static_cast<double>(angles.size());
   double mean = 0, variance = 0;
-  for (const double a : angles) {
+  for (const double a : angles)
     mean += a / count;
-  }
-  for (const double a : angles) {
+  for (const double a : angles)
     variance += (a - mean) * (a - mean) / count;
-  }
   return {mean, std::sqrt(variance)};
 }
 
@@ -150,23 +137,18 @@ referenceINAD(const XYZView& normals,
   std::vector<double> angles;
   for (const std::uint32_t j : found) {
     const double angle = acuteAngle(own, vectorAt(normals, j));
-    if (!std::isnan(angle)) {
+    if (!std::isnan(angle))
       angles.push_back(angle);
-    }
   }
-  if (angles.size() < 5) {
+  if (angles.size() < 5)
     return {};
-  }
   const ReferenceINAD all = meanAndDeviation(angles);
-  if (outlier_rate == 0 || all.sigma == 0) {
+  if (outlier_rate == 0 || all.sigma == 0)
     return all;
-  }
   std::vector<double> kept;
-  for (const double a : angles) {
-    if (std::abs(a - all.mu) <= outlier_rate * all.sigma * (1 + 1e-5)) {
+  for (const double a : angles)
+    if (std::abs(a - all.mu) <= outlier_rate * all.sigma * (1 + 1e-5))
       kept.push_back(a);
-    }
-  }
   return kept.empty() ? all : meanAndDeviation(kept);
 }
 

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #pragma once
 
@@ -85,18 +80,16 @@ struct Surface {
   move(const Eigen::Isometry3d& pose)
   {
     Surface moved;
-    for (std::size_t i = 0; i < size(); ++i) {
+    for (std::size_t i = 0; i < size(); ++i)
       moved.add({pose * position(i), pose.linear() * normal(i)});
-    }
     *this = moved;
   }
 
   void
   addNoise(double sigma, Random& random)
   {
-    for (float& value : xyz) {
+    for (float& value : xyz)
       value += static_cast<float>(sigma * random.normal());
-    }
   }
 };
 
@@ -106,9 +99,8 @@ Surface
 sampled(std::size_t count, Random& random, const Sample& sample)
 {
   Surface surface;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; ++i)
     surface.add(sample(random));
-  }
   return surface;
 }
 
@@ -184,9 +176,8 @@ inline Surface
 grid(int side, double spacing)
 {
   Surface surface;
-  for (int i = 0; i < side * side; ++i) {
+  for (int i = 0; i < side * side; ++i)
     surface.add({{i % side * spacing, i / side * spacing, 0}, {0, 0, 1}});
-  }
   return surface;
 }
 

@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #pragma once
 
@@ -25,9 +20,8 @@ public:
   TemporaryDirectory()
   {
     path_ = (std::filesystem::temp_directory_path() / "pcl_shape_XXXXXX").string();
-    if (!mkdtemp(path_.data())) {
+    if (!mkdtemp(path_.data()))
       throw std::runtime_error("no temporary directory");
-    }
   }
 
   TemporaryDirectory(const TemporaryDirectory&) = delete;

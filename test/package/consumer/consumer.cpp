@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
 
 #include <pcl/features/inad.h>
 #include <pcl/features/neighborhood_sweep.h>
@@ -155,9 +150,8 @@ hasGround(const Cloud::ConstPtr& cloud)
 int
 main(int argc, char** argv)
 {
-  if (argc != 2) {
+  if (argc != 2)
     return 2;
-  }
   const auto cloud = twoWalls();
   const bool is_right = hasFeatures(cloud) && hasSurfacesAndEdges(cloud, argv[1]) &&
                         hasTwoPlanes(cloud) && hasGrasps(cloud) && hasLabels(cloud) &&

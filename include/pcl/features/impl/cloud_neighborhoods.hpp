@@ -68,9 +68,8 @@ public:
                  float* curvature,
                  std::size_t stride) const override
   {
-    if (search_) {
+    if (search_)
       return listed(size).computeNormals(normals, curvature, stride);
-    }
     return swept().computeNormals(size, normals, curvature, stride);
   }
 
@@ -80,9 +79,8 @@ public:
               double outlier_rate,
               float* mu_sigma) const override
   {
-    if (search_) {
+    if (search_)
       return listed(size).computeINAD(normals, outlier_rate, mu_sigma);
-    }
     return swept().computeINAD(size, normals, outlier_rate, mu_sigma);
   }
 
@@ -100,9 +98,8 @@ public:
       const PointT& point = (*input_)[static_cast<std::size_t>(indices_[i])];
       distances[i] = std::numeric_limits<float>::quiet_NaN();
       if (pcl::isXYZFinite(point) &&
-          search_->nearestKSearch(point, static_cast<int>(k), found, squared) > 0) {
+          search_->nearestKSearch(point, static_cast<int>(k), found, squared) > 0)
         distances[i] = std::sqrt(*std::max_element(squared.begin(), squared.end()));
-      }
     }
   }
 
@@ -124,12 +121,10 @@ public:
          AdaptiveRadius::RadiusMode mode,
          std::vector<float>& radii) const
   {
-    if (k > 0) {
+    if (k > 0)
       return NeighborhoodSize::ofNearest(static_cast<std::size_t>(k));
-    }
-    if (mode == AdaptiveRadius::FIXED) {
+    if (mode == AdaptiveRadius::FIXED)
       return NeighborhoodSize::ofRadius(radius);
-    }
     radii = adaptiveRadii(
         mode, radius, *this, xyzOf(*input_), indices_, countFinite(xyzOf(*surface_)));
     return NeighborhoodSize::ofRadii(radii.data());
@@ -143,12 +138,10 @@ private:
   void
   setQueries(Neighborhoods& neighborhoods) const
   {
-    if (input_ != surface_) {
+    if (input_ != surface_)
       neighborhoods.setQueries(xyzOf(*input_));
-    }
-    if (!isAll()) {
+    if (!isAll())
       neighborhoods.setQueryIndices(indices_.data(), indices_.size());
-    }
     neighborhoods.setNumberOfThreads(threads_);
   }
 
@@ -156,9 +149,8 @@ private:
   isAll() const
   {
     bool is_all = indices_.size() == input_->size();
-    for (std::size_t i = 0; is_all && i < indices_.size(); ++i) {
+    for (std::size_t i = 0; is_all && i < indices_.size(); ++i)
       is_all = indices_[i] == static_cast<pcl::index_t>(i);
-    }
     return is_all;
   }
 
@@ -248,9 +240,8 @@ withNoiseOfCloud(const Parameters& parameters,
                  const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
                  unsigned threads)
 {
-  if (parameters.normal_radius_noise == 0.0 && parameters.radius_noise == 0.0) {
+  if (parameters.normal_radius_noise == 0.0 && parameters.radius_noise == 0.0)
     return parameters;
-  }
   return withNoise(parameters, noiseOfCloud<PointT>(cloud, threads));
 }
 

@@ -30,9 +30,8 @@ INADEstimation<PointInT, PointNT, PointOutT>::initCompute()
     this->deinitCompute();
     return false;
   };
-  if (!this->input_) {
+  if (!this->input_)
     return fail("no input cloud is set: call setInputCloud() with one");
-  }
   if (!this->normals_) {
     return fail("no normals are set: call setInputNormals() with those of the search "
                 "surface");
@@ -47,12 +46,10 @@ INADEstimation<PointInT, PointNT, PointOutT>::initCompute()
                                            this->indices_.get(),
                                            this->search_radius_,
                                            this->k_});
-  if (problem.empty()) {
+  if (problem.empty())
     problem = detail::problemOfNormals(this->normals_->size(), this->surface_->size());
-  }
-  if (problem.empty()) {
+  if (problem.empty())
     problem = detail::problemOfOutlierRate(outlier_rate_);
-  }
   return problem.empty() || fail(problem);
 }
 

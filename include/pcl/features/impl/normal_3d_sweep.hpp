@@ -28,9 +28,8 @@ NormalEstimationSweep<PointInT, PointOutT>::initCompute()
     this->deinitCompute();
     return false;
   };
-  if (!this->input_) {
+  if (!this->input_)
     return fail("no input cloud is set: call setInputCloud() with one");
-  }
   if (!this->surface_) {
     this->fake_surface_ = true;
     this->surface_ = this->input_;
@@ -48,9 +47,8 @@ template <typename PointInT, typename PointOutT>
 void
 NormalEstimationSweep<PointInT, PointOutT>::computeFeature(PointCloudOut& output)
 {
-  if (output.empty()) {
+  if (output.empty())
     return;
-  }
   detail::CloudNeighborhoods<PointInT> neighborhoods(
       this->input_, this->surface_, *this->indices_, threads_);
   neighborhoods.setSearch(this->tree_);

@@ -22,13 +22,11 @@ template <typename PointT, typename PointNT>
 std::vector<std::string>
 ShapeBackProjection<PointT, PointNT>::getClasses() const
 {
-  if (!this->model_) {
+  if (!this->model_)
     return {"planar", "curved"};
-  }
   std::vector<std::string> names;
-  for (const ShapeModel::Class& c : this->model_->classes()) {
+  for (const ShapeModel::Class& c : this->model_->classes())
     names.push_back(c.name);
-  }
   if (names.size() == 1) {
     const bool is_plane = names[0] == "plane" || names[0] == "planar";
     names.emplace_back(is_plane ? "curved" : "other");
@@ -40,9 +38,8 @@ template <typename PointT, typename PointNT>
 std::string
 ShapeBackProjection<PointT, PointNT>::problemOfClasses(const ShapeModel&) const
 {
-  if (!edge_model_) {
+  if (!edge_model_)
     return {};
-  }
   if (!this->isAdaptive()) {
     return "an edge model is set: it is allowed in DEFAULT mode without radii, k, "
            "outlier rate, normals or INAD of your own";
@@ -63,9 +60,8 @@ ShapeBackProjection<PointT, PointNT>::toClasses(const std::vector<float>& values
                                                 float* likelihoods) const
 {
   std::copy(values.begin(), values.end(), likelihoods);
-  if (values.size() == 1) {
+  if (values.size() == 1)
     likelihoods[1] = 1.0f - values[0];
-  }
 }
 
 template <typename PointT, typename PointNT>
@@ -75,9 +71,8 @@ ShapeBackProjection<PointT, PointNT>::classOf(const float* likelihoods) const
   const std::size_t classes = this->isAdaptive() ? getClasses().size()
                               : this->model_     ? this->model_->classes().size()
                                                  : 1;
-  if (classes == 1) {
+  if (classes == 1)
     return likelihoods[0] >= this->threshold_ ? 0 : 1;
-  }
   const float* most = std::max_element(likelihoods, likelihoods + classes);
   return static_cast<std::size_t>(most - likelihoods);
 }
@@ -98,9 +93,8 @@ void
 ShapeBackProjection<PointT, PointNT>::classify(Surfaces& surfaces)
 {
   surfaces = Surfaces();
-  if (!this->initCompute()) {
+  if (!this->initCompute())
     return;
-  }
   if (!this->isAdaptive()) {
     PCL_ERROR(
         "[pcl::%s::classify] edges are known in DEFAULT mode only, without radii, k, "
@@ -124,9 +118,8 @@ ShapeBackProjection<PointT, PointNT>::classify(Surfaces& surfaces)
   for (const std::int32_t point : points) {
     const bool known = point >= 0;
     const auto i = static_cast<std::size_t>(known ? point : 0);
-    for (std::size_t c = 0; c < classes; ++c) {
+    for (std::size_t c = 0; c < classes; ++c)
       surfaces.likelihoods[c].push_back(known ? posteriors[classes * i + c] : unknown);
-    }
     surfaces.edge_likelihood.push_back(known ? edges.likelihood[i] : unknown);
     surfaces.spacings.push_back(known ? edges.spacings[i] : unknown);
     const float* n = &edges.normals[3 * i];

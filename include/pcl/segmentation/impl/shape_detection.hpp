@@ -46,9 +46,8 @@ ShapeDetection<PointT, PointNT>::computeINAD(pcl::PointCloud<INAD>& inad) const
     // Not copyPointCloud(): of as many indices as points it does not look at the order.
     inad.clear();
     inad.reserve(this->indices_->size());
-    for (const index_t index : *this->indices_) {
+    for (const index_t index : *this->indices_)
       inad.push_back((*inad_)[index]);
-    }
     return;
   }
   const INADParameters parameters =
@@ -57,9 +56,8 @@ ShapeDetection<PointT, PointNT>::computeINAD(pcl::PointCloud<INAD>& inad) const
   INADEstimation<PointT, PointNT> estimation(threads_);
   estimation.setInputCloud(this->input_);
   estimation.setIndices(this->indices_);
-  if (surface_) {
+  if (surface_)
     estimation.setSearchSurface(surface_);
-  }
   estimation.setSearchMethod(search_);
   estimation.setInputNormals(normals_ ? normals_ : estimateNormals(parameters, index));
   estimation.setSweepIndex(index);
@@ -82,15 +80,13 @@ typename ShapeDetection<PointT, PointNT>::PointCloudConstPtr
 ShapeDetection<PointT, PointNT>::adaptiveSurface() const
 {
   const PointCloudConstPtr all = searchSurface();
-  if (resolution_ == 0.0) {
+  if (resolution_ == 0.0)
     return all;
-  }
   const std::vector<float> xyz = detail::thinned(detail::xyzOf(*all), resolution_);
   const auto surface = pcl::make_shared<PointCloud>();
   surface->resize(xyz.size() / 3);
-  for (std::size_t i = 0; i < surface->size(); ++i) {
+  for (std::size_t i = 0; i < surface->size(); ++i)
     (*surface)[i].getVector3fMap() = Eigen::Map<const Eigen::Vector3f>(&xyz[3 * i]);
-  }
   return surface;
 }
 
@@ -100,18 +96,15 @@ ShapeDetection<PointT, PointNT>::surfacePoints(const PointCloud& surface,
                                                std::vector<float> spacings) const
 {
   std::vector<std::int32_t> points(this->indices_->begin(), this->indices_->end());
-  if (&surface == this->input_.get()) {
+  if (&surface == this->input_.get())
     return points;
-  }
   const auto cell_diagonal = static_cast<float>(std::sqrt(3.0) * resolution_);
-  for (float& spacing : spacings) {
+  for (float& spacing : spacings)
     spacing = std::max(spacing, cell_diagonal);
-  }
   const auto nearest = detail::representatives(
       detail::xyzOf(*this->input_), detail::xyzOf(surface), spacings, threads_);
-  for (std::int32_t& point : points) {
+  for (std::int32_t& point : points)
     point = nearest[static_cast<std::size_t>(point)];
-  }
   return points;
 }
 
@@ -158,9 +151,8 @@ bool
 ShapeDetection<PointT, PointNT>::computeLikelihoods(std::vector<float>& likelihoods)
 {
   likelihoods.clear();
-  if (!initCompute()) {
+  if (!initCompute())
     return false;
-  }
   if (isAdaptive()) {
     computeAdaptive(likelihoods);
     return true;
@@ -184,9 +176,8 @@ ShapeDetection<PointT, PointNT>::compute(pcl::PointCloud<pcl::Intensity>& likeli
 {
   likelihood.clear();
   std::vector<float> likelihoods;
-  if (!computeLikelihoods(likelihoods)) {
+  if (!computeLikelihoods(likelihoods))
     return;
-  }
   const std::size_t classes = getClasses().size();
   likelihood.header = this->input_->header;
   likelihood.resize(this->indices_->size());
@@ -207,14 +198,12 @@ ShapeDetection<PointT, PointNT>::compute(std::vector<std::vector<float>>& likeli
 {
   likelihoods.clear();
   std::vector<float> all;
-  if (!computeLikelihoods(all)) {
+  if (!computeLikelihoods(all))
     return;
-  }
   const std::size_t classes = getClasses().size();
   likelihoods.resize(classes);
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  for (std::size_t i = 0; i < all.size(); ++i)
     likelihoods[i % classes].push_back(all[i]);
-  }
 }
 
 template <typename PointT, typename PointNT>
@@ -232,17 +221,14 @@ ShapeDetection<PointT, PointNT>::classesOf(
     const std::vector<std::vector<float>>& likelihoods) const
 {
   std::vector<pcl::PointIndices> classes(likelihoods.size());
-  for (auto& points : classes) {
+  for (auto& points : classes)
     points.header = this->input_->header;
-  }
   std::vector<float> values(likelihoods.size());
   for (std::size_t i = 0; !values.empty() && i < likelihoods[0].size(); ++i) {
-    for (std::size_t c = 0; c < values.size(); ++c) {
+    for (std::size_t c = 0; c < values.size(); ++c)
       values[c] = likelihoods[c][i];
-    }
-    if (!std::isnan(values[0])) {
+    if (!std::isnan(values[0]))
       classes[classOf(values.data())].indices.push_back((*this->indices_)[i]);
-    }
   }
   return classes;
 }

@@ -22,9 +22,8 @@ template <typename PointT, typename PointNT>
 ShapeModel
 ShapeDetection<PointT, PointNT>::getModel() const
 {
-  if (model_) {
+  if (model_)
     return *model_;
-  }
   return isAdaptive() ? defaultModel() : ShapeModel::idealPlane(defaults_);
 }
 
@@ -34,12 +33,10 @@ ShapeDetection<PointT, PointNT>::isAdaptive() const
 {
   const bool is_given = inad_ || normals_ || radius_ || normal_radius_ ||
                         outlier_rate_ || (k_ && *k_ != 0);
-  if (mode_ == PAPER || is_given) {
+  if (mode_ == PAPER || is_given)
     return false;
-  }
-  if (has_radius_mode_ && radius_mode_ != DENSITY) {
+  if (has_radius_mode_ && radius_mode_ != DENSITY)
     return false;
-  }
   return !model_ ||
          (model_->parameters().radius_mode == DENSITY && model_->classes().size() > 1);
 }
@@ -48,13 +45,11 @@ template <typename PointT, typename PointNT>
 INADParameters
 ShapeDetection<PointT, PointNT>::getParameters() const
 {
-  if (isAdaptive()) {
+  if (isAdaptive())
     return model_ ? model_->parameters() : defaultModel().parameters();
-  }
   INADParameters parameters = model_ ? model_->parameters() : defaults_;
-  if (has_radius_mode_) {
+  if (has_radius_mode_)
     parameters.radius_mode = radius_mode_;
-  }
   parameters.outlier_rate = outlier_rate_.value_or(parameters.outlier_rate);
   const bool is_k = k_ && *k_ != 0;
   const bool is_radius = normal_radius_ || radius_;
@@ -85,14 +80,12 @@ ShapeDetection<PointT, PointNT>::findProblem() const
                                              this->indices_.get(),
                                              radius,
                                              parameters.k});
-    if (!problem.empty()) {
+    if (!problem.empty())
       return problem;
-    }
   }
   std::string problem = detail::problemOfOutlierRate(parameters.outlier_rate);
-  if (problem.empty() && normals_) {
+  if (problem.empty() && normals_)
     problem = detail::problemOfNormals(normals_->size(), surface->size());
-  }
   if (problem.empty() && inad_ && inad_->size() != this->input_->size()) {
     problem = std::to_string(inad_->size()) + " INAD are given for an input of " +
               std::to_string(this->input_->size()) + " points: one for each is needed";
@@ -103,9 +96,8 @@ ShapeDetection<PointT, PointNT>::findProblem() const
                                      model_ && !ignore_model_parameters_ ? &parameters
                                                                          : nullptr);
   }
-  if (problem.empty()) {
+  if (problem.empty())
     problem = problemOfResolution();
-  }
   return problem.empty() ? problemOfClasses(getModel()) : problem;
 }
 
@@ -113,9 +105,8 @@ template <typename PointT, typename PointNT>
 std::string
 ShapeDetection<PointT, PointNT>::problemOfResolution() const
 {
-  if (resolution_ == 0.0) {
+  if (resolution_ == 0.0)
     return {};
-  }
   if (!isAdaptive()) {
     return "a resolution is set: it is allowed in DEFAULT mode without radii, k, "
            "outlier rate, normals or INAD of your own";
@@ -135,9 +126,8 @@ ShapeDetection<PointT, PointNT>::initCompute()
     PCLBase<PointT>::initCompute();
     problem = findProblem();
   }
-  if (!problem.empty()) {
+  if (!problem.empty())
     PCL_ERROR("[pcl::%s::compute] %s.\n", name_.c_str(), problem.c_str());
-  }
   return problem.empty();
 }
 

@@ -84,9 +84,8 @@ void
 ShapeEdgeDetection<PointT, PointNT>::detect(Edges& edges)
 {
   edges = Edges();
-  if (!this->initCompute()) {
+  if (!this->initCompute())
     return;
-  }
   if (!this->isAdaptive()) {
     PCL_ERROR(
         "[pcl::%s::detect] kinds of edges are known in DEFAULT mode only, without "

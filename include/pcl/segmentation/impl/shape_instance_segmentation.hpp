@@ -31,9 +31,8 @@ template <typename PointT>
 std::string
 ShapeInstanceSegmentation<PointT>::findProblem() const
 {
-  if (!input_) {
+  if (!input_)
     return "no input cloud is set: call setInputCloud() with one";
-  }
   if (!back_projection_.isAdaptive()) {
     return "the model was not made in DENSITY mode with several classes: one that was "
            "is allowed";
@@ -42,21 +41,18 @@ ShapeInstanceSegmentation<PointT>::findProblem() const
   const std::string needed = class_ == "object" ? "planar" : class_;
   if (positionOfClass(needed) == names.size()) {
     std::string problem = "class '" + class_ + "': allowed is ";
-    for (const std::string& name : names) {
+    for (const std::string& name : names)
       problem += name + ", ";
-    }
     return problem + "or object if one of them is planar";
   }
   const XYZView points = detail::xyzOf(*input_);
   constexpr double any_radius = 1.0;
   std::string problem =
       detail::problemOf({points, points, indices_.get(), any_radius, 0});
-  if (problem.empty() && back_projection_.getResolution() != 0.0) {
+  if (problem.empty() && back_projection_.getResolution() != 0.0)
     problem = detail::problemOfResolution(back_projection_.getResolution(), points);
-  }
-  if (!problem.empty()) {
+  if (!problem.empty())
     return problem;
-  }
   const double low = limits_.low, high = limits_.high;
   if (!(low >= 0.0 && low <= high && high <= 1.0)) {
     return "thresholds are " + std::to_string(high) + " and " + std::to_string(low) +
@@ -96,9 +92,8 @@ ShapeInstanceSegmentation<PointT>::setUpBackProjection(
   }
   const auto means = pcl::make_shared<pcl::PointCloud<PointT>>();
   means->resize(positions.size() / 3);
-  for (std::size_t i = 0; i < means->size(); ++i) {
+  for (std::size_t i = 0; i < means->size(); ++i)
     (*means)[i].getVector3fMap() = Eigen::Map<const Eigen::Vector3f>(&positions[3 * i]);
-  }
   back_projection_.setInputCloud(means);
   back_projection_.setIndices(IndicesPtr());
   back_projection_.setSearchSurface(input_);
@@ -116,9 +111,8 @@ ShapeInstanceSegmentation<PointT>::inputOf(Surfaces& surfaces,
   for (std::size_t i = 0; i < input.points.size; ++i) {
     const Eigen::Map<const Eigen::Vector3f> position(&positions[3 * i]);
     Eigen::Vector3f normal = surfaces.normals[i].getNormalVector3fMap();
-    if (normal.dot(view_point - position) < 0.0f) {
+    if (normal.dot(view_point - position) < 0.0f)
       normal = -normal;
-    }
     input.normals.insert(input.normals.end(), normal.data(), normal.data() + 3);
   }
   input.spacings = std::move(surfaces.spacings);
@@ -142,9 +136,8 @@ ShapeInstanceSegmentation<PointT>::describe(const std::vector<std::uint32_t>& me
   ShapeInstance instance;
   for (const std::uint32_t i : members) {
     std::size_t most = 0;
-    for (std::size_t c = 1; c < classes; ++c) {
+    for (std::size_t c = 1; c < classes; ++c)
       most = surfaces.likelihoods[c][i] > surfaces.likelihoods[most][i] ? c : most;
-    }
     ++all[most];
     inner[most] += input.edge[i] > 0.5f ? 0 : 1;
   }
@@ -152,12 +145,10 @@ ShapeInstanceSegmentation<PointT>::describe(const std::vector<std::uint32_t>& me
       std::any_of(inner.begin(), inner.end(), [](auto count) { return count > 0; });
   const std::vector<std::size_t>& counts = has_inner ? inner : all;
   std::size_t total = 0;
-  for (const std::size_t count : counts) {
+  for (const std::size_t count : counts)
     total += count;
-  }
-  for (const std::size_t count : counts) {
+  for (const std::size_t count : counts)
     instance.shares.push_back(static_cast<float>(count) / static_cast<float>(total));
-  }
   instance.primitive = detail::fitPrimitive(input, members, primitive_);
   return instance;
 }
@@ -177,9 +168,8 @@ ShapeInstanceSegmentation<PointT>::representatives(
   std::vector<float> reach(input.points.size, cell_diagonal);
   const std::vector<std::int32_t> nearest =
       detail::representatives(detail::xyzOf(*input_), input.points, reach, threads_);
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (std::size_t i = 0; i < points.size(); ++i)
     points[i] = nearest[static_cast<std::size_t>((*indices_)[i])];
-  }
   return points;
 }
 
@@ -191,9 +181,8 @@ ShapeInstanceSegmentation<PointT>::setPoints(
 {
   std::vector<Eigen::Vector3d> sums(instances.size(), Eigen::Vector3d::Zero());
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (labels[i] < 0) {
+    if (labels[i] < 0)
       continue;
-    }
     const auto label = static_cast<std::size_t>(labels[i]);
     const index_t index = (*indices_)[i];
     instances[label].indices.push_back(index);
@@ -211,9 +200,8 @@ bool
 ShapeInstanceSegmentation<PointT>::segment(std::vector<ShapeInstance>& instances)
 {
   instances.clear();
-  if (input_) {
+  if (input_)
     PCLBase<PointT>::initCompute();
-  }
   const std::string problem = findProblem();
   if (!problem.empty()) {
     PCL_ERROR("[pcl::ShapeInstanceSegmentation::segment] %s.\n", problem.c_str());
@@ -224,29 +212,25 @@ ShapeInstanceSegmentation<PointT>::segment(std::vector<ShapeInstance>& instances
   back_projection_.setNumberOfThreads(threads_);
   Surfaces surfaces;
   back_projection_.classify(surfaces);
-  if (surfaces.likelihoods.empty()) {
+  if (surfaces.likelihoods.empty())
     return false;
-  }
   const detail::InstanceInput input = inputOf(surfaces, positions);
   const detail::InstanceLabels labels = class_ == "object"
                                             ? detail::findObjects(input, limits_)
                                             : detail::findComponents(input, limits_);
   std::vector<std::vector<std::uint32_t>> members;
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (labels[i] < 0) {
+    if (labels[i] < 0)
       continue;
-    }
     const auto label = static_cast<std::size_t>(labels[i]);
     members.resize(std::max(members.size(), label + 1));
     members[label].push_back(static_cast<std::uint32_t>(i));
   }
-  for (const auto& points : members) {
+  for (const auto& points : members)
     instances.push_back(describe(points, input, surfaces));
-  }
   std::vector<std::int32_t> points = representatives(input);
-  for (std::int32_t& point : points) {
+  for (std::int32_t& point : points)
     point = point < 0 ? -1 : labels[static_cast<std::size_t>(point)];
-  }
   setPoints(points, instances);
   return true;
 }

@@ -30,12 +30,10 @@ template <typename PointT, typename PointNT>
 std::string
 ShapeLabeling<PointT, PointNT>::findProblem() const
 {
-  if (!this->input_) {
+  if (!this->input_)
     return "no input cloud is set: call setInputCloud() with one";
-  }
-  if (!(confidence_ >= 0.0 && confidence_ <= 1.0)) {
+  if (!(confidence_ >= 0.0 && confidence_ <= 1.0))
     return "confidence is " + std::to_string(confidence_) + ": 0 to 1 is allowed";
-  }
   const std::vector<std::string> names = detection_.getClasses();
   if (std::count(names.begin(), names.end(), detail::edge_class) > 0) {
     return "the model has a class 'edge': allowed are other names, edges are a class "
@@ -55,9 +53,8 @@ void
 ShapeLabeling<PointT, PointNT>::label(PointLabels& labels)
 {
   labels = PointLabels();
-  if (this->input_) {
+  if (this->input_)
     PCLBase<PointT>::initCompute();
-  }
   const std::string problem = findProblem();
   if (!problem.empty()) {
     PCL_ERROR("[pcl::ShapeLabeling::label] %s.\n", problem.c_str());
@@ -66,9 +63,8 @@ ShapeLabeling<PointT, PointNT>::label(PointLabels& labels)
   detection_.setInputCloud(this->input_);
   Surfaces surfaces;
   detection_.classify(surfaces);
-  if (surfaces.likelihoods.empty()) {
+  if (surfaces.likelihoods.empty())
     return;
-  }
   const std::vector<std::string> names = detection_.getClasses();
   const auto planar = std::find(names.begin(), names.end(), detail::planar_class);
   const auto planar_label =

@@ -25,9 +25,8 @@ labelled(const Cloud& cloud, const pcl::PointLabels& labels)
   // [copy]
   pcl::PointCloud<pcl::PointXYZL> result;
   pcl::copyPointCloud(cloud, result);
-  for (std::size_t i = 0; i < result.size(); ++i) {
+  for (std::size_t i = 0; i < result.size(); ++i)
     result[i].label = labels.labels[i];
-  }
   // [copy]
   return result;
 }
@@ -40,23 +39,20 @@ main(int argc, char** argv)
   pcl::ShapeLabeling<pcl::PointXYZ> labeling;
   labeling.setConfidence(0.95);
   std::vector<std::string> names{"void"};
-  for (const std::string& name : labeling.getClasses()) {
+  for (const std::string& name : labeling.getClasses())
     names.push_back(name); // planar, curved, edge
-  }
   // [labeling]
 
   for (int file = 1; file < argc; ++file) {
     const auto cloud = pcl::make_shared<Cloud>();
-    if (pcl::io::loadPCDFile(argv[file], *cloud) != 0) {
+    if (pcl::io::loadPCDFile(argv[file], *cloud) != 0)
       return 1;
-    }
     // [label]
     labeling.setInputCloud(cloud);
     pcl::PointLabels labels;
     labeling.label(labels);
-    if (labels.labels.empty()) {
+    if (labels.labels.empty())
       return 1; // the reason was printed
-    }
     // [label]
 
     std::vector<std::size_t> counts(names.size(), 0);
@@ -66,9 +62,8 @@ main(int argc, char** argv)
       confidence += static_cast<double>(labels.confidence[i]);
     }
     std::cout << argv[file] << ':';
-    for (std::size_t label = 0; label < names.size(); ++label) {
+    for (std::size_t label = 0; label < names.size(); ++label)
       std::cout << ' ' << counts[label] << ' ' << names[label] << ',';
-    }
     std::cout << " mean confidence " << confidence / static_cast<double>(cloud->size())
               << '\n';
     const std::string output = "labelled_" + std::to_string(file) + ".pcd";

@@ -83,9 +83,8 @@ main(int argc, char** argv)
 
   // [compare]
   const std::vector<double> angles = anglesBetween(expected, normals);
-  if (angles.empty()) {
+  if (angles.empty())
     return 1;
-  }
   std::cout << angles.size() << " points have both normals\n"
             << "angle between them, degrees: median " << angles[angles.size() / 2]
             << ", 99th percentile " << angles[angles.size() * 99 / 100] << '\n';

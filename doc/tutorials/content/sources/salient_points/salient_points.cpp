@@ -41,9 +41,8 @@ creasesOf(const Cloud::ConstPtr& cloud)
     creases.points->emplace_back(x, y, z);
     spacings.push_back(crease.spacing);
   }
-  if (spacings.empty()) {
+  if (spacings.empty())
     return creases;
-  }
   const auto middle =
       spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
   std::nth_element(spacings.begin(), middle, spacings.end());
@@ -66,9 +65,8 @@ thinned(const Cloud::ConstPtr& cloud, float distance)
 void
 append(const Cloud& cloud, std::uint32_t label, pcl::PointCloud<pcl::PointXYZL>& all)
 {
-  for (const pcl::PointXYZ& point : cloud) {
+  for (const pcl::PointXYZ& point : cloud)
     all.emplace_back(point.x, point.y, point.z, label);
-  }
 }
 
 } // namespace
@@ -85,9 +83,8 @@ main(int argc, char** argv)
   // [keypoints]
   for (int v = 0; v < 2; ++v) {
     const auto cloud = pcl::make_shared<Cloud>();
-    if (pcl::io::loadPCDFile(argv[1 + v], *cloud) != 0) {
+    if (pcl::io::loadPCDFile(argv[1 + v], *cloud) != 0)
       return 1;
-    }
     pcl::Indices kept;
     pcl::removeNaNFromPointCloud(*cloud, *cloud, kept);
     const Creases creases = creasesOf(cloud);

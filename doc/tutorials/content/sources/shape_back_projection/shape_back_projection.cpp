@@ -32,21 +32,18 @@ main(int argc, char** argv)
   pcl::Surfaces surfaces;
   back_projection.classify(surfaces);
   // [classify]
-  if (surfaces.likelihoods.empty()) {
+  if (surfaces.likelihoods.empty())
     return 1;
-  }
 
   // [classes]
   const std::vector<std::string> names = back_projection.getClasses();
   const std::vector<pcl::PointIndices> classes =
       back_projection.classesOf(surfaces.likelihoods);
   std::size_t unknown = 0;
-  for (const float likelihood : surfaces.likelihoods[0]) {
+  for (const float likelihood : surfaces.likelihoods[0])
     unknown += std::isnan(likelihood);
-  }
-  for (std::size_t c = 0; c < classes.size(); ++c) {
+  for (std::size_t c = 0; c < classes.size(); ++c)
     std::cout << names[c] << ": " << classes[c].indices.size() << " points\n";
-  }
   std::cout << "unknown: " << unknown << " points\n"
             << "noise: " << surfaces.noise << " spacings\n";
   // [classes]

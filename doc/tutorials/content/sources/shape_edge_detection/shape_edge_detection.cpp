@@ -32,19 +32,16 @@ main(int argc, char** argv)
   pcl::Edges edges;
   detection.detect(edges);
   // [detect]
-  if (edges.types.empty()) {
+  if (edges.types.empty())
     return 1;
-  }
 
   // [count]
   const char* const names[] = {"no edge", "crease", "corner", "open boundary"};
   std::array<std::size_t, 4> counts{};
-  for (const pcl::EdgeType type : edges.types) {
+  for (const pcl::EdgeType type : edges.types)
     ++counts[static_cast<std::size_t>(type)];
-  }
-  for (std::size_t t = 0; t < counts.size(); ++t) {
+  for (std::size_t t = 0; t < counts.size(); ++t)
     std::cout << names[t] << ": " << counts[t] << " points\n";
-  }
   // [count]
 
   // [lines]
@@ -60,9 +57,8 @@ main(int argc, char** argv)
   // [save]
   pcl::PointCloud<pcl::PointXYZL> labelled;
   pcl::copyPointCloud(*cloud, labelled);
-  for (std::size_t i = 0; i < labelled.size(); ++i) {
+  for (std::size_t i = 0; i < labelled.size(); ++i)
     labelled[i].label = static_cast<std::uint32_t>(edges.types[i]);
-  }
   return pcl::io::savePCDFileBinaryCompressed("edges.pcd", labelled) == 0 ? 0 : 1;
   // [save]
 }

@@ -37,9 +37,8 @@ main(int argc, char** argv)
   std::uint32_t count = 0;
   for (const pcl::ShapeInstance& instance : instances) {
     const pcl::ShapePrimitive& fit = instance.primitive;
-    if (fit.type != pcl::PrimitiveType::Cylinder) {
+    if (fit.type != pcl::PrimitiveType::Cylinder)
       continue;
-    }
     ++count;
     const Eigen::Vector3f axis(
         fit.coefficients[3], fit.coefficients[4], fit.coefficients[5]);
@@ -55,8 +54,7 @@ main(int argc, char** argv)
   std::cout << count << " cylinders among " << instances.size()
             << " curved instances\n";
   // [cylinders]
-  if (cylinders.empty()) {
+  if (cylinders.empty())
     return 1;
-  }
   return pcl::io::savePCDFileBinaryCompressed("cylinders.pcd", cylinders) == 0 ? 0 : 1;
 }

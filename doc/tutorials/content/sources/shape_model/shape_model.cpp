@@ -146,9 +146,8 @@ main()
   std::size_t i = 0;
   for (std::size_t sheet = 0; sheet < ends.size(); ++sheet) {
     std::array<std::size_t, 3> counts{};
-    for (; i < ends[sheet]; ++i) {
+    for (; i < ends[sheet]; ++i)
       ++counts[labelled[i].label];
-    }
     std::cout << sheets[sheet] << ": " << counts[1] << " points flat, " << counts[2]
               << " corrugated, " << counts[0] << " unknown\n";
   }

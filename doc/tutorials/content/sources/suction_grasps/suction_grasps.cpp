@@ -21,11 +21,9 @@ pcl::IndicesPtr
 pointsOf(const Cloud& cloud, std::uint32_t object)
 {
   const auto points = pcl::make_shared<pcl::Indices>();
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (cloud[i].label == object) {
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (cloud[i].label == object)
       points->push_back(static_cast<pcl::index_t>(i));
-    }
-  }
   return points;
 }
 
@@ -38,11 +36,9 @@ main(int argc, char** argv)
     std::cerr << "usage: suction_grasps scene.pcd object\n";
     return 1;
   }
-  for (auto& field : file.fields) {
-    if (field.name == "instance") {
+  for (auto& field : file.fields)
+    if (field.name == "instance")
       field.name = "label";
-    }
-  }
   const auto cloud = pcl::make_shared<Cloud>();
   pcl::fromPCLPointCloud2(file, *cloud);
 
@@ -59,16 +55,14 @@ main(int argc, char** argv)
 
   // Places for it, the best first
   std::vector<pcl::SuctionGrasp> grasps;
-  if (!estimation.compute(grasps)) {
+  if (!estimation.compute(grasps))
     return 1;
-  }
   for (const pcl::SuctionGrasp& grasp : grasps) {
     std::cout << "score " << grasp.score << " at " << grasp.position.transpose()
               << ", approach " << grasp.approach.transpose()
               << (grasp.seals() ? ": seals" : ": leaks");
-    for (const pcl::SealProblem problem : grasp.problems) {
+    for (const pcl::SealProblem problem : grasp.problems)
       std::cout << ' ' << pcl::nameOf(problem);
-    }
     std::cout << '\n';
   }
   return 0;

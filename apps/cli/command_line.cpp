@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#include "cli/command_line.h"
+
+#include "cli/errors.h"
+
+#include <boost/program_options/options_description.hpp>
+#include <boost/program_options/parsers.hpp>
+
+#include <algorithm>
+#include <ostream>
+
+namespace po = boost::program_options;
+
+namespace pcl::app {
+namespace {
+
+constexpr const char* operand_key = "";
+
+constexpr int style = po::command_line_style::allow_long |
+                      po::command_line_style::long_allow_next |
+                      po::command_line_style::long_allow_adjacent |
+                      po::command_line_style::allow_long_disguise;
+
+bool
+looksLikeOption(const std::string& token)
+{
+  return token.size() > 1 && token.front() == '-';
+}
+
+} // namespace
+
+CommandLine::CommandLine(std::string app, std::string operands, std::string purpose)
+: app_(std::move(app))
+, operands_(std::move(operands))
+, purpose_(std::move(purpose))
+{
+  flag("help", "print this text (also -h)");
+  flag("version", "print the version");
+}
+
+CommandLine&
+CommandLine::flag(const std::string& name, const std::string& help)
+{
+  return option(name, "", help);
+}
+
+CommandLine&
+CommandLine::option(const std::string& name,
+                    const std::string& value,
+                    const std::string& help)
+{
+  options_.push_back({name, value, help});
+  return *this;
+}
+
+std::string
+CommandLine::optionNames() const
+{
+  std::string names;
+  for (const Option& option : options_)
+    names += (names.empty() ? "-" : ", -") + option.name;
+  return names;
+}
+
+Arguments
+CommandLine::parse(int argc, const char* const* argv) const
+{
+  po::options_description description;
+  for (const Option& option : options_)
+    if (option.value.empty())
+      description.add_options()(option.name.c_str(), "");
+    else
+      description.add_options()(option.name.c_str(), po::value<std::string>(), "");
+  description.add_options()("h", "");
+
+  Arguments arguments(app_, operands_);
+  try {
+    const auto parsed =
+        po::command_line_parser(argc, argv).options(description).style(style).run();
+    for (const auto& found : parsed.options)
+      if (found.string_key != operand_key)
+        arguments.addOption(found.string_key == "h" ? "help" : found.string_key,
+                            found.value.empty() ? "" : found.value.front());
+      else if (looksLikeOption(found.value.front()))
+        throw UsageError("unknown option " + found.value.front() + ": allowed are " +
+                         optionNames());
+      else
+        arguments.addOperand(found.value.front());
+  }
+  catch (const po::unknown_option& error) {
+    throw UsageError("unknown option " + error.get_option_name() + ": allowed are " +
+                     optionNames());
+  }
+  catch (const po::error& error) {
+    throw UsageError(std::string(error.what()) + ": allowed are " + optionNames());
+  }
+  return arguments;
+}
+
+void
+CommandLine::printHelp(std::ostream& stream) const
+{
+  stream << "Usage: " << app_ << ' ' << operands_ << " [options]\n"
+         << purpose_ << "\n\n";
+  std::size_t width = 0;
+  for (const Option& option : options_)
+    width = std::max(width, option.name.size() + option.value.size() + 4);
+  for (const Option& option : options_) {
+    const std::string left = "-" + option.name + ' ' + option.value;
+    stream << "  " << left << std::string(width - left.size(), ' ') << option.help
+           << '\n';
+  }
+  stream << "\nLengths are in metres, angles in degrees. Exit status: 0 success, 1 bad "
+            "input, 2 bad command line.\n";
+}
+
+} // namespace pcl::app

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#pragma once
+
+#include "cli/arguments.h"
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace pcl::app {
+
+/** \brief What an app accepts, in PCL's style: `-radius 0.02`; `--radius 0.02` and
+ * `-radius=0.02` work as well. Names are never abbreviated. */
+class CommandLine {
+public:
+  /** \param[in] app its name
+   * \param[in] operands as the usage line shows them, e.g. "in.pcd out.pcd"
+   * \param[in] purpose one sentence */
+  CommandLine(std::string app, std::string operands, std::string purpose);
+
+  CommandLine& flag(const std::string& name, const std::string& help);
+
+  /** \param[in] value as the usage shows it, e.g. "R" */
+  CommandLine&
+  option(const std::string& name, const std::string& value, const std::string& help);
+
+  const std::string&
+  app() const
+  {
+    return app_;
+  }
+
+  /** \throws UsageError for an unknown, repeated or incomplete option */
+  Arguments parse(int argc, const char* const* argv) const;
+
+  void printHelp(std::ostream& stream) const;
+
+private:
+  struct Option {
+    std::string name;
+    std::string value; ///< empty for a flag
+    std::string help;
+  };
+
+  std::string optionNames() const;
+
+  std::string app_;
+  std::string operands_;
+  std::string purpose_;
+  std::vector<Option> options_;
+};
+
+} // namespace pcl::app

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#pragma once
+
+#include "cli/arguments.h"
+#include "cli/atomic_file.h"
+#include "cli/command_line.h"
+#include "cli/report.h"
+#include "io/cloud_file.h"
+#include "io/pcd.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pcl::app {
+
+/** \brief Add fields to a cloud, and say what was done. */
+using Filter = std::function<void(CloudFile& cloud, Report& report)>;
+
+/** \brief The options of runFilter(). */
+void addFilterOptions(CommandLine& command_line);
+
+/** \brief -format. */
+void addFormatOption(CommandLine& command_line);
+
+PCDFormat outputFormat(const Arguments& arguments);
+
+/** \brief -threads and -json, which every app has. */
+void addCommonOptions(CommandLine& command_line);
+
+/** \brief Read a cloud, filter it and write it; or every cloud of -input_dir to
+ * -output_dir. A summary of each goes to standard output, and to the -json file.
+ * \return the exit status: in a directory, files that fail don't stop the others */
+int runFilter(const Arguments& arguments, const Filter& filter);
+
+/** \brief The files of a directory with one of these endings, sorted. \throws
+ * InputError if there is none */
+std::vector<std::string> cloudsIn(const std::string& directory,
+                                  const std::vector<std::string>& endings = {".pcd"});
+
+/** \brief Note the sizes of a cloud. */
+void reportPoints(const pcl::PointCloud<pcl::PointXYZ>& points, Report& report);
+
+/** \brief One line with the counts and the time of a file. */
+void printSummary(const std::string& path, const Report& report);
+
+/** \brief Throws unless the -json file, if there is one, can be written and differs
+ * from the given files and the -model file. */
+void checkJsonPath(const Arguments& arguments, const std::vector<std::string>& others);
+
+/** \brief The same for another option whose value is a file to write. */
+void checkOutputPath(const Arguments& arguments,
+                     const std::string& option,
+                     const std::vector<std::string>& others);
+
+/** \brief Throws if one of the files to write is the -model file. */
+void checkOutputs(const Arguments& arguments, const std::vector<std::string>& outputs);
+
+/** \brief Make the output and the -json file appear, once both are written. */
+void commitWithJson(const Arguments& arguments,
+                    const std::string& contents,
+                    AtomicFile& output);
+
+/** \brief Write the -json file, if there is one. */
+void writeJson(const Arguments& arguments, const std::string& contents);
+
+} // namespace pcl::app

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#pragma once
+
+#include "cli/arguments.h"
+#include "cli/command_line.h"
+#include "cli/report.h"
+#include "io/cloud_file.h"
+
+#include <pcl/features/inad_point.h>
+#include <pcl/features/shape_model.h>
+
+#include <string>
+
+namespace pcl::app {
+
+/** \brief -radius, -normal_radius, -k, -outlier_rate, -use_normals. */
+void addInadOptions(CommandLine& command_line);
+
+/** \brief -scale, fixed by default. */
+AdaptiveRadius::RadiusMode radiusMode(const Arguments& arguments);
+
+/** \brief What -scale calls it. */
+std::string nameOfScale(AdaptiveRadius::RadiusMode mode);
+
+/** \brief Whether one of the options that addInadOptions() added, but -use_normals and
+ * -scale, is given. */
+bool hasInadParameters(const Arguments& arguments);
+
+/** \brief The parameters on the command line over given ones. -radius alone is the
+ * normal radius too if the two are equal in `defaults`. \throws UsageError for -k
+ * together with a radius */
+INADParameters inadParameters(const Arguments& arguments,
+                              const INADParameters& defaults);
+
+void reportParameters(const INADParameters& parameters, Report& report);
+
+/** \throws InputError if k is above the number of finite points */
+void requireEnoughPoints(const INADParameters& parameters,
+                         const CloudFile& cloud,
+                         const pcl::PointCloud<pcl::PointXYZ>& points);
+
+} // namespace pcl::app

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#include "detection/inad_stages.h"
+
+#include "cli/errors.h"
+#include "cli/filter_app.h"
+#include "detection/inad_options.h"
+
+#include <pcl/features/inad.h>
+#include <pcl/features/normal_3d_sweep.h>
+#include <pcl/features/impl/cloud_neighborhoods.hpp>
+
+namespace pcl::app {
+namespace {
+
+/** What was not refused here before is reported by the class itself. */
+void
+requireResult(const CloudFile& file, std::size_t size)
+{
+  if (size != file.size())
+    throw InputError(file.path + ": refused for the reason given above");
+}
+
+template <typename Estimation>
+void
+setNeighborhood(Estimation& estimation, double radius, const INADParameters& parameters)
+{
+  if (parameters.k > 0)
+    estimation.setKSearch(parameters.k);
+  else
+    estimation.setRadiusSearch(radius);
+  estimation.setRadiusMode(parameters.radius_mode);
+}
+
+pcl::PointCloud<pcl::Normal>::Ptr
+estimateNormals(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& points,
+                const INADParameters& parameters,
+                unsigned threads)
+{
+  pcl::NormalEstimationSweep<pcl::PointXYZ, pcl::Normal> estimation(threads);
+  estimation.setInputCloud(points);
+  setNeighborhood(estimation, parameters.normal_radius, parameters);
+  pcl::PointCloud<pcl::Normal>::Ptr normals(new pcl::PointCloud<pcl::Normal>);
+  estimation.compute(*normals);
+  return normals;
+}
+
+pcl::PointCloud<pcl::INAD>::Ptr
+estimateAngles(const InadCloud& cloud,
+               const INADParameters& parameters,
+               unsigned threads)
+{
+  pcl::INADEstimation<pcl::PointXYZ, pcl::Normal> estimation(threads);
+  estimation.setInputCloud(cloud.points);
+  estimation.setInputNormals(cloud.normals);
+  estimation.setOutlierRate(parameters.outlier_rate);
+  setNeighborhood(estimation, parameters.radius, parameters);
+  pcl::PointCloud<pcl::INAD>::Ptr inad(new pcl::PointCloud<pcl::INAD>);
+  estimation.compute(*inad);
+  return inad;
+}
+
+} // namespace
+
+void
+addNormals(CloudFile& file, const INADParameters& parameters, unsigned threads)
+{
+  const auto points = pointsOf(file);
+  const auto normals = estimateNormals(
+      points,
+      pcl::detail::withNoiseOfCloud<pcl::PointXYZ>(parameters, points, threads),
+      threads);
+  requireResult(file, normals->size());
+  setNormals(file, *normals);
+}
+
+InadCloud
+estimateInad(CloudFile& file,
+             const Arguments& arguments,
+             const INADParameters& asked,
+             Report& report)
+{
+  const unsigned threads = arguments.threads();
+  const auto points = pointsOf(file);
+  const INADParameters parameters =
+      pcl::detail::withNoiseOfCloud<pcl::PointXYZ>(asked, points, threads);
+  requireEnoughPoints(parameters, file, *points);
+  reportPoints(*points, report);
+  reportParameters(parameters, report);
+  report.setCount("parameters", "threads", threads);
+  report.setFlag("parameters", "use_normals", arguments.has("use_normals"));
+
+  InadCloud cloud{points, nullptr, nullptr};
+  if (arguments.has("use_normals"))
+    cloud.normals = normalsOf(file);
+  else
+    cloud.normals = report.time(
+        "normals", [&] { return estimateNormals(points, parameters, threads); });
+  requireResult(file, cloud.normals->size());
+  cloud.inad =
+      report.time("inad", [&] { return estimateAngles(cloud, parameters, threads); });
+  requireResult(file, cloud.inad->size());
+  if (arguments.has("normals"))
+    setNormals(file, *cloud.normals);
+  return cloud;
+}
+
+} // namespace pcl::app

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#include "detection/model_file.h"
+
+#include "cli/errors.h"
+#include "detection/class_histogram.h"
+#include "detection/inad_options.h"
+#include "detection/inad_stages.h"
+
+#include <pcl/exceptions.h>
+
+#include <filesystem>
+
+namespace pcl::app {
+namespace {
+
+constexpr NumberRange smoothing_range{
+    0.0, 100.0, false, "a number of bins from 0 to 100"};
+
+/** The message, before which PCLException puts ": ". */
+std::string
+messageOf(const pcl::PCLException& error)
+{
+  const std::string text = error.what();
+  return text.rfind(": ", 0) == 0 ? text.substr(2) : text;
+}
+
+pcl::ShapeModel
+startModel(const std::string& path, const Arguments& arguments)
+{
+  if (std::filesystem::exists(path)) {
+    pcl::ShapeModel model = loadModel(path);
+    const std::string disagreement =
+        model.disagreement(inadParameters(arguments, model.parameters()));
+    if (!disagreement.empty())
+      throw InputError(path + ": " + disagreement +
+                       ": allowed is the model's own value, or a new model file");
+    return model;
+  }
+  if (!arguments.has("radius") && !arguments.has("k"))
+    throw UsageError("-radius and -k are missing for the new model '" + path +
+                     "': allowed is one of the two");
+  INADParameters parameters = inadParameters(arguments, {});
+  parameters.normal_radius_noise =
+      arguments.number("normal_radius_noise", non_negative).value_or(0.0);
+  parameters.radius_noise =
+      arguments.number("radius_noise", non_negative).value_or(0.0);
+  const double growth = parameters.normal_radius_noise + parameters.radius_noise;
+  if (growth > 0.0 && parameters.radius_mode != AdaptiveRadius::DENSITY)
+    throw UsageError("-normal_radius_noise or -radius_noise without -scale density: "
+                     "allowed is 0, or -scale density");
+  return pcl::ShapeModel(parameters);
+}
+
+} // namespace
+
+pcl::ShapeModel
+loadModel(const std::string& path)
+{
+  try {
+    return pcl::ShapeModel::load(path);
+  }
+  catch (const pcl::PCLException& error) {
+    throw InputError(messageOf(error));
+  }
+}
+
+ModelFile::ModelFile(const std::string& path,
+                     const Arguments& arguments,
+                     std::vector<SampleOptions> classes)
+: path_(path)
+, arguments_(arguments)
+, model_(startModel(path, arguments))
+, classes_(std::move(classes))
+, histograms_(classes_.size(), emptyHistogram(model_, path, arguments))
+{
+  arguments_.number("prior", positive_number);
+  const auto floor = arguments_.number("floor", non_negative);
+  const auto smoothing = arguments_.number("smoothing", smoothing_range);
+  model_.setFloor(floor.value_or(model_.floor()));
+  model_.setSmoothing(smoothing.value_or(model_.smoothing()));
+  if (model_.smoothing() > 0.0 &&
+      model_.parameters().radius_mode == AdaptiveRadius::FIXED)
+    throw UsageError("-smoothing '" + arguments_.text("smoothing") +
+                     "' with -scale fixed: allowed is -scale density");
+}
+
+void
+ModelFile::add(CloudFile& sample, Report& report)
+{
+  const InadCloud cloud = estimateInad(sample, arguments_, model_.parameters(), report);
+  std::uint64_t counted = 0;
+  for (std::size_t c = 0; c < classes_.size(); ++c) {
+    const SampleOptions& options = classes_[c];
+    const std::vector<std::uint32_t> labels =
+        options.field.empty() ? std::vector<std::uint32_t>(sample.size(), options.value)
+                              : labelsOf(sample, options.field);
+    const std::uint64_t before = histograms_[c].total();
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      if (labels[i] == options.value)
+        histograms_[c].add((*cloud.inad)[i]);
+    counted += histograms_[c].total() - before;
+  }
+  report.setCount("counts", "counted", counted);
+  const SampleOptions& first = classes_.front();
+  if (counted == 0)
+    throw InputError(sample.path + ": no point has a known INAD" +
+                     (first.field.empty() ? std::string()
+                      : classes_.size() > 1
+                          ? " and a value of -classes in field '" + first.field + "'"
+                          : " and the value " + std::to_string(first.value) +
+                                " in field '" + first.field + "'") +
+                     ": allowed is a sample with at least one");
+}
+
+double
+ModelFile::priorOf(const SampleOptions& options) const
+{
+  if (options.prior)
+    return *options.prior;
+  double prior = 1.0;
+  for (const auto& of : model_.classes())
+    if (of.name == options.name)
+      prior = of.prior;
+  return arguments_.number("prior", positive_number).value_or(prior);
+}
+
+void
+ModelFile::addClasses()
+{
+  for (std::size_t c = 0; c < classes_.size(); ++c) {
+    const SampleOptions& options = classes_[c];
+    if (histograms_[c].total() == 0)
+      throw InputError("class '" + options.name +
+                       "': no point of any sample has the value " +
+                       std::to_string(options.value) + " in field '" + options.field +
+                       "': allowed are samples with at least one");
+    model_.add(options.name, histograms_[c], priorOf(options));
+  }
+}
+
+void
+ModelFile::save(Report& report)
+{
+  addClasses();
+  try {
+    model_.save(path_);
+  }
+  catch (const pcl::PCLException& error) {
+    throw InputError(messageOf(error));
+  }
+  const std::string name = classes_.front().name;
+  report.setText("", "model", path_);
+  report.setCount("", "classes", model_.classes().size());
+  reportParameters(model_.parameters(), report);
+  report.setText("parameters", "name", name);
+  report.setNumber("parameters", "prior", priorOf(classes_.front()));
+  for (const auto& of : model_.classes())
+    if (of.name == name)
+      reportHistogram(of.histogram, report);
+}
+
+} // namespace pcl::app

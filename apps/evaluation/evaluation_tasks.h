@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#pragma once
+
+#include "evaluation/evaluation.h"
+#include "io/cloud_file.h"
+
+#include <string>
+#include <vector>
+
+namespace pcl::app {
+
+/** \brief strict leaves the points out that are hard to tell by hand; paper counts
+ * creases as curved and as edges. */
+enum class Convention { strict, paper };
+
+/** \brief The points that a task evaluates. */
+struct TaskPoints {
+  std::vector<LabelPair> points;
+  std::vector<std::size_t> indices; ///< of these points in the cloud
+  std::vector<ClassScore> classes;  ///< the task's own first; none for instances
+  std::uint64_t unknown = 0;        ///< of the points, predictions without a class
+  /** The predicted field has the truth's values at all points, also at those left out:
+   * it may be a copy of it. Empty if not. */
+  std::string copied_field;
+};
+
+/** \brief The tasks' names. */
+const std::vector<std::string>& taskNames();
+
+/** \brief Select and label the points of a task. Points without coordinates in the
+ * truth are left out. \throws InputError for a missing field, or if the clouds differ
+ * in size \throws UsageError for a task that has no paper convention */
+TaskPoints selectPoints(const std::string& task,
+                        Convention convention,
+                        const CloudFile& predicted,
+                        const CloudFile& truth);
+
+} // namespace pcl::app

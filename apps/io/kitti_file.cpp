@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#include "io/kitti_file.h"
+
+#include "cli/errors.h"
+#include "io/pcd.h"
+
+#include <array>
+#include <cstring>
+
+namespace pcl::app {
+namespace {
+
+constexpr std::size_t values_per_point = 4;
+constexpr std::size_t point_bytes = values_per_point * sizeof(float);
+
+std::vector<float>
+intensitiesOf(const CloudFile& cloud)
+{
+  for (const char* name : {"intensity", "reflectivity", "remission"}) {
+    const pcl::PCLPointField* const field = findField(cloud, name);
+    if (field && field->datatype == pcl::PCLPointField::FLOAT32 && field->count == 1)
+      return floatsOf(cloud, name);
+  }
+  return std::vector<float>(cloud.size(), 0.0f);
+}
+
+/** Void black, planar blue, curved orange, edges red; then others, in blue, green, red
+ * as SemanticKITTI has them. */
+std::string
+colorOf(std::size_t label)
+{
+  constexpr std::array<const char*, 10> colors{"[0, 0, 0]",
+                                               "[180, 119, 31]",
+                                               "[14, 127, 255]",
+                                               "[40, 39, 214]",
+                                               "[44, 160, 44]",
+                                               "[189, 103, 148]",
+                                               "[75, 86, 140]",
+                                               "[194, 119, 227]",
+                                               "[34, 189, 188]",
+                                               "[207, 190, 23]"};
+  return colors[label < colors.size() ? label : 1 + label % (colors.size() - 1)];
+}
+
+template <typename ValueOf>
+void
+appendMap(const char* key,
+          std::size_t labels,
+          std::string& text,
+          const ValueOf& valueOf)
+{
+  text += std::string(key) + ":\n";
+  for (std::size_t label = 0; label < labels; ++label)
+    text += "  " + std::to_string(label) + ": " + valueOf(label) + '\n';
+}
+
+} // namespace
+
+CloudFile
+decodeVelodyne(const std::string& path, std::string_view file)
+{
+  if (file.empty() || file.size() % point_bytes != 0)
+    throw InputError(path + ": " + std::to_string(file.size()) +
+                     " bytes: allowed are 16 for each point, x y z intensity");
+  if (file.size() > most_bytes)
+    throw InputError(path + ": " + std::to_string(file.size()) +
+                     " bytes: allowed is less than 4 GiB");
+  CloudFile cloud;
+  cloud.path = path;
+  for (const char* name : {"x", "y", "z", "intensity"}) {
+    pcl::PCLPointField field;
+    field.name = name;
+    field.datatype = pcl::PCLPointField::FLOAT32;
+    field.count = 1;
+    field.offset = cloud.blob.point_step;
+    cloud.blob.point_step += sizeof(float);
+    cloud.blob.fields.push_back(field);
+  }
+  cloud.blob.width = static_cast<std::uint32_t>(file.size() / point_bytes);
+  cloud.blob.height = 1;
+  cloud.blob.row_step = static_cast<std::uint32_t>(file.size());
+  readBinaryPoints(cloud, file);
+  return cloud;
+}
+
+std::string
+encodeVelodyne(const CloudFile& cloud)
+{
+  const std::array<std::vector<float>, values_per_point> columns{floatsOf(cloud, "x"),
+                                                                 floatsOf(cloud, "y"),
+                                                                 floatsOf(cloud, "z"),
+                                                                 intensitiesOf(cloud)};
+  std::string bytes(point_bytes * cloud.size(), '\0');
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      std::memcpy(bytes.data() + i * point_bytes + c * sizeof(float),
+                  &columns[c][i],
+                  sizeof(float));
+  return bytes;
+}
+
+std::string
+encodeLabels(const std::vector<std::uint32_t>& labels)
+{
+  std::string bytes(labels.size() * sizeof(std::uint32_t), '\0');
+  if (!labels.empty())
+    std::memcpy(bytes.data(), labels.data(), bytes.size());
+  return bytes;
+}
+
+std::string
+encodeKittiClasses(const std::vector<KittiClass>& classes)
+{
+  const std::size_t count = classes.size();
+  const auto same = [](std::size_t label) { return std::to_string(label); };
+  std::string text = "# Classes of pcl_shape_label, with the keys of SemanticKITTI's "
+                     "configuration.\nname: \"pcl_shape\"\n";
+  appendMap("labels", count, text, [&](std::size_t label) {
+    return '"' + classes[label].name + '"';
+  });
+  text += "# blue, green, red\n";
+  appendMap("color_map", count, text, colorOf);
+  text += "# shares of the points\n";
+  appendMap("content", count, text, [&](std::size_t label) {
+    std::string share;
+    appendNumber(classes[label].share, share);
+    return share;
+  });
+  appendMap("learning_map", count, text, same);
+  appendMap("learning_map_inv", count, text, same);
+  appendMap("learning_ignore", count, text, [](std::size_t label) {
+    return std::string(label == 0 ? "True" : "False");
+  });
+  return text + "split:\n  train:\n    - 0\n  valid: []\n  test: []\n";
+}
+
+} // namespace pcl::app

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#pragma once
+
+#include "io/cloud_file.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pcl::app {
+
+/** \brief A scan of KITTI, four float32 a point: x, y, z and intensity.
+ * \throws InputError that names the path, what is wrong, and what is allowed */
+CloudFile decodeVelodyne(const std::string& path, std::string_view file);
+
+/** \brief The same bytes. The fourth number is the field intensity, reflectivity or
+ * remission, if it is a float, else 0. */
+std::string encodeVelodyne(const CloudFile& cloud);
+
+/** \brief A .label file of SemanticKITTI: uint32 a point, the class in the lower 16
+ * bits and no instance in the upper ones. \param[in] labels below 2^16 */
+std::string encodeLabels(const std::vector<std::uint32_t>& labels);
+
+/** \brief A class for the configuration file of SemanticKITTI. */
+struct KittiClass {
+  std::string name;
+  double share; ///< of the points of all clouds
+};
+
+/** \brief The configuration file: labels, color_map, content, learning_map and so on.
+ * \param[in] classes by their labels: 0 is what is not learned */
+std::string encodeKittiClasses(const std::vector<KittiClass>& classes);
+
+} // namespace pcl::app

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#include "results/selection.h"
+
+#include "cli/errors.h"
+
+#include <pcl/common/point_tests.h>
+
+#include <array>
+#include <optional>
+
+namespace pcl::app {
+namespace {
+
+constexpr std::uint64_t most_label = 0xffffffff;
+
+struct Box {
+  std::array<double, 3> low{}, high{};
+
+  bool
+  contains(const pcl::PointXYZ& point) const
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+      if (!(point.data[c] >= low[c] && point.data[c] <= high[c]))
+        return false;
+    return true;
+  }
+};
+
+std::optional<Box>
+boxOf(const Arguments& arguments)
+{
+  const std::string allowed =
+      "six numbers of metres, X1,Y1,Z1,X2,Y2,Z2, the first three below the others";
+  const auto numbers = arguments.numbers("box", 6, allowed);
+  if (!numbers)
+    return std::nullopt;
+  Box box;
+  for (std::size_t c = 0; c < 3; ++c) {
+    box.low[c] = (*numbers)[c];
+    box.high[c] = (*numbers)[c + 3];
+    if (!(box.low[c] < box.high[c]))
+      throw UsageError("-box '" + arguments.text("box") + "': allowed is " + allowed);
+  }
+  return box;
+}
+
+} // namespace
+
+void
+addSelectionOptions(CommandLine& command_line)
+{
+  command_line.option("field", "F", "only the points where the field F ...")
+      .option("value", "V", "... has the value V")
+      .option("box", "X1,Y1,Z1,X2,Y2,Z2", "only the points in this box, metres");
+}
+
+void
+checkSelection(const Arguments& arguments)
+{
+  if (arguments.has("field") != arguments.has("value"))
+    throw UsageError("-field '" + arguments.text("field") + "' and -value '" +
+                     arguments.text("value") + "': allowed is both or neither");
+  arguments.integer("value", 0, most_label);
+  boxOf(arguments);
+}
+
+void
+reportSelection(const Arguments& arguments, Report& report)
+{
+  if (arguments.has("field")) {
+    report.setText("parameters", "field", arguments.text("field"));
+    report.setCount("parameters", "value", *arguments.integer("value", 0, most_label));
+  }
+  if (arguments.has("box"))
+    report.setText("parameters", "box", arguments.text("box"));
+}
+
+pcl::IndicesPtr
+selectedPoints(const CloudFile& file,
+               const pcl::PointCloud<pcl::PointXYZ>& points,
+               const Arguments& arguments)
+{
+  std::vector<std::uint32_t> labels;
+  std::uint64_t label = 0;
+  if (arguments.has("field")) {
+    labels = labelsOf(file, arguments.text("field"));
+    label = *arguments.integer("value", 0, most_label);
+  }
+  const std::optional<Box> box = boxOf(arguments);
+  auto selected = pcl::make_shared<pcl::Indices>();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (pcl::isFinite(points[i]) && (labels.empty() || labels[i] == label) &&
+        (!box || box->contains(points[i])))
+      selected->push_back(static_cast<pcl::index_t>(i));
+  if (selected->empty())
+    throw InputError(file.path + ": no finite point is selected by -field '" +
+                     arguments.text("field") + "' -value '" + arguments.text("value") +
+                     "' -box '" + arguments.text("box") + "': at least one is needed");
+  return selected;
+}
+
+} // namespace pcl::app

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#pragma once
+
+#include "cli/arguments.h"
+#include "cli/command_line.h"
+#include "cli/report.h"
+#include "io/cloud_file.h"
+
+#include <pcl/pcl_base.h>
+
+namespace pcl::app {
+
+/** \brief -field, -value and -box, which select some points of a cloud. */
+void addSelectionOptions(CommandLine& command_line);
+
+/** \brief Throws a UsageError for what is wrong with these options. */
+void checkSelection(const Arguments& arguments);
+
+/** \brief Notes these options, where they are given, among the parameters. */
+void reportSelection(const Arguments& arguments, Report& report);
+
+/** \brief The finite points that are selected: all of them without these options.
+ * \throws InputError if there is none, or the field is missing or bad */
+pcl::IndicesPtr selectedPoints(const CloudFile& file,
+                               const pcl::PointCloud<pcl::PointXYZ>& points,
+                               const Arguments& arguments);
+
+} // namespace pcl::app

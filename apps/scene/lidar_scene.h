@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#pragma once
+
+#include "cli/command_line.h"
+#include "cli/report.h"
+#include "io/cloud_file.h"
+
+namespace pcl::app {
+
+/** \brief -sensor and the options of a laser scanner. */
+void addLidarOptions(CommandLine& command_line);
+
+/** \brief Whether the scene is to be a street that a laser scanner sees.
+ * \throws UsageError for options of the one sensor with the other */
+bool isLidar(const Arguments& arguments);
+
+/** \brief Scan a random street. The fields are x, y, z, the normals if -normals is
+ * given, ground, surface, instance and ring. Parameters, counts and time are reported.
+ */
+CloudFile lidarCloud(const Arguments& arguments, Report& report);
+
+} // namespace pcl::app

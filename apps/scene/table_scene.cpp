@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#include "scene/table_scene.h"
+
+#include "cli/errors.h"
+#include "cli/filter_app.h"
+#include "scene/surface_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace pcl::app {
+namespace {
+
+using pcl::scene::Scene;
+using pcl::scene::SceneOptions;
+
+constexpr NumberRange spacing_range{
+    0.0005, 0.02, false, "a number of metres from 0.0005 to 0.02"};
+
+/** Points all over the surfaces instead of a camera's. */
+Scene
+sampledScene(const Arguments& arguments, const SceneOptions& options)
+{
+  for (const char* camera : {"width", "height", "organized", "turn"})
+    arguments.exclude("sampling", camera);
+  pcl::scene::SampleOptions samples;
+  samples.seed = options.seed;
+  samples.objects = options.objects;
+  samples.shapes = options.shapes;
+  samples.spacing = *arguments.number("sampling", spacing_range);
+  if (arguments.has("noise") && options.noise == pcl::scene::Noise::Kinect)
+    throw UsageError("-noise 'kinect' with -sampling: allowed is none, or a number of "
+                     "metres from 0 to 0.1");
+  samples.sigma = options.white_sigma;
+  return pcl::scene::sampleScene(samples);
+}
+
+Scene
+makeScene(const Arguments& arguments, const SceneOptions& options)
+{
+  return arguments.has("sampling") ? sampledScene(arguments, options)
+                                   : pcl::scene::generateScene(options);
+}
+
+/** The pixels of an image that have depth, or all. */
+std::vector<std::size_t>
+pixelsOf(const Scene& scene, bool organized)
+{
+  std::vector<std::size_t> pixels;
+  for (std::size_t i = 0; i < scene.surface.size(); ++i)
+    if (organized || std::isfinite(scene.xyz[3 * i + 2]))
+      pixels.push_back(i);
+  return pixels;
+}
+
+template <typename T>
+std::vector<T>
+gather(const std::vector<T>& image,
+       const std::vector<std::size_t>& pixels,
+       std::size_t channels = 1,
+       std::size_t channel = 0)
+{
+  std::vector<T> values;
+  values.reserve(pixels.size());
+  for (const std::size_t pixel : pixels)
+    values.push_back(image[channels * pixel + channel]);
+  return values;
+}
+
+CloudFile
+toCloud(const Scene& scene, const Arguments& arguments)
+{
+  const bool organized = arguments.has("organized");
+  const std::vector<std::size_t> pixels = pixelsOf(scene, organized);
+  CloudFile cloud;
+  cloud.path = "the generated scene";
+  cloud.blob.width =
+      organized ? scene.width : static_cast<std::uint32_t>(pixels.size());
+  cloud.blob.height = organized ? scene.height : 1;
+  const char* const names[] = {"x", "y", "z", "normal_x", "normal_y", "normal_z"};
+  for (std::size_t c = 0; c < 3; ++c)
+    setField(cloud, names[c], gather(scene.xyz, pixels, 3, c));
+  if (arguments.has("normals"))
+    for (std::size_t c = 0; c < 3; ++c)
+      setField(cloud, names[3 + c], gather(scene.normals, pixels, 3, c));
+  setField(cloud, "surface", gather(scene.surface, pixels));
+  setField(cloud, "edge", gather(scene.edge, pixels));
+  setField(cloud, "instance", gather(scene.instance, pixels));
+  setField(cloud, "crease_mm", gather(scene.crease_mm, pixels));
+  if (arguments.has("faces"))
+    setField(cloud, "face", gather(scene.face, pixels));
+  return cloud;
+}
+
+void
+reportScene(const Scene& scene, const CloudFile& cloud, Report& report)
+{
+  reportPoints(*pointsOf(cloud), report);
+  const auto count = [](const std::vector<std::uint32_t>& labels, std::uint32_t label) {
+    return static_cast<std::uint64_t>(std::count(labels.begin(), labels.end(), label));
+  };
+  const auto surface = labelsOf(cloud, "surface");
+  report.setCount("counts", "planar", count(surface, pcl::scene::SurfacePlanar));
+  report.setCount("counts", "curved", count(surface, pcl::scene::SurfaceCurved));
+  report.setCount("counts", "near_creases", count(surface, pcl::scene::SurfaceCrease));
+  report.setCount(
+      "counts", "edge", count(labelsOf(cloud, "edge"), pcl::scene::EdgeCrease));
+  if (scene.objects.empty()) { // of surfaces without a camera
+    const std::set<std::uint32_t> seen(scene.instance.begin(), scene.instance.end());
+    report.setCount("counts", "objects", seen.size() - seen.count(0));
+    return;
+  }
+  report.setCount("counts", "objects", scene.objects.size());
+  report.setCount("counts",
+                  "touching_objects",
+                  static_cast<std::uint64_t>(std::count_if(
+                      scene.objects.begin(), scene.objects.end(), [](const auto& o) {
+                        return !o.touches.empty();
+                      })));
+}
+
+void
+reportSensor(const Arguments& arguments, const SceneOptions& options, Report& report)
+{
+  if (arguments.has("sampling")) {
+    report.setNumber(
+        "parameters", "sampling", *arguments.number("sampling", spacing_range));
+  }
+  else {
+    report.setCount("parameters", "width", options.width);
+    report.setCount("parameters", "height", options.height);
+    report.setNumber("parameters", "turn", options.turn);
+  }
+  const char* usual = arguments.has("sampling") ? "none" : "kinect";
+  report.setText("parameters", "noise", arguments.text("noise", usual));
+}
+
+} // namespace
+
+CloudFile
+tableCloud(const Arguments& arguments, const SceneOptions& options, Report& report)
+{
+  const Scene scene =
+      report.time("generate", [&] { return makeScene(arguments, options); });
+  CloudFile cloud = toCloud(scene, arguments);
+  reportScene(scene, cloud, report);
+  report.setCount("parameters", "seed", options.seed);
+  report.setCount("parameters", "objects", options.objects);
+  report.setText("parameters", "shapes", arguments.text("shapes", "all"));
+  reportSensor(arguments, options, report);
+  report.setFlag("parameters", "organized", arguments.has("organized"));
+  return cloud;
+}
+
+} // namespace pcl::app

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <omp.h>
+
+namespace pcl::kernels {
+
+/** \brief 0 stands for all cores. */
+inline unsigned
+threadCount(unsigned threads)
+{
+  return threads == 0 ? static_cast<unsigned>(omp_get_num_procs()) : threads;
+}
+
+/** \brief body(i) for i in [0, count) on `threads` threads (0: all cores). The first
+ * exception is thrown again after the loop: none may leave a parallel region. */
+template <typename Body>
+void
+parallelFor(std::size_t count, unsigned threads, const Body& body)
+{
+  std::exception_ptr error;
+  // A team for a few tasks would cost more than they do.
+  const std::size_t team = std::clamp<std::size_t>(count, 1, threadCount(threads));
+#pragma omp parallel for schedule(dynamic) num_threads(static_cast <int>(team))
+  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i) {
+    try {
+      body(static_cast<std::size_t>(i));
+    }
+    catch (...) {
+#pragma omp critical(pcl_shape_parallel_error)
+      if (!error)
+        error = std::current_exception();
+    }
+  }
+  if (error)
+    std::rethrow_exception(error);
+}
+
+/** \brief body(begin, end) for consecutive parts of [0, count). */
+template <typename Body>
+void
+parallelForRanges(std::size_t count, unsigned threads, const Body& body)
+{
+  constexpr std::size_t part = 8192;
+  parallelFor((count + part - 1) / part, threads, [&](std::size_t i) {
+    body(i * part, std::min(count, (i + 1) * part));
+  });
+}
+
+} // namespace pcl::kernels

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#pragma once
+
+#include <pcl/point_types.h>
+
+// The point types that the classes are compiled for; others: define PCL_NO_PRECOMPILE.
+// clang-format off
+#define PCL_SHAPE_POINT_TYPES \
+  (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZRGB)(pcl::PointXYZRGBA)(pcl::PointXYZL) \
+  (pcl::PointNormal)(pcl::PointXYZRGBNormal)
+#define PCL_SHAPE_NORMAL_TYPES \
+  (pcl::Normal)(pcl::PointNormal)(pcl::PointXYZRGBNormal)
+// clang-format on

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#include "common/parallel.h"
+#include "common/statistics.h"
+#include "edges/crease_votes.h"
+#include "features/adaptive_inad.h"
+#include "features/class_evidence.h"
+#include "geometry/point_grid.h"
+
+#include <pcl/segmentation/adaptive_detection.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl::detail {
+namespace {
+
+using namespace segmentation;
+using Eigen::Vector3f;
+
+// Evidence is the logarithm of density(edge) / density(surface). doc/method.md has the
+// reason of each number.
+constexpr float needed_evidence = 20.0f;
+constexpr float needed_per_noise = 5.0f;
+constexpr float band_spacings = 1.02f, band_per_noise = 4.0f;
+
+/** Sets normals, and gives the evidence at each point. */
+std::vector<float>
+evidenceOf(const AdaptiveInput& input, const ShapeModel& model, AdaptiveEdges& edges)
+{
+  const AdaptiveINAD inad = adaptiveINAD(input, edges, model.parameters());
+  edges.normals = inad.normals;
+  const ShapeEvidence densities(model);
+  std::vector<float> evidence(input.points.size);
+  kernels::parallelForRanges(
+      evidence.size(), input.threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          float logs[2];
+          densities.logDensities(inad.mu_sigma[2 * i], inad.mu_sigma[2 * i + 1], logs);
+          evidence[i] = logs[0] - logs[1];
+        }
+      });
+  return evidence;
+}
+
+/** Points near an agreement take its likelihood, evidence / (evidence + needed). */
+void
+markBands(const std::vector<Agreement>& agreements,
+          const PointGrid& grid,
+          AdaptiveEdges& edges)
+{
+  const auto noise = static_cast<float>(edges.noise);
+  const float band = band_spacings + band_per_noise * noise;
+  const float needed = needed_evidence * (1.0f + needed_per_noise * noise);
+  for (const Agreement& agreement : agreements) {
+    const Vector3f center = Eigen::Map<const Vector3f>(agreement.point.position.data());
+    const float likelihood = agreement.evidence / (agreement.evidence + needed);
+    grid.forEachWithin(
+        center, band * agreement.point.spacing, [&](std::uint32_t i, float) {
+          if (!(edges.likelihood[i] >= likelihood))
+            edges.likelihood[i] = likelihood;
+        });
+    if (agreement.evidence >= needed)
+      edges.creases.push_back(agreement.point);
+  }
+}
+
+} // namespace
+
+AdaptiveEdges
+findEdges(const AdaptiveInput& input, const ShapeModel& model)
+{
+  AdaptiveEdges edges;
+  edges.spacings.resize(input.points.size);
+  constexpr std::size_t nearest = 13; // see AdaptiveRadius
+  input.neighborhoods.computeDistanceToNearest(std::min(nearest, input.finite),
+                                               edges.spacings.data());
+  edges.spacings = spacingsOf(std::move(edges.spacings));
+  edges.noise = noiseOf(input.neighborhoods, input.points, edges.spacings);
+  const std::vector<float> evidence = evidenceOf(input, model, edges);
+  edges.likelihood.reserve(evidence.size());
+  for (const float e : evidence)
+    edges.likelihood.push_back(std::isnan(e) ? std::numeric_limits<float>::quiet_NaN()
+                                             : 0.0f);
+
+  const float spacing = median(edges.spacings);
+  const PointGrid grid(input.points, 2.0f * spacing);
+  const std::vector<Vote> votes = collectVotes(input, edges, evidence, grid);
+  markBands(countVotes(votes, spacing, input.threads), grid, edges);
+  return edges;
+}
+
+} // namespace pcl::detail

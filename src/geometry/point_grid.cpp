@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#include "geometry/point_grid.h"
+
+#include "common/finite.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace pcl::segmentation {
+namespace {
+
+constexpr float most_cells = 1 << 20; // in each direction: a key has 21 bits for it
+constexpr std::size_t most_rows = 1 << 16; // and one for each point
+
+struct Entry {
+  std::uint64_t key;
+  std::uint32_t index;
+};
+
+} // namespace
+
+PointGrid::PointGrid(const XYZView& points, float cell) : cell_(cell)
+{
+  Eigen::Array3f low = Eigen::Array3f::Constant(std::numeric_limits<float>::infinity());
+  Eigen::Array3f high = -low;
+  for (std::size_t i = 0; i < points.size; ++i) {
+    if (kernels::isFinite(points[i])) {
+      low = low.min(positionOf(points, i).array());
+      high = high.max(positionOf(points, i).array());
+    }
+  }
+  begins_.push_back(0);
+  if (!(low <= high).all())
+    return;
+  origin_ = low;
+  // Halves: the difference of two floats may be beyond all floats.
+  const Eigen::Array3f half_extent = 0.5f * high - 0.5f * low;
+  cell_ = std::max(cell_, half_extent.maxCoeff() / (0.5f * most_cells));
+  last_ = (half_extent / (0.5f * cell_)).floor();
+
+  std::vector<Entry> entries;
+  entries.reserve(points.size);
+  for (std::size_t i = 0; i < points.size; ++i) {
+    if (kernels::isFinite(points[i])) {
+      const Eigen::Array3i c = cellOf(positionOf(points, i).array());
+      entries.push_back({keyOf(c.x(), c.y(), c.z()), static_cast<std::uint32_t>(i)});
+    }
+  }
+  std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+    const float* p = points[a.index];
+    const float* q = points[b.index];
+    return std::tie(a.key, p[0], p[1], p[2], a.index) <
+           std::tie(b.key, q[0], q[1], q[2], b.index);
+  });
+  indices_.reserve(entries.size());
+  positions_.reserve(entries.size());
+  for (const Entry& entry : entries) {
+    if (keys_.empty() || keys_.back() != entry.key) {
+      keys_.push_back(entry.key);
+      begins_.push_back(0);
+    }
+    indices_.push_back(entry.index);
+    positions_.push_back(positionOf(points, entry.index));
+    begins_.back() = static_cast<std::uint32_t>(indices_.size());
+  }
+  findRows();
+}
+
+Eigen::Array3i
+PointGrid::cellOf(const Eigen::Array3f& position) const
+{
+  const Eigen::Array3f cell = ((position - origin_) / cell_).floor();
+  return cell.max(0.0f).min(last_).cast<int>();
+}
+
+void
+PointGrid::findRows()
+{
+  row_count_ = static_cast<std::size_t>(last_.y()) + 1;
+  const std::size_t rows = row_count_ * (static_cast<std::size_t>(last_.z()) + 1);
+  if (rows > most_rows + indices_.size())
+    return;
+  rows_.reserve(rows + 1);
+  for (std::size_t c = 0; c < keys_.size(); ++c) {
+    const std::size_t z = keys_[c] >> (2 * axis_bits);
+    const std::size_t y = (keys_[c] >> axis_bits) & ((1U << axis_bits) - 1);
+    while (rows_.size() <= z * row_count_ + y)
+      rows_.push_back(static_cast<std::uint32_t>(c));
+  }
+  rows_.resize(rows + 1, static_cast<std::uint32_t>(keys_.size()));
+}
+
+} // namespace pcl::segmentation

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#pragma once
+
+#include <pcl/features/neighborhood_sweep.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace pcl::segmentation {
+
+/** \brief Points in cells of space, to visit those within a radius. Unlike the sweep it
+ * answers one query at a time, for the few points that need their neighbors one by one.
+ *
+ * Points are visited in an order given by their coordinates alone. */
+class PointGrid {
+public:
+  /** \param[in] points those that are not finite are left out
+   * \param[in] cell the size of a cell, about the radius of the queries */
+  PointGrid(const XYZView& points, float cell);
+
+  /** \brief visit(index, squared distance) for the points nearer than the radius. */
+  template <typename Visit>
+  void
+  forEachWithin(const Eigen::Vector3f& center, float radius, const Visit& visit) const
+  {
+    const float r2 = radius * radius;
+    forEachRangeWithin(center, radius, [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t i = begin; i < end; ++i) {
+        const float d2 = (positions_[i] - center).squaredNorm();
+        if (d2 < r2)
+          visit(indices_[i], d2);
+      }
+    });
+  }
+
+  /** \brief visit(begin, end) for ranges of order() that hold all points nearer than
+   * the radius, and others; in the order of forEachWithin(). */
+  template <typename Visit>
+  void
+  forEachRangeWithin(const Eigen::Vector3f& center,
+                     float radius,
+                     const Visit& visit) const
+  {
+    const Eigen::Array3i low = cellOf(center.array() - radius);
+    const Eigen::Array3i high = cellOf(center.array() + radius);
+    for (int z = low.z(); z <= high.z(); ++z) {
+      for (int y = low.y(); y <= high.y(); ++y) {
+        const CellRange cells = cellsOf(low.x(), high.x(), y, z);
+        if (cells.begin < cells.end)
+          visit(begins_[cells.begin], begins_[cells.end]);
+      }
+    }
+  }
+
+  /** \brief The indices of the points, cell by cell. */
+  const std::vector<std::uint32_t>&
+  order() const
+  {
+    return indices_;
+  }
+
+private:
+  static constexpr int axis_bits = 21;
+
+  static std::uint64_t
+  keyOf(int x, int y, int z)
+  {
+    return (static_cast<std::uint64_t>(z) << (2 * axis_bits)) |
+           (static_cast<std::uint64_t>(y) << axis_bits) | static_cast<std::uint64_t>(x);
+  }
+
+  /** The cell of a position, the nearest one of the grid if it is outside. */
+  Eigen::Array3i cellOf(const Eigen::Array3f& position) const;
+
+  struct CellRange {
+    std::size_t begin, end;
+  };
+
+  /** The cells with points from one x to another. */
+  CellRange
+  cellsOf(int low_x, int high_x, int y, int z) const
+  {
+    const std::size_t row =
+        static_cast<std::size_t>(z) * row_count_ + static_cast<std::size_t>(y);
+    CellRange cells{0, keys_.size()};
+    if (!rows_.empty())
+      cells = {rows_[row], rows_[row + 1]};
+    if (cells.begin == cells.end)
+      return cells;
+    const auto first = keys_.begin() + static_cast<std::ptrdiff_t>(cells.begin);
+    const auto last = keys_.begin() + static_cast<std::ptrdiff_t>(cells.end);
+    const auto low = std::lower_bound(first, last, keyOf(low_x, y, z));
+    const auto high = std::upper_bound(low, last, keyOf(high_x, y, z));
+    return {static_cast<std::size_t>(low - keys_.begin()),
+            static_cast<std::size_t>(high - keys_.begin())};
+  }
+
+  void findRows();
+
+  Eigen::Array3f origin_ = Eigen::Array3f::Zero();
+  Eigen::Array3f last_ = Eigen::Array3f::Zero(); ///< of the cells
+  float cell_ = 1.0f;
+  std::vector<std::uint64_t> keys_;    ///< of the cells with points, ascending
+  std::vector<std::uint32_t> rows_;    ///< the first cell of each row, unless too many
+  std::size_t row_count_ = 0;          ///< for each z
+  std::vector<std::uint32_t> begins_;  ///< of each cell in positions_, and the end
+  std::vector<std::uint32_t> indices_; ///< of the points, cell by cell
+  std::vector<Eigen::Vector3f> positions_;
+};
+
+inline Eigen::Vector3f
+positionOf(const XYZView& points, std::size_t i)
+{
+  return Eigen::Map<const Eigen::Vector3f>(points[i]);
+}
+
+} // namespace pcl::segmentation

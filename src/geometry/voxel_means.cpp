@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#include "common/finite.h"
+#include "common/number_text.h"
+#include "common/parallel.h"
+#include "common/statistics.h"
+#include "geometry/point_grid.h"
+
+#include <pcl/segmentation/adaptive_detection.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace pcl::detail {
+namespace {
+
+using namespace segmentation;
+
+constexpr double float_digits = 1 << std::numeric_limits<float>::digits;
+
+struct CellPoint {
+  std::array<std::int32_t, 3> cell; ///< z, y, x
+  std::uint32_t index;
+};
+
+std::vector<CellPoint>
+sortedByCell(const XYZView& points, double size)
+{
+  std::vector<CellPoint> sorted;
+  sorted.reserve(points.size);
+  const auto cellOf = [size](float coordinate) {
+    return static_cast<std::int32_t>(std::floor(coordinate / size));
+  };
+  for (std::size_t i = 0; i < points.size; ++i) {
+    const float* p = points[i];
+    if (kernels::isFinite(p))
+      sorted.push_back(
+          {{cellOf(p[2]), cellOf(p[1]), cellOf(p[0])}, static_cast<std::uint32_t>(i)});
+  }
+  std::sort(sorted.begin(), sorted.end(), [](const CellPoint& a, const CellPoint& b) {
+    return a.cell < b.cell;
+  });
+  return sorted;
+}
+
+struct Size {
+  float coordinate = 0.0f; ///< the largest, of either sign
+  float extent = 0.0f;     ///< the largest
+};
+
+Size
+sizeOf(const XYZView& points)
+{
+  Eigen::Array3f low = Eigen::Array3f::Constant(std::numeric_limits<float>::infinity());
+  Eigen::Array3f high = -low;
+  for (std::size_t i = 0; i < points.size; ++i)
+    if (kernels::isFinite(points[i])) {
+      low = low.min(positionOf(points, i).array());
+      high = high.max(positionOf(points, i).array());
+    }
+  if (!(low <= high).all())
+    return {};
+  return {low.abs().max(high.abs()).maxCoeff(), (high - low).maxCoeff()};
+}
+
+} // namespace
+
+std::string
+problemOfResolution(double resolution, const XYZView& points)
+{
+  const std::string given = "resolution is " + numberText(resolution) + " m: ";
+  if (!(resolution > 0.0 && std::isfinite(resolution)))
+    return given + "it must be positive and finite, or 0 for the cloud's own";
+  const Size size = sizeOf(points);
+  const double least = static_cast<double>(size.coordinate) / float_digits;
+  if (resolution < least)
+    return given + numberText(least) +
+           " or more is allowed, what a float holds at the cloud's largest "
+           "coordinate, " +
+           numberText(static_cast<double>(size.coordinate)) + " m";
+  if (size.extent > 0.0f && resolution >= static_cast<double>(size.extent))
+    return given + "less than the cloud's extent is allowed, " +
+           numberText(static_cast<double>(size.extent)) + " m";
+  return {};
+}
+
+std::vector<float>
+thinned(const XYZView& points, double size)
+{
+  // Offsets within a cell are added up as integers: whatever the order of the points.
+  constexpr double steps = 1 << 24;
+  std::vector<float> means;
+  const std::vector<CellPoint> sorted = sortedByCell(points, size);
+  for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
+    const auto& cell = sorted[begin].cell;
+    std::array<std::int64_t, 3> sums{};
+    for (end = begin; end < sorted.size() && sorted[end].cell == cell; ++end)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double cells = points[sorted[end].index][axis] / size;
+        sums[axis] += std::llround((cells - cell[2 - axis]) * steps);
+      }
+    const auto count = static_cast<double>(end - begin);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double offset = static_cast<double>(sums[axis]) / (count * steps);
+      means.push_back(static_cast<float>((cell[2 - axis] + offset) * size));
+    }
+  }
+  return means;
+}
+
+std::vector<std::int32_t>
+representatives(const XYZView& queries,
+                const XYZView& surface,
+                const std::vector<float>& spacings,
+                unsigned threads)
+{
+  std::vector<std::int32_t> result(queries.size, -1);
+  if (spacings.empty())
+    return result;
+  const float usual = median(spacings);
+  const float most = *std::max_element(spacings.begin(), spacings.end());
+  const PointGrid grid(surface, usual);
+  const auto nearestWithin = [&](const Eigen::Vector3f& query, float radius) {
+    std::int32_t nearest = -1;
+    float least = std::numeric_limits<float>::infinity();
+    grid.forEachWithin(query, radius, [&](std::uint32_t i, float squared) {
+      if (squared < least && squared <= spacings[i] * spacings[i]) {
+        least = squared;
+        nearest = static_cast<std::int32_t>(i);
+      }
+    });
+    return nearest;
+  };
+  kernels::parallelForRanges(
+      queries.size, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t q = begin; q < end; ++q) {
+          if (!kernels::isFinite(queries[q]))
+            continue;
+          const Eigen::Vector3f query = positionOf(queries, q);
+          result[q] = nearestWithin(query, usual);
+          if (result[q] < 0)
+            result[q] = nearestWithin(query, most);
+        }
+      });
+  return result;
+}
+
+} // namespace pcl::detail

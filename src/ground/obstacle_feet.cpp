@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#include "ground/obstacle_feet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl::segmentation {
+namespace {
+
+constexpr float reach_steps = 0.3f;    // sideways
+constexpr float lowest_steps = 0.5f;   // upwards: two rings on the side of a car
+constexpr float highest_steps = 10.0f; // what is higher may hang over it
+
+struct Span {
+  float low, high;
+};
+
+Span
+heightsOf(const GroundCells& cells, std::size_t cell)
+{
+  const auto [low, high] = std::minmax_element(
+      cells.z.begin() + cells.begins[cell], cells.z.begin() + cells.begins[cell + 1]);
+  return {*low, *high};
+}
+
+/** Cells from first to last: one and those directly beside it in its line. */
+struct Column {
+  std::size_t first, last;
+};
+
+Column
+columnOf(const GroundCells& cells, std::size_t cell)
+{
+  const auto isBeside = [&](std::size_t a, std::size_t b) {
+    return cells.bins[b] == cells.bins[a] + 1; // never so at the end of a line
+  };
+  return {cell > 0 && isBeside(cell - 1, cell) ? cell - 1 : cell,
+          cell + 1 < cells.size() && isBeside(cell, cell + 1) ? cell + 1 : cell};
+}
+
+bool
+isBeneath(const GroundCells& cells, std::size_t point, const Column& column, float step)
+{
+  const float x = cells.x[point], y = cells.y[point], z = cells.z[point];
+  const float reach = reach_steps * reach_steps * step * step;
+  // Sensors are upright on sloping ground, or stand on it as the ground lies: what is
+  // above leans downhill by nothing to all of the slope.
+  const float slope = std::hypot(cells.slope_x, cells.slope_y);
+  const float downhill = -1.0f / std::max(slope, std::numeric_limits<float>::min());
+  const float down_x = downhill * cells.slope_x, down_y = downhill * cells.slope_y;
+  constexpr std::size_t block = 64; // the compiler makes vectors of a block
+  const std::size_t end = cells.begins[column.last + 1];
+  for (std::size_t at = cells.begins[column.first]; at < end; at += block) {
+    int found = 0;
+    for (std::size_t i = at; i < std::min(end, at + block); ++i) {
+      const float dx = cells.x[i] - x, dy = cells.y[i] - y, above = cells.z[i] - z;
+      const float down = dx * down_x + dy * down_y;
+      const float lean = std::max(0.0f, std::min(down, slope * above));
+      found |=
+          static_cast<int>(dx * dx + dy * dy - lean * (2.0f * down - lean) < reach) &
+          static_cast<int>(above > lowest_steps * step) &
+          static_cast<int>(above < highest_steps * step);
+    }
+    if (found != 0)
+      return true;
+  }
+  return false;
+}
+
+} // namespace
+
+std::vector<char>
+feetOf(const GroundCells& cells, float max_step, unsigned threads)
+{
+  std::vector<Span> heights(cells.size());
+  forEachCell(cells, threads, [&](std::size_t i) { heights[i] = heightsOf(cells, i); });
+  std::vector<char> feet(cells.positions.size(), 0);
+  forEachCell(cells, threads, [&](std::size_t cell) {
+    const Column column = columnOf(cells, cell);
+    float high = heights[cell].high;
+    for (std::size_t i = column.first; i <= column.last; ++i)
+      high = std::max(high, heights[i].high);
+    const float low = heights[cell].low;
+    if (high - low <= lowest_steps * max_step)
+      return;
+    for (std::size_t i = cells.begins[cell]; i < cells.begins[cell + 1]; ++i)
+      if (cells.z[i] - low < max_step)
+        feet[i] = isBeneath(cells, i, column, max_step);
+  });
+  return feet;
+}
+
+} // namespace pcl::segmentation

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#pragma once
+
+#include "instances/smooth_pieces.h"
+
+#include <pcl/segmentation/shape_primitive.h>
+
+namespace pcl::segmentation {
+
+/** \brief What is known about a face as a whole. */
+struct Face {
+  double area = 0.0;   ///< sum of the squared spacings, in squares of the median one
+  double planar = 0.0; ///< mean likelihood
+  std::size_t points = 0;
+  ShapePrimitive surface; ///< about origin; None if no primitive describes it
+  Eigen::Vector3f origin = Eigen::Vector3f::Zero();
+};
+
+std::vector<Face> facesOf(const detail::InstanceInput& input, const Labels& labels);
+
+} // namespace pcl::segmentation

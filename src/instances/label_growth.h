@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#pragma once
+
+#include "geometry/point_grid.h"
+
+#include <pcl/segmentation/instance_detection.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl::segmentation {
+
+using Labels = std::vector<std::int32_t>; ///< of points; -1 none
+
+/** \brief How labels spread to points without one. */
+struct Growth {
+  std::vector<char> open; ///< which points may take a label
+  bool fitting = true;    ///< only where the surface goes on
+};
+
+/** \brief Give labels to the open points around labelled ones, round by round, as far
+ * as an edge's band is wide. Of the labels around, a point takes the one whose surface,
+ * continued, passes nearest to it. */
+void growLabels(const detail::InstanceInput& input,
+                const PointGrid& grid,
+                const Growth& growth,
+                Labels& labels);
+
+/** \brief Sort labels by their number of points, the largest first, ties by the first
+ * point in the order of coordinates; drop those with fewer points. */
+void
+sortLabels(const detail::InstanceInput& input, std::size_t min_points, Labels& labels);
+
+} // namespace pcl::segmentation

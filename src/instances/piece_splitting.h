@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#pragma once
+
+#include "instances/smooth_pieces.h"
+#include "instances/surface_piece.h"
+
+namespace pcl::segmentation {
+
+/** \brief Give each node of a piece to a part whose surface is near and which others
+ * around it are of (iterated conditional modes; Besag, "On the statistical analysis of
+ * dirty pictures", 1986); nodes near none to none. Parts that are left with few nodes,
+ * or with nodes on the surfaces of others, go. The largest part is first then. */
+void assignNodes(const SurfacePiece& piece, std::vector<SurfacePart>& parts);
+
+/** \brief The nodes of parts that are one surface: those that meet where their nodes
+ * do, and those too small to be another. */
+std::vector<NodeIndices> joinParts(const SurfacePiece& piece,
+                                   const std::vector<SurfacePart>& parts);
+
+/** \brief Cut pieces that are planes, cylinders or spheres on each side of a border
+ * where these do not meet: faces that cross, or are nearly in line.
+ *
+ * A piece that such primitives do not describe stays whole.
+ * \param[in] labels of the nodes, -1 none
+ * \return labels of the nodes; nodes of a piece that was cut which are on none of its
+ * parts have none
+ */
+Labels splitSurfaces(const detail::InstanceInput& input,
+                     const std::vector<SurfaceNode>& nodes,
+                     Labels labels);
+
+} // namespace pcl::segmentation

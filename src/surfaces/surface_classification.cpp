@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#include "common/parallel.h"
+#include "common/statistics.h"
+#include "features/adaptive_inad.h"
+#include "features/class_evidence.h"
+#include "surfaces/evidence_averaging.h"
+
+#include <pcl/segmentation/adaptive_detection.h>
+#include <pcl/segmentation/shape_back_projection.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::detail {
+namespace {
+
+using namespace segmentation;
+
+/** The evidence of each class at each point: logarithms of densities, NaN unknown. */
+std::vector<float>
+evidenceOf(const AdaptiveInput& input,
+           const AdaptiveEdges& edges,
+           const ShapeModel& model)
+{
+  const std::vector<float> inad =
+      adaptiveINAD(input, edges, model.parameters()).mu_sigma;
+  const ShapeEvidence densities(model);
+  std::vector<float> evidence(input.points.size * densities.classes());
+  kernels::parallelForRanges(
+      input.points.size, input.threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          densities.logDensities(
+              inad[2 * i], inad[2 * i + 1], &evidence[i * densities.classes()]);
+      });
+  return evidence;
+}
+
+/** Posteriors in the place of evidence, by Bayes' rule. */
+void
+toPosteriors(const ShapeModel& model, std::vector<float>& values)
+{
+  const std::size_t classes = model.classes().size();
+  for (std::size_t i = 0; i < values.size(); i += classes) {
+    float* of_point = &values[i];
+    for (std::size_t c = 0; c < classes; ++c)
+      of_point[c] += static_cast<float>(std::log(model.classes()[c].prior));
+    const float most = *std::max_element(of_point, of_point + classes);
+    float sum = 0.0f;
+    for (std::size_t c = 0; c < classes; ++c)
+      sum += of_point[c] = std::exp(of_point[c] - most);
+    for (std::size_t c = 0; c < classes; ++c)
+      of_point[c] /= sum;
+  }
+}
+
+} // namespace
+
+std::vector<float>
+classifySurfaces(const AdaptiveInput& input,
+                 const AdaptiveEdges& edges,
+                 const ShapeModel& model)
+{
+  std::vector<float> evidence = evidenceOf(input, edges, model);
+  evidence = segmentation::averageEvidence(
+      input, edges, std::move(evidence), model.classes().size());
+  toPosteriors(model, evidence);
+  return evidence;
+}
+
+} // namespace pcl::detail
+
+float
+pcl::largestCurvedRadius(const Surfaces& surfaces)
+{
+  constexpr float curved_spacings = 20.0f; // see doc/method.md
+  const bool is_known =
+      std::any_of(surfaces.spacings.begin(),
+                  surfaces.spacings.end(),
+                  [](float spacing) { return std::isfinite(spacing); });
+  return is_known ? curved_spacings * segmentation::medianSpacing(surfaces.spacings)
+                  : 0.0f;
+}

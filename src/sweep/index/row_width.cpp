@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#include "sweep/index/row_width.h"
+
+#include "common/finite.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace pcl::kernels {
+namespace {
+
+/** \brief Every `stride`-th point, those that are not finite left out. */
+struct SomePoints {
+  std::vector<float> x, y, z;
+
+  SomePoints(const XYZView& points, std::size_t stride)
+  {
+    for (auto* values : {&x, &y, &z})
+      values->reserve(points.size / stride + 1);
+    for (std::size_t i = 0; i < points.size; i += stride) {
+      if (isFinite(points[i])) {
+        x.push_back(points[i][0]);
+        y.push_back(points[i][1]);
+        z.push_back(points[i][2]);
+      }
+    }
+  }
+
+  std::size_t
+  size() const
+  {
+    return x.size();
+  }
+};
+
+/** \brief The k-th smallest of the distances from one of the points to others, those at
+ * the same place left out. Infinite if there are fewer. */
+float
+distanceToNearest(const SomePoints& points,
+                  std::size_t from,
+                  std::size_t k,
+                  std::vector<float>& squares)
+{
+  const std::size_t size = points.size();
+  if (size < k)
+    return std::numeric_limits<float>::infinity();
+  squares.resize(size);
+  const float x = points.x[from], y = points.y[from], z = points.z[from];
+  for (std::size_t i = 0; i < size; ++i) {
+    const float dx = points.x[i] - x, dy = points.y[i] - y, dz = points.z[i] - z;
+    const float d2 = (dx * dx + dy * dy) + dz * dz;
+    squares[i] = d2 > 0.0f ? d2 : std::numeric_limits<float>::infinity();
+  }
+  if (16 * k < size) {
+    std::vector<float> least(k);
+    std::partial_sort_copy(squares.begin(), squares.end(), least.begin(), least.end());
+    return std::sqrt(least.back());
+  }
+  const auto kth = squares.begin() + static_cast<std::ptrdiff_t>(k - 1);
+  std::nth_element(squares.begin(), kth, squares.end());
+  return std::sqrt(*kth);
+}
+
+/** \brief About the distance to the k-th nearest point, where most points are: the
+ * median over a few points, from some of the others (on a surface, a share of the
+ * points within d is what all are within d sqrt(share)). One point at least is finite.
+ */
+double
+typicalDistance(const XYZView& surface, std::size_t k)
+{
+  constexpr std::size_t samples = 15;
+  constexpr std::size_t most_others = 4096;
+  const std::size_t stride = (surface.size + most_others - 1) / most_others;
+  const std::size_t nearest = (k + stride - 1) / stride;
+  const SomePoints points(surface, stride);
+  std::vector<float> typical, squares;
+  for (std::size_t s = 0; s < std::min(samples, points.size()); ++s) {
+    // Spread by the golden ratio, not evenly: that might be along one column of an
+    // image.
+    const double share =
+        std::fmod(0.6180339887498949 * (static_cast<double>(s) + 0.5), 1.0);
+    const auto from =
+        static_cast<std::size_t>(share * static_cast<double>(points.size()));
+    const float distance = distanceToNearest(points, from, nearest, squares);
+    if (std::isfinite(distance))
+      typical.push_back(distance);
+  }
+  if (typical.empty())
+    return 0.0;
+  std::sort(typical.begin(), typical.end());
+  const double share = static_cast<double>(k) / static_cast<double>(nearest * stride);
+  return typical[typical.size() / 2] * std::sqrt(share);
+}
+
+/** \brief The largest distance between finite coordinates of few points, or 1. */
+double
+extentOf(const XYZView& points)
+{
+  float least = std::numeric_limits<float>::max();
+  float most = std::numeric_limits<float>::lowest();
+  for (std::size_t i = 0; i < points.size; ++i) {
+    for (int axis = 0; isFinite(points[i]) && axis < 3; ++axis) {
+      least = std::min(least, points[i][axis]);
+      most = std::max(most, points[i][axis]);
+    }
+  }
+  const double extent = static_cast<double>(most) - least;
+  return extent > 0.0 ? extent : 1.0;
+}
+
+double
+medianOf(const float* values, std::size_t size)
+{
+  std::vector<float> sorted(values, values + size);
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(size / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  return *middle;
+}
+
+} // namespace
+
+double
+rowWidth(const NeighborhoodSize& size, const XYZView& surface, std::size_t queries)
+{
+  constexpr std::size_t least_points = 64;
+  constexpr double radii_a_row = 0.7;
+  const double dense = typicalDistance(surface, std::max(size.k, least_points));
+  if (size.k > 0)
+    return dense > 0.0 ? dense : extentOf(surface);
+  const double radius = size.radii ? medianOf(size.radii, queries) : size.radius;
+  return std::max(radii_a_row * radius, std::min(dense, 16.0 * radius));
+}
+
+} // namespace pcl::kernels

@@ -1,0 +1,539 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#if defined(PCL_SHAPE_SWEEP_ANGLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PCL_SHAPE_SWEEP_ANGLES_INL_H_
+#undef PCL_SHAPE_SWEEP_ANGLES_INL_H_
+#else
+#define PCL_SHAPE_SWEEP_ANGLES_INL_H_
+#endif
+
+#include "sweep/portable/angle.h"
+#include "sweep/simd/candidates-inl.h"
+#include "sweep/simd/common-inl.h"
+
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace pcl::kernels::HWY_NAMESPACE {
+
+/** \brief What squared chords are at least: an angle of no unit, with an inverse. */
+constexpr float least_chord = 1e-30f;
+
+/** \brief Angles of squared chords, in units (angle.h). */
+template <class V>
+HWY_INLINE hn::VFromD<Words>
+anglesOf(V chords)
+{
+  const Floats d;
+#if HWY_ARCH_X86
+  // A step of Newton's from an estimate y of 1 / sqrt(t), which is much sooner known
+  // than the root: sqrt(t) = t y (3 - t y^2) / 2.
+  constexpr float scale = 0.5f * units_per_radian;
+  const auto y = hn::ApproximateReciprocalSqrt(chords);
+  const auto estimate = hn::Mul(chords, y);
+  const auto root = hn::Mul(estimate, hn::NegMulAdd(estimate, y, hn::Set(d, 3.0f)));
+#else
+  constexpr float scale = units_per_radian;
+  const auto root = hn::Sqrt(chords);
+#endif
+  const auto coefficient = [&](float q) { return hn::Set(d, q * scale); };
+  auto q = coefficient(2.884860886e-05f);
+  q = hn::MulAdd(q, chords, coefficient(-8.097935841e-05f));
+  q = hn::MulAdd(q, chords, coefficient(3.057683521e-04f));
+  q = hn::MulAdd(q, chords, coefficient(5.256729479e-04f));
+  q = hn::MulAdd(q, chords, coefficient(4.766297369e-03f));
+  q = hn::MulAdd(q, chords, coefficient(4.165096783e-02f));
+  q = hn::MulAdd(q, chords, coefficient(1.000000898e+00f));
+  return hn::BitCast(Words(), nearestInt(hn::Mul(root, q)));
+}
+
+/** \brief Squared chord between two normals, and least_chord more.
+ * \tparam is_smooth both are known to be on the same side; otherwise they have either
+ * sign: the nearer one counts */
+template <bool is_smooth, class V>
+HWY_INLINE V
+squaredChords(V ax, V ay, V az, V bx, V by, V bz)
+{
+  const auto mx = hn::Sub(ax, bx), my = hn::Sub(ay, by), mz = hn::Sub(az, bz);
+  const auto least = hn::Set(hn::DFromV<V>(), least_chord);
+  const auto chord = hn::MulAdd(mx, mx, hn::MulAdd(my, my, hn::MulAdd(mz, mz, least)));
+  if constexpr (is_smooth)
+    return chord;
+  const auto px = hn::Add(ax, bx), py = hn::Add(ay, by), pz = hn::Add(az, bz);
+  return hn::Min(chord,
+                 hn::MulAdd(px, px, hn::MulAdd(py, py, hn::MulAdd(pz, pz, least))));
+}
+
+/** \brief Sums of angles and of their squares. Squares of even and odd lanes are added
+ * up apart, in 64 bits. */
+class AngleAdder {
+public:
+  // A constructor that the compiler makes would not have the target's instructions.
+  HWY_INLINE
+  AngleAdder()
+  : sum_(hn::Zero(Words()))
+  , even_(hn::Zero(Longs()))
+  , odd_(hn::Zero(Longs()))
+  , even_squares_(hn::Zero(Longs()))
+  , odd_squares_(hn::Zero(Longs()))
+  {}
+
+  /** \brief Lanes that are 0 add nothing. */
+  template <class V>
+  HWY_INLINE void
+  add(V units)
+  {
+    const Words w;
+    const Longs l;
+    const auto odd = hn::BitCast(w, hn::ShiftRight<32>(hn::BitCast(l, units)));
+    sum_ = hn::Add(sum_, units);
+    even_squares_ = hn::Add(even_squares_, hn::MulEven(units, units));
+    odd_squares_ = hn::Add(odd_squares_, hn::MulEven(odd, odd));
+  }
+
+  /** \brief To be called at least every 128 additions: 128 angles fit in 32 bits. */
+  HWY_INLINE void
+  widen()
+  {
+    const Longs l;
+    const auto sum = hn::BitCast(l, sum_);
+    even_ = hn::Add(even_, hn::And(sum, hn::Set(l, 0xffffffffu)));
+    odd_ = hn::Add(odd_, hn::ShiftRight<32>(sum));
+    sum_ = hn::Zero(Words());
+  }
+
+  /** \brief What lanes add up to. */
+  HWY_INLINE hn::VFromD<Longs>
+  parts() const
+  {
+    return hn::Add(even_, odd_);
+  }
+
+  HWY_INLINE hn::VFromD<Longs>
+  partsOfSquares() const
+  {
+    return hn::Add(even_squares_, odd_squares_);
+  }
+
+private:
+  hn::VFromD<Words> sum_;
+  hn::VFromD<Longs> even_, odd_, even_squares_, odd_squares_;
+};
+
+constexpr std::size_t additions_between_widening = 128;
+
+/** \brief Points with a normal that may be neighbors of a block's queries, packed, and
+ * apart those that surely are of all. */
+struct INADSlots {
+  enum Array { x, y, z, nx, ny, nz, order, array_count };
+
+  const float* arrays[array_count]; ///< of those that may be; the last vector has NaN
+  std::size_t size;
+  const std::uint32_t* sure; ///< where in the surface vectors of those that are begin
+  std::size_t sure_size;     ///< how many vectors
+
+  std::size_t
+  total() const
+  {
+    return size + sure_size * lanes;
+  }
+};
+
+/** \brief Finds candidates with a normal, and whether all normals are on one side. */
+class INADCandidates {
+public:
+  INADCandidates(const SweepBlock& block,
+                 const OwnPoints& own,
+                 const NearClusters& near)
+  : block_(block)
+  , near_(near)
+  {
+    std::size_t first = 0;
+    while (first + 1 < block.size && std::isnan(own.nx[first]))
+      ++first;
+    x_ = own.nx[first];
+    y_ = own.ny[first];
+    z_ = own.nz[first];
+    for (std::size_t i = 0; i < block.size; ++i) {
+      const float cosine = own.nx[i] * x_ + own.ny[i] * y_ + own.nz[i] * z_;
+      // Not for NaN.
+      own_cosine_ = cosine < own_cosine_ ? cosine : own_cosine_;
+    }
+  }
+
+  /** \brief Those among some of the near clusters. */
+  INADSlots
+  list(std::size_t begin, std::size_t count)
+  {
+    return near_.hasTies() ? list<true>(begin, count) : list<false>(begin, count);
+  }
+
+  /** \brief Whether all normals make at most a right angle with all queries': theirs
+   * and the queries' angles to one of these are together less. */
+  bool
+  isSmooth() const
+  {
+    constexpr float margin = 1e-4f;
+    return own_cosine_ > 0.0f && least_cosine_ > 0.0f &&
+           own_cosine_ * own_cosine_ + least_cosine_ * least_cosine_ > 1.0f + margin;
+  }
+
+private:
+  /** \brief Slots for that many points, and where to write them. */
+  INADSlots
+  emptySlots(std::size_t most, float** arrays) const
+  {
+    INADSlots slots{};
+    float* floats = simdScratch().slots.atLeast(INADSlots::array_count * most);
+    for (std::size_t array = 0; array < INADSlots::array_count; ++array)
+      slots.arrays[array] = arrays[array] = floats + array * most;
+    return slots;
+  }
+
+  /** What the loop works with is local: what it writes might be a member. */
+  template <bool with_ties>
+  HWY_NOINLINE INADSlots
+  list(std::size_t begin, std::size_t count)
+  {
+    const Floats d;
+    const SweepBlock block = block_;
+    const std::size_t most = count * block_size + lanes;
+    float* out[INADSlots::array_count];
+    INADSlots slots = emptySlots(most, out);
+    std::uint32_t* sure_vectors = simdScratch().offsets.atLeast(most);
+    const std::uint32_t* near = near_.begin() + begin;
+    const BoxDistances distances(block.box);
+    const auto reach2 = hn::Set(d, near_.reach2());
+    const auto sure_reach2 = hn::Set(d, with_ties ? -1.0f : near_.sureReach2());
+    const auto x = hn::Set(d, x_), y = hn::Set(d, y_), z = hn::Set(d, z_);
+    auto least_cosine = hn::Set(d, 1.0f);
+    std::size_t size = 0, sure_size = 0;
+    for (std::size_t s = 0; s < count; ++s) {
+      const std::uint32_t first = block.cluster_begin[near[s]];
+      const std::uint32_t points = block.cluster_begin[near[s] + 1] - first;
+      for (std::uint32_t i = 0; i < points; i += lanes) {
+        const std::uint32_t j = first + i;
+        const auto px = hn::LoadU(d, block.x + j), py = hn::LoadU(d, block.y + j),
+                   pz = hn::LoadU(d, block.z + j);
+        const auto nx = hn::LoadU(d, block.nx + j), ny = hn::LoadU(d, block.ny + j),
+                   nz = hn::LoadU(d, block.nz + j);
+        const auto squares = distances.of(px, py, pz);
+        const auto mask = hn::And(hn::And(pointsOfCluster(points, i), hn::Eq(nx, nx)),
+                                  hn::Lt(squares.least2, reach2));
+        const auto cosine = hn::MulAdd(nx, x, hn::MulAdd(ny, y, hn::Mul(nz, z)));
+        least_cosine =
+            hn::Min(least_cosine, hn::IfThenElse(mask, cosine, hn::Set(d, 1.0f)));
+        if (hn::AllTrue(d, hn::And(hn::Lt(squares.most2, sure_reach2), mask))) {
+          sure_vectors[sure_size++] = j;
+          continue;
+        }
+        packStore(d, px, mask, out[INADSlots::x] + size);
+        packStore(d, py, mask, out[INADSlots::y] + size);
+        packStore(d, pz, mask, out[INADSlots::z] + size);
+        packStore(d, nx, mask, out[INADSlots::nx] + size);
+        packStore(d, ny, mask, out[INADSlots::ny] + size);
+        if constexpr (with_ties) {
+          const auto order = hn::BitCast(d, hn::LoadU(Words(), block.order + j));
+          packStore(d, order, mask, out[INADSlots::order] + size);
+        }
+        size += packStore(d, nz, mask, out[INADSlots::nz] + size);
+      }
+    }
+    for (const auto array : {INADSlots::x, INADSlots::y, INADSlots::z})
+      hn::StoreU(hn::NaN(d), d, out[array] + size);
+    least_cosine_ = hn::GetLane(hn::MinOfLanes(d, least_cosine));
+    slots.size = size;
+    slots.sure = sure_vectors;
+    slots.sure_size = sure_size;
+    return slots;
+  }
+
+  const SweepBlock& block_;
+  const NearClusters& near_;
+  float x_, y_, z_; ///< a query's normal
+  float own_cosine_ = 1.0f;
+  float least_cosine_ = 1.0f;
+};
+
+/** \brief Sums over the angles of each query of a block, in units (angle.h). */
+struct BlockSums {
+  std::uint64_t count[block_size];
+  std::uint64_t sum[block_size];
+  std::uint64_t squares[block_size];
+};
+
+/** \brief Means and standard deviations of a block's queries. */
+struct BlockSpreads {
+  double mean[block_size];
+  double sd[block_size];
+};
+
+/** \brief Ranges of angles, [least, least + width]. */
+struct BlockRanges {
+  std::uint32_t least[block_size] = {};
+  std::uint32_t width[block_size] = {};
+};
+
+/** \brief As BlockSums, of however many angles. */
+struct ManySums {
+  std::uint64_t count[block_size] = {};
+  std::uint64_t sum[block_size] = {};
+  Wide squares[block_size] = {};
+
+  void
+  add(const BlockSums& part)
+  {
+    for (std::size_t i = 0; i < block_size; ++i) {
+      count[i] += part.count[i];
+      sum[i] += part.sum[i];
+      squares[i] += part.squares[i];
+    }
+  }
+};
+
+/** \brief From sums over at most most_for_64_bits angles. */
+HWY_INLINE void
+spreadsOf(const BlockSums& sums, BlockSpreads& spreads)
+{
+  const Doubles d;
+  for (std::size_t i = 0; i < block_size; i += double_lanes) {
+    const auto n = hn::Max(hn::Set(d, 1.0), toDoubles(sums.count + i));
+    const auto inverse = hn::Div(hn::Set(d, 1.0), n);
+    const auto sum = toDoubles(sums.sum + i);
+    const auto mean = hn::Div(sum, n);
+    // What the squares' 2^47 lose in 53 bits is less than a unit^2.
+    const auto variance =
+        hn::Mul(hn::Sub(toDoubles(sums.squares + i), hn::Mul(mean, sum)), inverse);
+    hn::StoreU(mean, d, spreads.mean + i);
+    hn::StoreU(hn::Sqrt(hn::Max(hn::Zero(d), variance)), d, spreads.sd + i);
+  }
+}
+
+/** \brief As of few angles, if they are few: the same angles give the same result. */
+inline void
+spreadsOf(const ManySums& sums, BlockSpreads& spreads)
+{
+  BlockSums few{};
+  for (std::size_t i = 0; i < block_size; ++i) {
+    if (sums.count[i] <= most_for_64_bits) {
+      few.count[i] = sums.count[i];
+      few.sum[i] = sums.sum[i];
+      few.squares[i] = static_cast<std::uint64_t>(sums.squares[i]);
+    }
+  }
+  spreadsOf(few, spreads);
+  for (std::size_t i = 0; i < block_size; ++i) {
+    if (sums.count[i] > most_for_64_bits) {
+      const Spread spread =
+          AngleSums{sums.count[i], sums.sum[i], sums.squares[i]}.spread();
+      spreads.mean[i] = spread.mean;
+      spreads.sd[i] = spread.sd;
+    }
+  }
+}
+
+/** \brief As keptRange(). */
+HWY_INLINE BlockRanges
+keptRanges(const BlockSpreads& spreads, double outlier_rate)
+{
+  BlockRanges ranges;
+  const Doubles d;
+  const hn::Rebind<std::int32_t, Doubles> ints;
+  const auto most = hn::Set(d, std::numeric_limits<std::int32_t>::max());
+  for (std::size_t i = 0; i < block_size; i += double_lanes) {
+    const auto mean = hn::LoadU(d, spreads.mean + i);
+    const auto sd = hn::LoadU(d, spreads.sd + i);
+    const auto width = hn::Mul(sd, hn::Set(d, outlier_rate * (1.0 + 1e-5)));
+    // The product may be infinite: with no deviation it would not be a number.
+    const auto all =
+        hn::Or(hn::Eq(sd, hn::Zero(d)), hn::Eq(hn::Set(d, outlier_rate), hn::Zero(d)));
+    const auto first = hn::IfThenZeroElse(
+        all, hn::Ceil(hn::Min(most, hn::Max(hn::Zero(d), hn::Sub(mean, width)))));
+    const auto last =
+        hn::IfThenElse(all, most, hn::Floor(hn::Min(most, hn::Add(mean, width))));
+    const auto store = [&](auto values, std::uint32_t* to) {
+      hn::StoreU(hn::DemoteTo(ints, values), ints, reinterpret_cast<std::int32_t*>(to));
+    };
+    // Nothing is in an empty range: angles are less than the largest number.
+    const auto is_empty = hn::Lt(last, first);
+    store(hn::IfThenElse(is_empty, most, first), ranges.least + i);
+    store(hn::IfThenZeroElse(is_empty, hn::Sub(last, first)), ranges.width + i);
+  }
+  return ranges;
+}
+
+/** \brief One query, and which of the packed candidates are its neighbors. */
+template <bool with_ties>
+class OneQuery {
+public:
+  HWY_INLINE
+  OneQuery(const SweepBlock& block, const OwnPoints& own, std::size_t i)
+  : x_(hn::Set(Floats(), block.qx[i]))
+  , y_(hn::Set(Floats(), block.qy[i]))
+  , z_(hn::Set(Floats(), block.qz[i]))
+  , r2_(hn::Set(Floats(), block.r2[i]))
+  , nx_(hn::Set(Floats(), own.nx[i]))
+  , ny_(hn::Set(Floats(), own.ny[i]))
+  , nz_(hn::Set(Floats(), own.nz[i]))
+  , tie_d2_(hn::Set(Floats(), block.tie_d2[i]))
+  , tie_index_(hn::Set(Ints(), static_cast<std::int32_t>(block.tie_index[i])))
+  {}
+
+  /** \brief Which of a vector of points are neighbors. */
+  HWY_INLINE MaskOf<Floats>
+  neighborMask(const float* x, const float* y, const float* z, const float* order) const
+  {
+    const Floats d;
+    const auto d2 = squaredLength(hn::Sub(hn::LoadU(d, x), x_),
+                                  hn::Sub(hn::LoadU(d, y), y_),
+                                  hn::Sub(hn::LoadU(d, z), z_));
+    const auto near = hn::Lt(d2, r2_);
+    if constexpr (with_ties) {
+      const auto index = hn::BitCast(Ints(), hn::LoadU(d, order));
+      const auto first = hn::RebindMask(d, hn::Not(hn::Gt(index, tie_index_)));
+      return hn::Or(near, hn::And(hn::Eq(d2, tie_d2_), first));
+    }
+    else {
+      return near;
+    }
+  }
+
+  template <bool is_smooth>
+  HWY_INLINE hn::VFromD<Floats>
+  chords(const float* nx, const float* ny, const float* nz) const
+  {
+    const Floats d;
+    return squaredChords<is_smooth>(
+        hn::LoadU(d, nx), hn::LoadU(d, ny), hn::LoadU(d, nz), nx_, ny_, nz_);
+  }
+
+private:
+  hn::VFromD<Floats> x_, y_, z_, r2_, nx_, ny_, nz_, tie_d2_;
+  hn::VFromD<Ints> tie_index_;
+};
+
+/** \brief The squared chords between the normals of a query and its neighbors, packed,
+ * then a vector of least chords.
+ * \return how many neighbors there are, the query's own point among them */
+template <bool with_ties, bool is_smooth>
+HWY_NOINLINE std::size_t
+collectChords(const SweepBlock& block,
+              const OwnPoints& own,
+              std::size_t i,
+              const INADSlots& slots,
+              float* HWY_RESTRICT chords)
+{
+  const Floats d;
+  const OneQuery<with_ties> query(block, own, i);
+  // Local: what is written might be one of these.
+  const float* arrays[INADSlots::array_count];
+  std::copy_n(slots.arrays, std::size_t{INADSlots::array_count}, arrays);
+  const std::size_t size = slots.size;
+  std::size_t count = 0;
+  for (std::size_t c = 0; c < size; c += lanes) {
+    const auto mask = query.neighborMask(arrays[INADSlots::x] + c,
+                                         arrays[INADSlots::y] + c,
+                                         arrays[INADSlots::z] + c,
+                                         arrays[INADSlots::order] + c);
+    const auto chord = query.template chords<is_smooth>(arrays[INADSlots::nx] + c,
+                                                        arrays[INADSlots::ny] + c,
+                                                        arrays[INADSlots::nz] + c);
+    count += packStore(d, chord, mask, chords + count);
+  }
+  const float *nx = block.nx, *ny = block.ny, *nz = block.nz;
+  for (std::size_t s = 0; s < slots.sure_size; ++s, count += lanes) {
+    const std::size_t j = slots.sure[s];
+    const auto chord = query.template chords<is_smooth>(nx + j, ny + j, nz + j);
+    hn::StoreU(chord, d, chords + count);
+  }
+  hn::StoreU(hn::Set(d, least_chord), d, chords + count);
+  return count;
+}
+
+/** \brief Squared chords, of which a vector follows them, to angles, and their sums. */
+HWY_INLINE void
+chordsToAngles(const float* HWY_RESTRICT chords,
+               std::size_t count,
+               std::uint32_t* HWY_RESTRICT angles,
+               AngleAdder& adder)
+{
+  const Floats d;
+  const Words w;
+  for (std::size_t c = 0; c < count;) {
+    const std::size_t end = std::min(count, c + additions_between_widening * lanes);
+    for (; c < end; c += lanes) {
+      const auto units = anglesOf(hn::Load(d, chords + c));
+      hn::Store(units, w, angles + c);
+      adder.add(units);
+    }
+    adder.widen();
+  }
+}
+
+/** \brief Packs the angles that are not in a range, in place; of what follows them, a
+ * vector is overwritten. \return how many they are */
+template <bool from_zero>
+HWY_INLINE std::size_t
+packRejected(std::uint32_t* HWY_RESTRICT angles,
+             std::size_t count,
+             std::uint32_t least,
+             std::uint32_t width)
+{
+  const Words w;
+  // One unsigned comparison: what is below the least wraps around.
+  const auto from = hn::Set(w, least);
+  const auto most = hn::Set(w, width);
+  std::size_t rejected = 0;
+  const auto isRejected = [&](auto units) {
+    return hn::Gt(from_zero ? units : hn::Sub(units, from), most);
+  };
+  std::size_t c = 0;
+  for (; c + lanes <= count; c += lanes) {
+    const auto units = hn::Load(w, angles + c);
+    rejected += packStore(w, units, isRejected(units), angles + rejected);
+  }
+  const auto units = hn::Load(w, angles + c);
+  const auto mask = hn::And(isRejected(units), hn::FirstN(w, count - c));
+  rejected += packStore(w, units, mask, angles + rejected);
+  hn::StoreU(hn::Zero(w), w, angles + rejected);
+  return rejected;
+}
+
+HWY_INLINE std::size_t
+packRejected(std::uint32_t* angles,
+             std::size_t count,
+             std::uint32_t least,
+             std::uint32_t width)
+{
+  // In one vector, a subtraction takes less time than a branch that goes either way.
+  return least == 0 && count > lanes ? packRejected<true>(angles, count, least, width)
+                                     : packRejected<false>(angles, count, least, width);
+}
+
+/** \brief Sums over angles that a vector of zeros follows. */
+HWY_INLINE void
+addAngles(const std::uint32_t* HWY_RESTRICT angles,
+          std::size_t count,
+          AngleAdder& adder)
+{
+  const Words w;
+  // At least one: mostly there are one or none, and which cannot be predicted.
+  std::size_t c = 0;
+  do {
+    const std::size_t end = std::min(count, c + additions_between_widening * lanes);
+    do {
+      adder.add(hn::Load(w, angles + c));
+      c += lanes;
+    }
+    while (c < end);
+    adder.widen();
+  }
+  while (c < count);
+}
+
+} // namespace pcl::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

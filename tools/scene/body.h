@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#pragma once
+
+#include "scene/footprint.h"
+#include "scene/random.h"
+#include "scene/solid.h"
+
+namespace pcl::scene {
+
+/** \brief A solid with what is needed to place it without collision. World frame. */
+struct Body {
+  Solid solid;
+  Footprint footprint;
+  Point2 centre;           /**< of the footprint */
+  double low = 0.0;        /**< height of its lowest point */
+  double high = 0.0;       /**< height of its highest point */
+  double widest_low = 0.0; /**< between these heights its section is the footprint */
+  double widest_high = 0.0;
+  bool carries = false;             /**< has a flat and level top */
+  bool open = false;                /**< is a bowl that a ball may lie in */
+  std::vector<std::size_t> touches; /**< indices of other bodies */
+
+  bool isTouching(std::size_t other) const;
+};
+
+/** \brief A body of random size and pose that rests on z = 0 with its footprint around
+ * x = y = 0.
+ * \param[in] scale of its lengths, 1 for household objects of 5 to 20 cm
+ * \param[in] heading unit vector, the direction of its longer side seen from above */
+Body randomBody(Shape shape, double scale, Point2 heading, Random& random);
+
+/** \brief A thin box with its lower edge on z = 0 that leans on the upper edge of a
+ * box.
+ *
+ * \param[in] support a box that stands on z = 0
+ * \param[in] outward unit normal of the upright face of the support that it leans on */
+Body randomLeaningBox(const Body& support,
+                      const Vec3& outward,
+                      double scale,
+                      Random& random);
+
+/** \brief A ball that lies on the bottom of an upright bowl. */
+Body randomBallInBowl(const Body& bowl, Random& random);
+
+Body moved(Body body, const Vec3& by);
+
+} // namespace pcl::scene

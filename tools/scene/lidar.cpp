@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#include "scene/lidar.h"
+
+#include "scene/scene.h"
+#include "scene/street.h"
+#include "scene/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace pcl::scene {
+namespace {
+
+constexpr std::uint64_t scan_stream = 12;
+constexpr double drop_out_rate = 0.01;
+constexpr double asphalt_reach = 50.0; // metres
+constexpr double least_range = 0.9;    // metres
+
+struct Sensor {
+  std::vector<double> elevations; ///< degrees
+  unsigned columns;               ///< in a turn
+  double reach;                   ///< metres
+};
+
+Sensor
+sensorOf(unsigned beams)
+{
+  return beams == 64 ? Sensor{beamElevations(64), 2083, 120.0}
+                     : Sensor{beamElevations(beams), 1800, 100.0};
+}
+
+void
+requireSigma(double sigma)
+{
+  if (!(sigma >= 0.0 && sigma <= 0.1))
+    throw std::invalid_argument("sigma is " + std::to_string(sigma) +
+                                ", allowed is 0 to 0.1 m");
+}
+
+/** \brief What a ray meets first. */
+struct Return {
+  double range;
+  Vec3 normal;
+  std::uint32_t ground, surface, instance;
+};
+
+class StreetCaster {
+public:
+  explicit StreetCaster(const Street& street)
+  : street_(street)
+  , world_(worldOf(street))
+  , solids_(world_)
+  {}
+
+  /** \brief Nothing if the ray is lost. \param[in] direction unit */
+  std::optional<Return>
+  cast(const Vec3& direction, double reach) const
+  {
+    const Sight sight = solids_.cast({{}, direction});
+    const double solid = sight.object == nothing ? reach : sight.depth;
+    if (const auto hit = street_.ground.cast(direction, std::min(solid, reach))) {
+      if (hit->distance > asphalt_reach)
+        return std::nullopt;
+      return Return{hit->distance,
+                    hit->normal,
+                    hit->kerb_face ? GroundVoid : GroundTrue,
+                    SurfacePlanar,
+                    0};
+    }
+    if (solid >= reach || solid < least_range)
+      return std::nullopt;
+    const auto index = static_cast<std::size_t>(sight.object - 1);
+    return Return{solid,
+                  sight.normal,
+                  GroundNot,
+                  isCurved(world_, sight) ? SurfaceCurved : SurfacePlanar,
+                  street_.instances[index]};
+  }
+
+private:
+  static World
+  worldOf(const Street& street)
+  {
+    World world;
+    world.table.centre.x = 1e9; // there is none
+    world.solids = street.solids;
+    return world;
+  }
+
+  const Street& street_;
+  World world_;
+  RayCaster solids_;
+};
+
+void
+append(const Vec3& v, std::vector<float>& values)
+{
+  for (const double value : {v.x, v.y, v.z})
+    values.push_back(static_cast<float>(value));
+}
+
+} // namespace
+
+std::vector<double>
+beamElevations(unsigned beams)
+{
+  std::vector<double> elevations;
+  if (beams == 64) {
+    for (int i = 31; i >= 0; --i)
+      elevations.push_back(-8.0 - 5.0 / 6.0 - i / 2.0);
+    for (int i = 31; i >= 0; --i)
+      elevations.push_back(2.0 - i / 3.0);
+  }
+  else if (beams == 16) {
+    for (int i = 0; i < 16; ++i)
+      elevations.push_back(-15.0 + 2.0 * i);
+  }
+  else
+    throw std::invalid_argument("beams is " + std::to_string(beams) +
+                                ", allowed is 16 or 64");
+  return elevations;
+}
+
+LidarScan
+scanStreet(const LidarOptions& options)
+{
+  requireSigma(options.sigma);
+  const Sensor sensor = sensorOf(options.beams);
+  const Street street = randomStreet(options.seed);
+  const StreetCaster caster(street);
+  Random random(options.seed, scan_stream);
+  LidarScan scan;
+  scan.objects = street.objects;
+  for (unsigned column = 0; column < sensor.columns; ++column) {
+    const UnitVector turn = fromTurns(-(column + 0.5) / sensor.columns);
+    for (std::size_t beam = 0; beam < sensor.elevations.size(); ++beam) {
+      const UnitVector up = fromTurns(sensor.elevations[beam] / 360.0);
+      const Vec3 direction{up.cosine * turn.cosine, up.cosine * turn.sine, up.sine};
+      const bool lost = random.chance(drop_out_rate) && options.drop_outs;
+      const double error = options.sigma * random.normal();
+      const auto found = caster.cast(direction, sensor.reach);
+      if (lost || !found)
+        continue;
+      append(direction * (found->range + error), scan.xyz);
+      append(found->normal, scan.normals);
+      scan.ground.push_back(found->ground);
+      scan.surface.push_back(found->surface);
+      scan.instance.push_back(found->instance);
+      scan.ring.push_back(static_cast<std::uint32_t>(beam));
+    }
+  }
+  return scan;
+}
+
+} // namespace pcl::scene

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl::scene {
+
+/** \brief Values of LidarScan::ground. */
+enum GroundTruth : std::uint32_t {
+  GroundNot = 0,
+  GroundTrue = 1,  /**< road, pavement, yards */
+  GroundVoid = 255 /**< the face of a kerb */
+};
+
+struct LidarOptions {
+  std::uint64_t seed = 1;
+  unsigned beams = 64;   /**< 64 or 16 */
+  double sigma = 0.02;   /**< metres along the ray, 0 to 0.1 */
+  bool drop_outs = true; /**< returns are lost at random */
+};
+
+/** \brief A turn of a spinning laser scanner in a street, without the rays that did not
+ * come back, in the order of firing. Frame of the sensor: x forward, y left, z up. */
+struct LidarScan {
+  std::vector<float> xyz;     /**< measured, metres, 3 per point */
+  std::vector<float> normals; /**< exact, 3 per point, towards the sensor */
+  std::vector<std::uint32_t> ground;
+  std::vector<std::uint32_t> surface;  /**< 1 planar, 2 curved, see Surface */
+  std::vector<std::uint32_t> instance; /**< 0 ground, 1 and up objects */
+  std::vector<std::uint32_t> ring;     /**< the beam, 0 the lowest */
+  std::uint32_t objects = 0;           /**< in the street, seen or not */
+
+  std::size_t
+  size() const
+  {
+    return ground.size();
+  }
+};
+
+/** \brief Elevations of the beams in degrees, the lowest first. \throws
+ * std::invalid_argument unless there are 16 or 64 */
+std::vector<double> beamElevations(unsigned beams);
+
+/** \brief Scan a random street.
+ *
+ * 64 beams: Velodyne HDL-64E, its upper 32 lasers from +2 to -8.33 degrees by a third,
+ * its lower 32 from -8.83 to -24.33 by a half, 0.1728 degrees from column to column at
+ * 10 turns a second, 120 m. 16 beams: VLP-16, -15 to +15 degrees by 2, 0.2 degrees, 100
+ * m. Both: 2 cm (one sigma), and 50 m on asphalt, which reflects a tenth (HDL-64E data
+ * sheet). 1 % of the returns get lost.
+ *
+ * The same options give the same labels, and coordinates within 1e-6 m, on any machine.
+ * \throws std::invalid_argument that names the parameter, its value and what is allowed
+ */
+LidarScan scanStreet(const LidarOptions& options);
+
+} // namespace pcl::scene

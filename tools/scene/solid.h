@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#pragma once
+
+#include "scene/scene.h"
+#include "scene/vec.h"
+
+#include <limits>
+#include <vector>
+
+namespace pcl::scene {
+
+/** \brief Numbers of the faces of the solids. Those of a box are 0 to 5: -x, +x, -y,
+ * +y, -z, +z. */
+enum Face : int {
+  SideFace = 0, /**< of cylinder, cone and sphere */
+  BaseFace = 1, /**< of cylinder and cone */
+  TopFace = 2,  /**< of a cylinder */
+  BowlOutside = 0,
+  BowlInside = 1,
+  BowlRim = 2
+};
+
+/** \brief A primitive in its place. See SceneObject for the meaning of size and pose.
+ */
+struct Solid {
+  Shape shape = Shape::Box;
+  std::array<double, 3> size{};
+  Pose pose;
+};
+
+struct Sphere {
+  Vec3 centre;
+  double radius = 0.0;
+};
+
+/** \brief A sphere around the whole solid. */
+Sphere boundingSphere(const Solid& solid);
+
+/** \brief Where a bowl's rim is: radii of the inner and the outer circle at its height.
+ */
+struct BowlOpening {
+  double inner = 0.0, outer = 0.0;
+};
+
+BowlOpening bowlOpening(const Solid& bowl);
+
+struct Ray {
+  Vec3 origin, direction;
+};
+
+/** \brief The first point where a ray enters a solid. */
+struct Hit {
+  double t =
+      std::numeric_limits<double>::infinity(); /**< in lengths of the direction */
+  int face = 0;
+  Vec3 normal; /**< unit, outwards */
+
+  bool
+  found() const
+  {
+    return t < std::numeric_limits<double>::infinity();
+  }
+};
+
+/** \brief Exact intersection; the ray must start outside. */
+Hit intersect(const Solid& solid, const Ray& ray);
+
+struct FaceAt {
+  int face = 0;
+  Vec3 normal; /**< unit, outwards */
+};
+
+/** \brief The faces that a point lies on, within a tolerance in metres. */
+std::vector<FaceAt> facesAt(const Solid& solid, const Vec3& point, double tolerance);
+
+/** \brief True on the round faces, false on the flat ones. */
+bool isCurved(Shape shape, int face);
+
+} // namespace pcl::scene

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#include "scene/street_ground.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pcl::scene {
+namespace {
+
+constexpr double pavement_fall = 0.02; // towards the road, per metre
+constexpr double search_step = 1.0;    // metres; far below the length of a wave
+
+/** \brief The root of a falling function between two distances. */
+template <typename Function>
+double
+bisect(double low, double high, const Function& above)
+{
+  for (int i = 0; i < 45; ++i) {
+    const double middle = 0.5 * (low + high);
+    (above(middle) > 0.0 ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+} // namespace
+
+StreetGround::StreetGround(const StreetProfile& profile) : profile_(profile)
+{
+  const StreetPoint vehicle{0.0, profile.lane};
+  base_ = -profile.height - height(vehicle, zone(vehicle));
+}
+
+StreetPoint
+StreetGround::toStreet(double x, double y) const
+{
+  const auto [c, s] = profile_.heading;
+  return {c * x - s * y, profile_.lane + s * x + c * y};
+}
+
+Vec3
+StreetGround::toSensor(const StreetPoint& p, double z) const
+{
+  const auto [c, s] = profile_.heading;
+  const double t = p.t - profile_.lane;
+  return {c * p.s + s * t, c * t - s * p.s, z};
+}
+
+GroundZone
+StreetGround::zone(const StreetPoint& p) const
+{
+  if (std::abs(p.t) <= profile_.half_width)
+    return GroundZone::Road;
+  return p.t > 0.0 ? GroundZone::LeftWalk : GroundZone::RightWalk;
+}
+
+double
+StreetGround::height(const StreetPoint& p, GroundZone zone) const
+{
+  const StreetProfile& f = profile_;
+  const double turns = p.s / f.wave_length + f.wave_phase;
+  const double along =
+      f.grade * p.s + 0.5 * f.curvature * p.s * p.s + f.wave * fromTurns(turns).sine;
+  const double w = f.half_width;
+  const double across =
+      zone == GroundZone::Road
+          ? -f.crown * p.t * p.t / w
+          : f.kerb - f.crown * w + pavement_fall * (std::abs(p.t) - w);
+  return base_ + along + f.tilt * p.t + across;
+}
+
+Vec3
+StreetGround::normal(const StreetPoint& p, GroundZone zone) const
+{
+  constexpr double h = 0.01;
+  const double ds =
+      (height({p.s + h, p.t}, zone) - height({p.s - h, p.t}, zone)) / (2.0 * h);
+  const double dt =
+      (height({p.s, p.t + h}, zone) - height({p.s, p.t - h}, zone)) / (2.0 * h);
+  const auto [c, s] = profile_.heading;
+  return normalized({-(c * ds + s * dt), -(c * dt - s * ds), 1.0});
+}
+
+Pose
+StreetGround::standing(const StreetPoint& p) const
+{
+  const auto [c, s] = profile_.heading;
+  Pose pose;
+  pose.axes[2] = normal(p, zone(p));
+  pose.axes[1] = normalized(cross(pose.axes[2], Vec3{c, -s, 0.0}));
+  pose.axes[0] = cross(pose.axes[1], pose.axes[2]);
+  pose.origin = toSensor(p, height(p));
+  return pose;
+}
+
+std::optional<GroundHit>
+StreetGround::cast(const Vec3& direction, double reach) const
+{
+  const auto at = [&](double distance) {
+    return toStreet(direction.x * distance, direction.y * distance);
+  };
+  const double drift = at(1.0).t - profile_.lane;
+  std::array<double, 4> ends{0.0, reach, reach, reach};
+  for (const double side : {-1.0, 1.0}) {
+    const double crossing = (side * profile_.half_width - profile_.lane) / drift;
+    if (crossing > 0.0 && crossing < reach)
+      ends[side < 0.0 ? 1 : 2] = crossing;
+  }
+  std::sort(ends.begin(), ends.end());
+  for (std::size_t i = 0; i + 1 < ends.size() && ends[i] < reach; ++i) {
+    const GroundZone zone = this->zone(at(0.5 * (ends[i] + ends[i + 1])));
+    const auto above = [&](double distance) {
+      return direction.z * distance - height(at(distance), zone);
+    };
+    if (above(ends[i]) < 0.0)
+      return GroundHit{
+          ends[i],
+          true,
+          toSensor({0.0, profile_.lane + (drift > 0.0 ? -1.0 : 1.0)}, 0.0)};
+    for (double low = ends[i]; low < ends[i + 1]; low += search_step) {
+      const double high = std::min(low + search_step, ends[i + 1]);
+      if (above(high) < 0.0) {
+        const double distance = bisect(low, high, above);
+        return GroundHit{distance, false, normal(at(distance), zone)};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+} // namespace pcl::scene

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#pragma once
+
+#include "scene/random.h"
+#include "scene/solid.h"
+
+#include <optional>
+
+namespace pcl::scene {
+
+/** \brief The kinds of ground that a kerb separates. */
+enum class GroundZone { Road, LeftWalk, RightWalk };
+
+/** \brief The shape of a street. Lengths in metres; s runs along it, t to its left, and
+ * the vehicle is at s = 0. */
+struct StreetProfile {
+  UnitVector heading;        /**< of the vehicle in the street */
+  double lane = 0.0;         /**< t of the vehicle */
+  double height = 1.73;      /**< of the sensor above the road */
+  double half_width = 4.0;   /**< of the road */
+  double kerb = 0.12;        /**< its height */
+  double grade = 0.0;        /**< rise per metre along s, in the sensor's frame */
+  double tilt = 0.0;         /**< likewise along t */
+  double curvature = 0.0;    /**< of the road's profile, 1 / m */
+  double crown = 0.02;       /**< fall from the middle to the kerb, per metre */
+  double wave = 0.0;         /**< amplitude of its undulation */
+  double wave_length = 30.0; /**< of the undulation */
+  double wave_phase = 0.0;   /**< in turns */
+};
+
+struct StreetPoint {
+  double s = 0.0, t = 0.0;
+};
+
+/** \brief Where a ray meets the ground. */
+struct GroundHit {
+  double distance = 0.0; /**< in lengths of the direction */
+  bool kerb_face = false;
+  Vec3 normal; /**< unit */
+};
+
+/** \brief Road and, behind a kerb on either side, pavement and yards, as a height above
+ * the plane z = 0 of the sensor's frame: x forward, y left, z up, the sensor at 0. */
+class StreetGround {
+public:
+  explicit StreetGround(const StreetProfile& profile);
+
+  const StreetProfile&
+  profile() const
+  {
+    return profile_;
+  }
+
+  StreetPoint toStreet(double x, double y) const;
+
+  Vec3 toSensor(const StreetPoint& p, double z) const;
+
+  GroundZone zone(const StreetPoint& p) const;
+
+  double height(const StreetPoint& p, GroundZone zone) const;
+
+  double
+  height(const StreetPoint& p) const
+  {
+    return height(p, zone(p));
+  }
+
+  /** \brief The frame of something that stands here: x along the street, z off the
+   * ground. */
+  Pose standing(const StreetPoint& p) const;
+
+  /** \brief The first place where a ray from the sensor meets it.
+   * \param[in] direction unit \param[in] reach metres */
+  std::optional<GroundHit> cast(const Vec3& direction, double reach) const;
+
+private:
+  Vec3 normal(const StreetPoint& p, GroundZone zone) const;
+
+  StreetProfile profile_;
+  double base_ = 0.0;
+};
+
+} // namespace pcl::scene

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#include "scene/surface_samples.h"
+
+#include "scene/creases.h"
+#include "scene/labels.h"
+#include "scene/random.h"
+#include "scene/random_world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace pcl::scene {
+namespace {
+
+constexpr std::uint64_t sampling_stream = 3;
+constexpr double edge_spacings = 2.0;
+constexpr double crease_spacings = 4.0;
+constexpr double contact = 1e-7; // metres between surfaces that touch
+
+void
+check(const char* name, double value, double least, double most)
+{
+  if (!(value >= least && value <= most))
+    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+                                ": allowed is " + std::to_string(least) + " to " +
+                                std::to_string(most));
+}
+
+void
+validate(const SampleOptions& options)
+{
+  check("objects", options.objects, 0.0, 30.0);
+  check("spacing", options.spacing, 0.0005, 0.02);
+  check("sigma", options.sigma, 0.0, 0.1);
+}
+
+/** The part of the table that objects stand on: the rest is a plane and nothing else.
+ */
+World
+cropped(World world)
+{
+  world.table.half_length *= 0.5;
+  world.table.half_width *= 0.6;
+  return world;
+}
+
+Vec3
+randomDirection(Random& random)
+{
+  const double z = random.uniform(-1.0, 1.0);
+  const UnitVector turn = fromTurns(random.uniform());
+  const double radius = std::sqrt(1.0 - z * z);
+  return {radius * turn.cosine, radius * turn.sine, z};
+}
+
+class Sampler {
+public:
+  Sampler(const World& world, const SampleOptions& options)
+  : world_(world)
+  , options_(options)
+  , random_(options.seed, sampling_stream)
+  , creases_(world, Observer{})
+  {
+    for (const Solid& solid : world.solids) {
+      bounds_.push_back(boundingSphere(solid));
+      thin_places_.push_back(thinPlaces(solid));
+    }
+  }
+
+  /** Random lines of the same density everywhere and in every direction meet each piece
+   * of surface equally often, a quarter of their number per area from each side
+   * (Cauchy and Crofton). */
+  Scene
+  run()
+  {
+    constexpr double pi = 3.14159265358979323846;
+    constexpr double reach = 0.6; // metres around the table's centre: all of the scene
+    const double disc = pi * reach * reach;
+    const auto lines =
+        static_cast<std::uint64_t>(4.0 * disc / (options_.spacing * options_.spacing));
+    for (std::uint64_t i = 0; i < lines; ++i)
+      shoot(randomLine(reach));
+    scene_.width = static_cast<unsigned>(scene_.surface.size());
+    scene_.height = 1;
+    return std::move(scene_);
+  }
+
+private:
+  Ray
+  randomLine(double reach)
+  {
+    const Vec3 direction = randomDirection(random_);
+    const Vec3 axis =
+        std::abs(direction.x) < 0.5 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
+    const Vec3 right = normalized(cross(direction, axis));
+    const Vec3 up = cross(direction, right);
+    const double radius = reach * std::sqrt(random_.uniform());
+    const UnitVector turn = fromTurns(random_.uniform());
+    const Vec3 middle = world_.table.centre + right * (radius * turn.cosine) +
+                        up * (radius * turn.sine);
+    return {middle - direction * (3.0 * reach), direction};
+  }
+
+  void
+  shoot(const Ray& line)
+  {
+    Sight sight;
+    if (line.direction.z < 0.0) {
+      sight.object = table_index;
+      sight.normal = {0.0, 0.0, 1.0};
+      sight.point = line.origin - line.direction * (line.origin.z / line.direction.z);
+      sight.point.z = 0.0;
+      if (world_.table.contains(sight.point))
+        store(sight);
+    }
+    for (std::size_t i = 0; i < world_.solids.size(); ++i) {
+      const Hit hit = intersect(world_.solids[i], line);
+      if (!hit.found())
+        continue;
+      sight.object = static_cast<int>(i) + 1;
+      sight.face = hit.face;
+      sight.normal = hit.normal;
+      sight.point = line.origin + line.direction * hit.t;
+      if (sight.point.z > contact)
+        store(sight);
+    }
+  }
+
+  bool
+  touchesAnother(const Sight& sight) const
+  {
+    for (std::size_t i = 0; i < world_.solids.size(); ++i) {
+      if (static_cast<int>(i) + 1 == sight.object)
+        continue;
+      const double reach = bounds_[i].radius + contact;
+      if (squaredNorm(sight.point - bounds_[i].centre) < reach * reach &&
+          !facesAt(world_.solids[i], sight.point, contact).empty())
+        return true;
+    }
+    return false;
+  }
+
+  bool
+  isNearThinPlace(const Sight& sight) const
+  {
+    if (sight.object <= table_index)
+      return false;
+    const auto& places = thin_places_[static_cast<std::size_t>(sight.object - 1)];
+    return std::any_of(places.begin(), places.end(), [&](const Curve& place) {
+      return place.distance(sight.point) < crease_spacings * options_.spacing;
+    });
+  }
+
+  void
+  store(const Sight& sight)
+  {
+    if (touchesAnother(sight))
+      return;
+    const double distance = creases_.distance(sight.point, crease_cap);
+    const bool is_thin = isNearThinPlace(sight);
+    for (const double value : {sight.point.x, sight.point.y, sight.point.z})
+      scene_.xyz.push_back(
+          static_cast<float>(value + options_.sigma * random_.normal()));
+    for (const double value : {sight.normal.x, sight.normal.y, sight.normal.z})
+      scene_.normals.push_back(static_cast<float>(value));
+    scene_.instance.push_back(static_cast<std::uint32_t>(sight.object));
+    scene_.face.push_back(static_cast<std::uint32_t>(sight.face));
+    scene_.crease_mm.push_back(static_cast<float>(1000.0 * distance));
+    scene_.edge.push_back(distance < edge_spacings * options_.spacing ? EdgeCrease
+                          : is_thin                                   ? EdgeVoid
+                                                                      : EdgeNot);
+    scene_.surface.push_back(distance < crease_spacings * options_.spacing
+                                 ? SurfaceCrease
+                             : is_thin                 ? SurfaceVoid
+                             : isCurved(world_, sight) ? SurfaceCurved
+                                                       : SurfacePlanar);
+  }
+
+  const World& world_;
+  const SampleOptions& options_;
+  Random random_;
+  Creases creases_;
+  std::vector<Sphere> bounds_;
+  std::vector<std::vector<Curve>> thin_places_;
+  Scene scene_;
+};
+
+} // namespace
+
+Scene
+sampleScene(const SampleOptions& options)
+{
+  validate(options);
+  SceneOptions scene;
+  scene.seed = options.seed;
+  scene.objects = options.objects;
+  scene.shapes = options.shapes;
+  const World world = cropped(randomWorld(scene).world);
+  return Sampler(world, options).run();
+}
+
+} // namespace pcl::scene

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#include "scene/world.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::scene {
+
+bool
+Table::contains(const Vec3& p) const
+{
+  const Vec3 from_centre = p - centre;
+  return std::abs(dot(from_centre, along)) <= half_length &&
+         std::abs(dot(from_centre, across)) <= half_width;
+}
+
+RayCaster::RayCaster(const World& world) : world_(world)
+{
+  bounds_.reserve(world.solids.size());
+  for (const auto& solid : world.solids)
+    bounds_.push_back(boundingSphere(solid));
+}
+
+bool
+RayCaster::mayHit(std::size_t solid, const Ray& ray) const
+{
+  const Vec3 to_centre = bounds_[solid].centre - ray.origin;
+  const double along = dot(to_centre, ray.direction);
+  const double radius = 1.001 * bounds_[solid].radius;
+  return squaredNorm(to_centre) - along * along / squaredNorm(ray.direction) <=
+         radius * radius;
+}
+
+Sight
+RayCaster::cast(const Ray& ray) const
+{
+  Sight sight;
+  double nearest = std::numeric_limits<double>::infinity();
+  if (ray.direction.z < 0.0) {
+    const double t = -ray.origin.z / ray.direction.z;
+    if (world_.table.contains(ray.origin + ray.direction * t)) {
+      nearest = t;
+      sight.object = table_index;
+      sight.normal = {0.0, 0.0, 1.0};
+    }
+  }
+  for (std::size_t i = 0; i < world_.solids.size(); ++i) {
+    if (!mayHit(i, ray))
+      continue;
+    const Hit hit = intersect(world_.solids[i], ray);
+    if (hit.t < nearest) {
+      nearest = hit.t;
+      sight.object = static_cast<int>(i) + 1;
+      sight.face = hit.face;
+      sight.normal = hit.normal;
+    }
+  }
+  if (sight.object != nothing) {
+    sight.depth = nearest;
+    sight.point = ray.origin + ray.direction * nearest;
+  }
+  return sight;
+}
+
+bool
+RayCaster::hidden(const Vec3& from, const Vec3& point, const Vec3& normal) const
+{
+  const Ray ray{from, point - from};
+  if (dot(ray.direction, normal) >= 0.0)
+    return true;
+  constexpr double before_the_point = 1.0 - 1e-5;
+  for (std::size_t i = 0; i < world_.solids.size(); ++i)
+    if (mayHit(i, ray) && intersect(world_.solids[i], ray).t < before_the_point)
+      return true;
+  return false;
+}
+
+bool
+RayCaster::seen(const Observer& observer, const Vec3& point, const Vec3& normal) const
+{
+  return std::all_of(observer.eyes.begin(), observer.eyes.end(), [&](const Vec3& eye) {
+    const Vec3 to_eye = eye - point;
+    return dot(to_eye, normal) > observer.least_cosine * norm(to_eye) &&
+           !hidden(eye, point, normal);
+  });
+}
+
+View
+look(const World& world)
+{
+  const Camera& camera = world.camera;
+  const RayCaster caster(world);
+  View view{camera.width, camera.height, {}};
+  view.sights.reserve(std::size_t{camera.width} * camera.height);
+  for (unsigned v = 0; v < camera.height; ++v)
+    for (unsigned u = 0; u < camera.width; ++u)
+      view.sights.push_back(caster.cast(
+          {camera.pose.origin, camera.pose.directionToWorld(camera.direction(u, v))}));
+  return view;
+}
+
+bool
+isCurved(const World& world, const Sight& sight)
+{
+  return sight.object > table_index &&
+         isCurved(world.solids[static_cast<std::size_t>(sight.object - 1)].shape,
+                  sight.face);
+}
+
+} // namespace pcl::scene

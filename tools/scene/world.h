@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PURPOSE
+
+#pragma once
+
+#include "scene/solid.h"
+
+#include <cstdint>
+
+namespace pcl::scene {
+
+/** \brief The visible part of the plane z = 0, facing +z: a rectangle without edges of
+ * its own, as a table whose surroundings were cut away. */
+struct Table {
+  Vec3 centre;
+  Vec3 along{1, 0, 0};  /**< unit, in the plane */
+  Vec3 across{0, 1, 0}; /**< unit, in the plane */
+  double half_length = 0.0, half_width = 0.0;
+
+  bool contains(const Vec3& p) const;
+};
+
+/** \brief Camera frame: x right, y down, z forward. */
+struct Camera {
+  unsigned width = 0, height = 0;
+  double focal = 0.0; /**< pixels */
+  Pose pose;
+
+  /** \brief Camera-frame direction through a pixel's centre, with z = 1. */
+  Vec3
+  direction(unsigned u, unsigned v) const
+  {
+    return {(u - 0.5 * (width - 1.0)) / focal, (v - 0.5 * (height - 1.0)) / focal, 1.0};
+  }
+};
+
+/** \brief Table, objects and camera in a frame with z up and the table at z = 0. */
+struct World {
+  Table table;
+  std::vector<Solid> solids;
+  Camera camera;
+};
+
+constexpr int nothing = -1;
+constexpr int table_index = 0; /**< solids are 1 and up */
+
+/** \brief What is seen in a pixel. Points and normals in the world's frame. */
+struct Sight {
+  int object = nothing; /**< nothing, table_index, or 1 + index of a solid */
+  int face = 0;
+  double depth = 0.0; /**< z in the camera's frame */
+  Vec3 point;
+  Vec3 normal; /**< unit, outwards */
+};
+
+/** \brief One Sight a pixel, row by row. */
+struct View {
+  unsigned width = 0, height = 0;
+  std::vector<Sight> sights;
+};
+
+/** \brief What has to see a point for it to be measured. */
+struct Observer {
+  std::vector<Vec3> eyes;    /**< positions outside all solids */
+  double least_cosine = 0.0; /**< of the angle of incidence */
+};
+
+/** \brief Casts rays at everything in a world. */
+class RayCaster {
+public:
+  explicit RayCaster(const World& world);
+
+  /** \brief The first thing that a ray meets; depth is in lengths of the direction. */
+  Sight cast(const Ray& ray) const;
+
+  /** \brief True if a solid is between a position outside all solids and a point on a
+   * surface, or if that surface faces away there. */
+  bool hidden(const Vec3& from, const Vec3& point, const Vec3& normal) const;
+
+  /** \brief True if every eye of an observer sees a point on a surface. */
+  bool seen(const Observer& observer, const Vec3& point, const Vec3& normal) const;
+
+private:
+  bool mayHit(std::size_t solid, const Ray& ray) const;
+
+  const World& world_;
+  std::vector<Sphere> bounds_;
+};
+
+/** \brief What the world's camera sees. */
+View look(const World& world);
+
+/** \brief True where a face of an object of the world is round. */
+bool isCurved(const World& world, const Sight& sight);
+
+} // namespace pcl::scene
