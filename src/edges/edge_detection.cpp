@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Finds the creases of a cloud: candidates by INAD, votes for where two planes meet.
 
+#include "edges/edge_detection.h"
 #include "common/parallel.h"
 #include "common/statistics.h"
 #include "edges/crease_votes.h"
-#include "features/adaptive_inad.h"
 #include "features/class_evidence.h"
 #include "geometry/point_grid.h"
 
-#include <pcl/segmentation/adaptive_detection.h>
-
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -29,10 +26,11 @@ constexpr float band_spacings = 1.02f, band_per_noise = 4.0f;
 
 /** Sets normals, and gives the evidence at each point. */
 std::vector<float>
-evidenceOf(const AdaptiveInput& input, const ShapeModel& model, AdaptiveEdges& edges)
+evidenceOf(const FieldInput& input, const ShapeModel& model, ShapeField& field)
 {
-  const AdaptiveINAD inad = adaptiveINAD(input, edges, model.parameters());
-  edges.normals = inad.normals;
+  AdaptiveINAD inad = adaptiveINAD(
+      input, field.spacings, withNoise(model.parameters(), field.noise));
+  field.normals = std::move(inad.normals);
   const ShapeEvidence densities(model);
   std::vector<float> evidence(input.points.size);
   kernels::parallelForRanges(
@@ -50,9 +48,9 @@ evidenceOf(const AdaptiveInput& input, const ShapeModel& model, AdaptiveEdges& e
 void
 markBands(const std::vector<Agreement>& agreements,
           const PointGrid& grid,
-          AdaptiveEdges& edges)
+          ShapeField& field)
 {
-  const auto noise = static_cast<float>(edges.noise);
+  const auto noise = static_cast<float>(field.noise);
   const float band = band_spacings + band_per_noise * noise;
   const float needed = needed_evidence * (1.0f + needed_per_noise * noise);
   for (const Agreement& agreement : agreements) {
@@ -60,37 +58,31 @@ markBands(const std::vector<Agreement>& agreements,
     const float likelihood = agreement.evidence / (agreement.evidence + needed);
     grid.forEachWithin(
         center, band * agreement.point.spacing, [&](std::uint32_t i, float) {
-          if (!(edges.likelihood[i] >= likelihood))
-            edges.likelihood[i] = likelihood;
+          if (!(field.edge_likelihood[i] >= likelihood))
+            field.edge_likelihood[i] = likelihood;
         });
     if (agreement.evidence >= needed)
-      edges.creases.push_back(agreement.point);
+      field.creases.push_back(agreement.point);
   }
 }
 
 } // namespace
 
-AdaptiveEdges
-findEdges(const AdaptiveInput& input, const ShapeModel& model)
+void
+findEdges(const FieldInput& input, const ShapeModel& model, ShapeField& field)
 {
-  AdaptiveEdges edges;
-  edges.spacings.resize(input.points.size);
-  constexpr std::size_t nearest = 13; // see AdaptiveRadius
-  input.neighborhoods.computeDistanceToNearest(std::min(nearest, input.finite),
-                                               edges.spacings.data());
-  edges.spacings = spacingsOf(std::move(edges.spacings));
-  edges.noise = noiseOf(input.neighborhoods, input.points, edges.spacings);
-  const std::vector<float> evidence = evidenceOf(input, model, edges);
-  edges.likelihood.reserve(evidence.size());
+  field.spacings = localSpacings(input.neighborhoods, input.points.size);
+  field.noise = noiseOf(input.neighborhoods, field.spacings);
+  const std::vector<float> evidence = evidenceOf(input, model, field);
+  field.edge_likelihood.reserve(evidence.size());
   for (const float e : evidence)
-    edges.likelihood.push_back(std::isnan(e) ? std::numeric_limits<float>::quiet_NaN()
-                                             : 0.0f);
+    field.edge_likelihood.push_back(
+        std::isnan(e) ? std::numeric_limits<float>::quiet_NaN() : 0.0f);
 
-  const float spacing = median(edges.spacings);
+  const float spacing = median(field.spacings);
   const PointGrid grid(input.points, 2.0f * spacing);
-  const std::vector<Vote> votes = collectVotes(input, edges, evidence, grid);
-  markBands(countVotes(votes, spacing, input.threads), grid, edges);
-  return edges;
+  const std::vector<Vote> votes = collectVotes(input, field, evidence, grid);
+  markBands(countVotes(votes, spacing, input.threads), grid, field);
 }
 
 } // namespace pcl::detail

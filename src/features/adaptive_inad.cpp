@@ -1,50 +1,70 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Normals and INAD at radii that follow the density and the noise of a cloud.
 
 #include "features/adaptive_inad.h"
 
-namespace pcl::segmentation {
+#include <pcl/features/impl/neighborhoods.hpp>
+
+namespace pcl::detail {
 namespace {
 
 /** Towards the origin, where most sensors are: angles between normals on one side take
  * half the time, and what they are is the same. */
 void
-orient(const XYZView& points, std::vector<float>& normals)
+orient(const XYZView& points, std::vector<Eigen::Vector3f>& normals)
 {
   for (std::size_t i = 0; i < points.size; ++i) {
-    float* n = &normals[3 * i];
+    Eigen::Vector3f& n = normals[i];
     const float* p = points[i];
-    const bool is_away = n[0] * p[0] + n[1] * p[1] + n[2] * p[2] > 0.0f;
-    for (int axis = 0; is_away && axis < 3; ++axis)
-      n[axis] = -n[axis];
+    if (n[0] * p[0] + n[1] * p[1] + n[2] * p[2] > 0.0f)
+      n = -n;
   }
+}
+
+std::vector<Eigen::Vector3f>
+unitNormals(const XYZView& given)
+{
+  std::vector<Eigen::Vector3f> normals;
+  normals.reserve(given.size);
+  for (std::size_t i = 0; i < given.size; ++i) {
+    const Eigen::Vector3f normal(given[i]);
+    normals.emplace_back(normal / normal.norm());
+  }
+  return normals;
 }
 
 } // namespace
 
 AdaptiveINAD
-adaptiveINAD(const detail::AdaptiveInput& input,
-             const detail::AdaptiveEdges& edges,
+adaptiveINAD(const FieldInput& input,
+             const std::vector<float>& spacings,
              const INADParameters& parameters)
 {
   const std::size_t size = input.points.size;
-  const INADParameters p = detail::withNoise(parameters, edges.noise);
-  std::vector<float> radii(size), curvature(3 * size);
-  const auto ofSpacings = [&](double spacings) {
+  std::vector<float> radii(size);
+  const auto ofSpacings = [&](double count) {
     for (std::size_t i = 0; i < size; ++i)
-      radii[i] = static_cast<float>(spacings) * edges.spacings[i];
+      radii[i] = static_cast<float>(count) * spacings[i];
     return NeighborhoodSize::ofRadii(radii.data());
   };
-  AdaptiveINAD result{std::vector<float>(3 * size), std::vector<float>(2 * size)};
-  input.neighborhoods.computeNormals(
-      ofSpacings(p.normal_radius), result.normals.data(), curvature.data(), 3);
+  AdaptiveINAD result{{}, std::vector<float>(2 * size)};
+  if (input.normals.size > 0)
+    result.normals = unitNormals(input.normals);
+  else {
+    result.normals.resize(size);
+    std::vector<float> curvature(3 * size);
+    input.neighborhoods.computeNormals(ofSpacings(parameters.normal_radius),
+                                       result.normals.data()->data(),
+                                       curvature.data(),
+                                       3);
+  }
   orient(input.points, result.normals);
-  input.neighborhoods.computeINAD(ofSpacings(p.radius),
-                                  {result.normals.data(), 3, size},
-                                  p.outlier_rate,
+  input.neighborhoods.computeINAD(ofSpacings(parameters.radius),
+                                  {result.normals.data()->data(), 3, size},
+                                  parameters.outlier_rate,
                                   result.mu_sigma.data());
   return result;
 }
 
-} // namespace pcl::segmentation
+} // namespace pcl::detail

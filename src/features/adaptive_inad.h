@@ -1,25 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Normals and INAD at radii that follow the density and the noise of a cloud.
 
 #pragma once
 
-#include <pcl/segmentation/adaptive_detection.h>
+#include "features/local_spacing.h"
+
+#include <Eigen/Core>
 
 #include <vector>
 
-namespace pcl::segmentation {
+namespace pcl::detail {
 
-/** \brief Normals and INAD at radii that follow a cloud; NaN unknown. */
-struct AdaptiveINAD {
-  std::vector<float> normals;  ///< three for each point
-  std::vector<float> mu_sigma; ///< two for each point, radians
+/** \brief A cloud, how its neighborhoods are found, and normals if they are given. */
+struct FieldInput {
+  const Neighborhoods& neighborhoods; ///< of all points of the cloud
+  XYZView points;
+  XYZView normals; ///< of size 0 to estimate them
+  unsigned threads = 0;
 };
 
-/** \param[in] edges with spacings and noise
+/** \brief Normals and INAD; NaN unknown. */
+struct AdaptiveINAD {
+  std::vector<Eigen::Vector3f> normals; ///< unit, towards the origin
+  std::vector<float> mu_sigma;          ///< two for each point, radians
+};
+
+/** \param[in] spacings one for each point, meters
  * \param[in] parameters radii in spacings */
-AdaptiveINAD adaptiveINAD(const detail::AdaptiveInput& input,
-                          const detail::AdaptiveEdges& edges,
+AdaptiveINAD adaptiveINAD(const FieldInput& input,
+                          const std::vector<float>& spacings,
                           const INADParameters& parameters);
 
-} // namespace pcl::segmentation
+} // namespace pcl::detail

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The statistics of the sweep over neighbors that a search method lists.
+
+#include "features/listed_neighborhoods.h"
 
 #include "common/finite.h"
 #include "common/parallel.h"
 #include "sweep/inad_input.h"
 #include "sweep/portable/neighborhood.h"
-
-#include <pcl/features/listed_neighborhoods.h>
 
 #include <algorithm>
 #include <cmath>

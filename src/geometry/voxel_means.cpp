@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Voxel means that do not depend on the order of the points, and which mean stands for a point.
 
+#include "geometry/voxel_means.h"
 #include "common/finite.h"
 #include "common/number_text.h"
 #include "common/parallel.h"
 #include "common/statistics.h"
 #include "geometry/point_grid.h"
-
-#include <pcl/segmentation/adaptive_detection.h>
 
 #include <algorithm>
 #include <array>
@@ -89,7 +88,7 @@ problemOfResolution(double resolution, const XYZView& points)
 }
 
 std::vector<float>
-thinned(const XYZView& points, double size)
+voxelMeans(const XYZView& points, double size)
 {
   // Offsets within a cell are added up as integers: whatever the order of the points.
   constexpr double steps = 1 << 24;

@@ -1,10 +1,223 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Instances of a field: what they are made of, and what each is like.
 
+#include "common/number_text.h"
 #include "common/point_types.h"
+#include "geometry/voxel_means.h"
+#include "instances/instance_detection.h"
 
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/segmentation/impl/shape_instance_segmentation.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace pcl::detail {
+namespace {
+
+const char* const object = "object";
+const char* const planar = "planar";
+
+std::size_t
+positionOf(const std::string& name, const std::vector<std::string>& names)
+{
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) -
+                                  names.begin());
+}
+
+/** The points that instances are made of, three coordinates each: those of the indices,
+ * or their voxel means. */
+std::vector<float>
+positionsOf(const InstanceRequest& request)
+{
+  std::vector<float> positions;
+  positions.reserve(3 * request.indices.size());
+  for (const index_t index : request.indices) {
+    const float* p = request.field.points[static_cast<std::size_t>(index)];
+    positions.insert(positions.end(), p, p + 3);
+  }
+  const double resolution = request.field.resolution;
+  return resolution > 0.0
+             ? voxelMeans({positions.data(), 3, request.indices.size()}, resolution)
+             : positions;
+}
+
+float
+voxelDiagonal(const ShapeField& field)
+{
+  return static_cast<float>(std::sqrt(3.0) * field.resolution);
+}
+
+/** For each position the point of the field, or of its base, that it has the values of;
+ * -1 for none. */
+std::vector<std::int32_t>
+pointsAt(const InstanceRequest& request, const XYZView& positions)
+{
+  const ShapeField& field = request.field;
+  if (field.resolution == 0.0)
+    return {request.indices.begin(), request.indices.end()};
+  std::vector<float> reach = field.base->spacings;
+  for (float& r : reach)
+    r = std::max(r, voxelDiagonal(field));
+  return representatives(positions, field.base->points, reach, request.threads);
+}
+
+struct InstanceValues {
+  InstanceInput input;
+  std::vector<std::vector<float>> likelihoods; ///< of every class
+};
+
+InstanceValues
+valuesAt(const InstanceRequest& request, const std::vector<float>& positions)
+{
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const ShapeField& field =
+      request.field.resolution > 0.0 ? *request.field.base : request.field;
+  InstanceValues values;
+  InstanceInput& input = values.input;
+  input.points = {positions.data(), 3, positions.size() / 3};
+  values.likelihoods.resize(field.classes.size());
+  const std::vector<std::int32_t> points = pointsAt(request, input.points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool is_known = points[i] >= 0;
+    const auto point = static_cast<std::size_t>(is_known ? points[i] : 0);
+    const Eigen::Map<const Eigen::Vector3f> position(&positions[3 * i]);
+    Eigen::Vector3f normal =
+        is_known ? field.normals[point] : Eigen::Vector3f::Constant(nan);
+    if (normal.dot(request.view_point - position) < 0.0f)
+      normal = -normal;
+    input.normals.insert(input.normals.end(), normal.data(), normal.data() + 3);
+    input.spacings.push_back(is_known ? field.spacings[point] : nan);
+    input.edge.push_back(is_known ? field.edge_likelihood[point] : nan);
+    for (std::size_t c = 0; c < values.likelihoods.size(); ++c)
+      values.likelihoods[c].push_back(is_known ? field.likelihoods[c][point] : nan);
+  }
+  const std::string& name = request.name == object ? planar : request.name;
+  input.likelihood = values.likelihoods[positionOf(name, field.classes)];
+  input.noise = field.noise;
+  input.threads = request.threads;
+  return values;
+}
+
+/** The share of each class among the points of an instance; those on edges count only
+ * if there are no others. */
+std::vector<float>
+sharesOf(const std::vector<std::uint32_t>& members, const InstanceValues& values)
+{
+  const std::size_t classes = values.likelihoods.size();
+  std::vector<std::size_t> inner(classes), all(classes);
+  for (const std::uint32_t i : members) {
+    std::size_t likeliest = 0;
+    for (std::size_t c = 1; c < classes; ++c)
+      if (values.likelihoods[c][i] > values.likelihoods[likeliest][i])
+        likeliest = c;
+    ++all[likeliest];
+    inner[likeliest] += values.input.edge[i] > 0.5f ? 0 : 1;
+  }
+  const bool has_inner =
+      std::count(inner.begin(), inner.end(), 0U) < static_cast<std::ptrdiff_t>(classes);
+  const std::vector<std::size_t>& counts = has_inner ? inner : all;
+  const auto total = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+  std::vector<float> shares;
+  for (const std::size_t count : counts)
+    shares.push_back(static_cast<float>(count) / static_cast<float>(total));
+  return shares;
+}
+
+/** The label of each index: its own, or that of the nearest mean. */
+InstanceLabels
+labelsOfIndices(const InstanceRequest& request,
+                const XYZView& positions,
+                const InstanceLabels& labels)
+{
+  if (request.field.resolution == 0.0)
+    return labels;
+  const std::vector<float> reach(positions.size, voxelDiagonal(request.field));
+  const std::vector<std::int32_t> nearest =
+      representatives(request.field.points, positions, reach, request.threads);
+  InstanceLabels result;
+  result.reserve(request.indices.size());
+  for (const index_t index : request.indices) {
+    const std::int32_t mean = nearest[static_cast<std::size_t>(index)];
+    result.push_back(mean < 0 ? -1 : labels[static_cast<std::size_t>(mean)]);
+  }
+  return result;
+}
+
+void
+setPoints(const InstanceRequest& request,
+          const InstanceLabels& labels,
+          std::vector<ShapeInstance>& instances)
+{
+  std::vector<Eigen::Vector3d> sums(instances.size(), Eigen::Vector3d::Zero());
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] < 0)
+      continue;
+    const auto label = static_cast<std::size_t>(labels[i]);
+    const index_t index = request.indices[i];
+    instances[label].indices.push_back(index);
+    const float* p = request.field.points[static_cast<std::size_t>(index)];
+    sums[label] += Eigen::Vector3f(p).cast<double>();
+  }
+  for (std::size_t k = 0; k < instances.size(); ++k) {
+    const auto points = static_cast<double>(instances[k].indices.size());
+    instances[k].centroid = (sums[k] / points).cast<float>();
+    std::sort(instances[k].indices.begin(), instances[k].indices.end());
+  }
+}
+
+} // namespace
+
+std::string
+problemOfInstances(const std::vector<std::string>& classes,
+                   const std::string& name,
+                   const InstanceLimits& limits)
+{
+  if (classes.empty())
+    return "the field has no classes: it was made for edges only";
+  if (positionOf(name == object ? planar : name, classes) == classes.size()) {
+    std::string problem = "class '" + name + "': it must be one of ";
+    for (const std::string& known : classes)
+      problem += known + ", ";
+    return problem + "or object if one of them is planar";
+  }
+  if (!(limits.low >= 0.0 && limits.low <= limits.high && limits.high <= 1.0))
+    return "thresholds are " + numberText(limits.high) + " and " +
+           numberText(limits.low) + ": 0 <= low <= high <= 1 must hold";
+  return limits.min_points >= 1 ? std::string()
+                                : "the minimum number of points is 0: it must be 1 or "
+                                  "more";
+}
+
+std::vector<ShapeInstance>
+findInstances(const InstanceRequest& request)
+{
+  const std::vector<float> positions = positionsOf(request);
+  const InstanceValues values = valuesAt(request, positions);
+  const InstanceLabels labels = request.name == object
+                                    ? findObjects(values.input, request.limits)
+                                    : findComponents(values.input, request.limits);
+  std::vector<std::vector<std::uint32_t>> members;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] < 0)
+      continue;
+    const auto label = static_cast<std::size_t>(labels[i]);
+    members.resize(std::max(members.size(), label + 1));
+    members[label].push_back(static_cast<std::uint32_t>(i));
+  }
+  std::vector<ShapeInstance> instances;
+  for (const auto& points : members) {
+    ShapeInstance& instance = instances.emplace_back();
+    instance.shares = sharesOf(points, values);
+    instance.primitive = fitPrimitive(values.input, points, request.primitive);
+  }
+  setPoints(request, labelsOfIndices(request, values.input.points, labels), instances);
+  return instances;
+}
+
+} // namespace pcl::detail
 
 PCL_INSTANTIATE(ShapeInstanceSegmentation, PCL_SHAPE_POINT_TYPES)

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The posteriors of the classes of surfaces, by back-projection inside the faces.
 
+#include "surfaces/surface_classification.h"
 #include "common/parallel.h"
 #include "common/statistics.h"
-#include "features/adaptive_inad.h"
 #include "features/class_evidence.h"
 #include "surfaces/evidence_averaging.h"
-
-#include <pcl/segmentation/adaptive_detection.h>
-#include <pcl/segmentation/shape_back_projection.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,12 +18,11 @@ using namespace segmentation;
 
 /** The evidence of each class at each point: logarithms of densities, NaN unknown. */
 std::vector<float>
-evidenceOf(const AdaptiveInput& input,
-           const AdaptiveEdges& edges,
-           const ShapeModel& model)
+evidenceOf(const FieldInput& input, const ShapeField& field, const ShapeModel& model)
 {
+  const INADParameters parameters = withNoise(model.parameters(), field.noise);
   const std::vector<float> inad =
-      adaptiveINAD(input, edges, model.parameters()).mu_sigma;
+      adaptiveINAD(input, field.spacings, parameters).mu_sigma;
   const ShapeEvidence densities(model);
   std::vector<float> evidence(input.points.size * densities.classes());
   kernels::parallelForRanges(
@@ -58,28 +54,31 @@ toPosteriors(const ShapeModel& model, std::vector<float>& values)
 
 } // namespace
 
-std::vector<float>
-classifySurfaces(const AdaptiveInput& input,
-                 const AdaptiveEdges& edges,
-                 const ShapeModel& model)
+void
+classifySurfaces(const FieldInput& input, const ShapeModel& model, ShapeField& field)
 {
-  std::vector<float> evidence = evidenceOf(input, edges, model);
-  evidence = segmentation::averageEvidence(
-      input, edges, std::move(evidence), model.classes().size());
-  toPosteriors(model, evidence);
-  return evidence;
+  const std::size_t classes = model.classes().size();
+  std::vector<float> values =
+      averageEvidence(input, field, evidenceOf(input, field, model), classes);
+  toPosteriors(model, values);
+  field.likelihoods.assign(classes, std::vector<float>(input.points.size));
+  for (std::size_t c = 0; c < classes; ++c) {
+    field.classes.push_back(model.classes()[c].name);
+    for (std::size_t i = 0; i < input.points.size; ++i)
+      field.likelihoods[c][i] = values[classes * i + c];
+  }
 }
 
 } // namespace pcl::detail
 
 float
-pcl::largestCurvedRadius(const Surfaces& surfaces)
+pcl::largestCurvedRadius(const ShapeField& field)
 {
   constexpr float curved_spacings = 20.0f; // see doc/method.md
   const bool is_known =
-      std::any_of(surfaces.spacings.begin(),
-                  surfaces.spacings.end(),
+      std::any_of(field.spacings.begin(),
+                  field.spacings.end(),
                   [](float spacing) { return std::isfinite(spacing); });
-  return is_known ? curved_spacings * segmentation::medianSpacing(surfaces.spacings)
+  return is_known ? curved_spacings * segmentation::medianSpacing(field.spacings)
                   : 0.0f;
 }

@@ -22,14 +22,14 @@ struct Edges {
 
 /** \brief Find the edges (creases: lines of high curvature) of an unorganized cloud.
  *
- * By default (isAdaptive()): points whose INAD speaks for an edge fit two planes to
- * their neighborhood and vote for where these meet; an edge point is near a place that
- * enough votes agree on. Radii follow the density and the noise of the cloud. A model
- * given with setModel() has two classes, the first of which is the edge.
+ * DEFAULT mode: points whose INAD speaks for an edge fit two planes to their
+ * neighborhood and vote for where these meet; an edge point is near a place that enough
+ * votes agree on (see ShapeFieldEstimation). A model given with setModel() has two
+ * classes, the first of which is the edge.
  *
- * In PAPER mode, or with radii: a point is an edge point as far as it is not planar at
- * a small radius, P(edge) = 1 - P(plane), and a model has one class, the plane; the
- * paper's radii are 15 mm for normals and 6 mm for INAD.
+ * PAPER mode: a point is an edge point as far as it is not planar at a small radius,
+ * P(edge) = 1 - P(plane), and a model has one class, the plane; the paper's radii are
+ * 15 mm for normals and 6 mm for INAD.
  *
  * The classes are {"edge", "planar"}; a point is an edge if its second likelihood is
  * below the threshold.
@@ -51,9 +51,8 @@ public:
   /** \brief The edge points. */
   void segment(pcl::PointIndices& edges);
 
-  /** \brief Edges, what kind each is, and where creases run, in one go. Open boundaries
-   * are looked for here only. \param[out] edges empty after an error: those of
-   * compute(), and settings with which isAdaptive() is false */
+  /** \brief DEFAULT mode: edges, what kind each is, and where creases run, in one go.
+   * Open boundaries are looked for here only. \param[out] edges empty after an error */
   void detect(Edges& edges);
 
   /** \brief Where creases run, as lines, the longest first: creaseLines() of what
@@ -67,14 +66,19 @@ protected:
 
   std::size_t classOf(const float* likelihoods) const override;
 
+  bool
+  edgesOnly() const override
+  {
+    return true;
+  }
+
+  std::vector<std::vector<float>> likelihoodsOf(const ShapeField& field) const override;
+
   const ShapeModel&
   defaultModel() const override
   {
     return ShapeModel::defaultEdges();
   }
-
-  std::vector<float> adaptiveLikelihoods(const detail::AdaptiveInput& input,
-                                         std::vector<float>& spacings) const override;
 };
 
 } // namespace pcl

@@ -9,14 +9,29 @@
 
 #pragma once
 
-#include <pcl/segmentation/shape_back_projection.h>
-#include <pcl/segmentation/shape_primitive.h>
+#include <pcl/PointIndices.h>
+#include <pcl/features/shape_model.h>
+#include <pcl/segmentation/shape_field_estimation.h>
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace pcl {
+
+/** \brief What an instance may be fitted with. Auto: the one that fits best. */
+enum class PrimitiveType { None, Auto, Plane, Cylinder, Sphere };
+
+/** \brief A plane, cylinder or sphere that was fitted to points. \ingroup segmentation
+ */
+struct ShapePrimitive {
+  PrimitiveType type = PrimitiveType::None; ///< None if nothing could be fitted
+  /** As PCL's models order them. Plane: a, b, c, d of ax + by + cz + d = 0. Cylinder: a
+   * point of the axis, its direction (unit), the radius. Sphere: center, radius.
+   * Meters. */
+  std::vector<float> coefficients;
+  float residual = 0.0f; ///< root mean square distance of the points, meters
+};
 
 /** \brief One instance, and what it is like. \ingroup segmentation */
 struct ShapeInstance {
@@ -29,6 +44,13 @@ struct ShapeInstance {
   ShapePrimitive primitive; ///< if one was asked for
 };
 
+/** \brief What counts as an instance. */
+struct InstanceLimits {
+  double high = 0.6; ///< likelihood of a quarter of an instance's points
+  double low = 0.5;  ///< likelihood of each of them
+  std::size_t min_points = 100;
+};
+
 /** \brief All instances of a kind of surface in one go, without saying how many there
  * are: all planar or curved parts, those of a class of an own model, or whole objects.
  *
@@ -38,11 +60,11 @@ struct ShapeInstance {
  * across convex creases and not across concave ones. See doc/instances.md.
  *
  * Instances are sorted by their number of points, the largest first. Radii follow the
- * density of the points: it works as ShapeBackProjection does by default.
+ * density of the points (see ShapeFieldEstimation).
  *
- * Errors (those of ShapeBackProjection; a class that the model does not have;
- * thresholds that are not 0 <= low <= high <= 1; no points wanted) are reported by
- * PCL_ERROR and give empty outputs.
+ * Errors (those of ShapeFieldEstimation; a field of another cloud or without classes; a
+ * class that the model does not have; thresholds that are not 0 <= low <= high <= 1; no
+ * points wanted) are reported by PCL_ERROR and give empty outputs.
  *
  * While RANSAC runs in segment(), PCL's console is silent in the whole process, for
  * samples that it rejects are errors to PCL. Several may run at the same time; but what
@@ -51,7 +73,7 @@ struct ShapeInstance {
  * \ingroup segmentation
  */
 template <typename PointT>
-class ShapeInstanceSegmentation : public PCLBase<PointT> {
+class ShapeInstanceSegmentation : public ShapeFieldUser<PointT> {
 public:
   using Ptr = shared_ptr<ShapeInstanceSegmentation<PointT>>;
   using ConstPtr = shared_ptr<const ShapeInstanceSegmentation<PointT>>;
@@ -75,15 +97,11 @@ public:
   void
   setModel(const ShapeModel& model)
   {
-    back_projection_.setModel(model);
+    this->estimation_.setSurfaceModel(model);
   }
 
   /** \brief The names of the classes, in the order of ShapeInstance::shares. */
-  std::vector<std::string>
-  getClasses() const
-  {
-    return back_projection_.getClasses();
-  }
+  std::vector<std::string> getClasses() const;
 
   /** \brief The likelihoods of hysteresis, not used for objects. \param[in] high of
    * some points of an instance (0.6) \param[in] low of every point (0.5) */
@@ -102,6 +120,12 @@ public:
     limits_.min_points = points;
   }
 
+  const InstanceLimits&
+  getLimits() const
+  {
+    return limits_;
+  }
+
   /** \brief A primitive to fit to each instance; none by default. */
   void
   setPrimitive(PrimitiveType type)
@@ -109,28 +133,18 @@ public:
     primitive_ = type;
   }
 
+  PrimitiveType
+  getPrimitive() const
+  {
+    return primitive_;
+  }
+
   /** \brief Where the points were seen from, which tells convex from concave: the
-   * cloud's sensor_origin_ unless it is set. Metres. */
+   * cloud's sensor_origin_ unless it is set. Meters. */
   void
   setViewPoint(float x, float y, float z)
   {
     view_point_ = Eigen::Vector3f(x, y, z);
-  }
-
-  /** \brief Work on means of points, see ShapeDetection::setResolution(): each point is
-   * in the instance of the nearest mean. setMinPoints() and the shares then count
-   * means. \param[in] metres between points; 0 (default) for the cloud's own */
-  void
-  setResolution(double metres)
-  {
-    back_projection_.setResolution(metres);
-  }
-
-  /** \param[in] threads 0 for all cores */
-  void
-  setNumberOfThreads(unsigned threads = 0)
-  {
-    threads_ = threads;
   }
 
   /** \brief The points of each instance; there may be none.
@@ -141,38 +155,10 @@ public:
   bool segment(std::vector<ShapeInstance>& instances);
 
 private:
-  /** \brief What is wrong with the settings; empty if nothing is. */
-  std::string findProblem() const;
-
-  /** \brief The position of a class in getClasses(), or their number. */
-  std::size_t positionOfClass(const std::string& name) const;
-
-  /** \brief The points that instances are made of, three coordinates each: those of the
-   * indices, thinned out to the resolution. */
-  std::vector<float> workedOn() const;
-
-  void setUpBackProjection(const std::vector<float>& positions);
-
-  detail::InstanceInput inputOf(Surfaces& surfaces,
-                                const std::vector<float>& positions) const;
-
-  /** \brief For each index which of the points worked on it stands for, -1 none. */
-  std::vector<std::int32_t> representatives(const detail::InstanceInput& input) const;
-
-  /** \brief All but the points. \param[in] members of the points worked on */
-  ShapeInstance describe(const std::vector<std::uint32_t>& members,
-                         const detail::InstanceInput& input,
-                         const Surfaces& surfaces) const;
-
-  void setPoints(const std::vector<std::int32_t>& labels,
-                 std::vector<ShapeInstance>& instances) const;
-
-  ShapeBackProjection<PointT> back_projection_;
   std::string class_ = "curved";
-  detail::InstanceLimits limits_;
+  InstanceLimits limits_;
   PrimitiveType primitive_ = PrimitiveType::None;
   std::optional<Eigen::Vector3f> view_point_;
-  unsigned threads_ = 0;
 
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;

@@ -9,32 +9,46 @@
 
 #pragma once
 
-#include <pcl/segmentation/label_confidence.h>
-#include <pcl/segmentation/shape_back_projection.h>
+#include <pcl/features/shape_model.h>
+#include <pcl/point_types.h>
+#include <pcl/segmentation/shape_field_estimation.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace pcl {
+
+/** \brief A label for each point. \ingroup segmentation */
+struct PointLabels {
+  std::vector<std::uint32_t> labels; ///< 0 void, else the class, from 1 on
+  std::vector<float> confidence;     ///< of the likeliest label, 0 to 1; 0 unknown
+};
 
 /** \brief Label the points of a cloud to train others with: planar, curved and edge, or
  * the classes of a model and edge, each with a confidence; void where it is low.
  *
- * Edges and surfaces are those of ShapeBackProjection::classify(). The confidence
- * estimates how probable it is that the label is right: see doc/labels.md. Labels are
- * numbers, 0 void, then the classes in the order of getClasses().
+ * Edges and surfaces are those of ShapeFieldEstimation. The confidence estimates how
+ * probable it is that the label is right: see doc/labels.md. Labels are numbers, 0
+ * void, then the classes in the order of getClasses().
  *
  * Neighbors are found among all points of the input, also if indices are set.
- * Errors (those of ShapeBackProjection; a confidence out of [0, 1]; a model for which
- * ShapeBackProjection::isAdaptive() is false, or with a class called edge) are reported
+ * Errors (those of ShapeFieldEstimation; a field of another cloud or without classes; a
+ * confidence out of [0, 1]; a model with a class called edge) are reported
  * by PCL_ERROR and give empty outputs. \ingroup segmentation
  */
 template <typename PointT, typename PointNT = pcl::Normal>
-class ShapeLabeling : public PCLBase<PointT> {
+class ShapeLabeling : public ShapeFieldUser<PointT> {
 public:
   using Ptr = shared_ptr<ShapeLabeling<PointT, PointNT>>;
   using ConstPtr = shared_ptr<const ShapeLabeling<PointT, PointNT>>;
-  using SearchPtr = typename pcl::search::Search<PointT>::Ptr;
 
-  /** \brief Points of less confidence are void; in [0, 1], 0.9 by default
-   * (detail::usual_confidence). With 0 every point has a label whose class is known. */
+  /** \brief The confidence from which labels are kept: see doc/labels.md. */
+  static constexpr double default_confidence = 0.9;
+
+  /** \brief Points of less confidence are void; in [0, 1], 0.9 by default. With 0 every
+   * point has a label whose class is known. */
   void
   setConfidence(double confidence)
   {
@@ -52,32 +66,7 @@ public:
   void
   setModel(const ShapeModel& model)
   {
-    detection_.setModel(model);
-  }
-
-  /** \brief Find neighbors with this instead of the much faster pcl::NeighborhoodSweep.
-   * It is asked by several threads at once: one that does not allow that needs
-   * setNumberOfThreads(1). */
-  void
-  setSearchMethod(const SearchPtr& search)
-  {
-    detection_.setSearchMethod(search);
-  }
-
-  /** \brief Work on means of points, see ShapeDetection::setResolution().
-   * \param[in] metres between points; 0 (default) for the cloud's own */
-  void
-  setResolution(double metres)
-  {
-    detection_.setResolution(metres);
-  }
-
-  /** \param[in] threads 0 for all cores */
-  void
-  setNumberOfThreads(unsigned threads = 0)
-  {
-    threads_ = threads;
-    detection_.setNumberOfThreads(threads);
+    this->estimation_.setSurfaceModel(model);
   }
 
   /** \brief The names of the labels from 1 on. */
@@ -87,12 +76,7 @@ public:
   void label(PointLabels& labels);
 
 private:
-  /** \brief What is wrong with the input or the settings; empty if nothing is. */
-  std::string findProblem() const;
-
-  ShapeBackProjection<PointT, PointNT> detection_;
-  double confidence_ = detail::usual_confidence;
-  unsigned threads_ = 0;
+  double confidence_ = default_confidence;
 };
 
 } // namespace pcl

@@ -9,15 +9,67 @@
 
 #pragma once
 
-#include <pcl/pcl_base.h>
-#include <pcl/segmentation/shape_back_projection.h>
-#include <pcl/segmentation/suction_grasp.h>
+#include <pcl/segmentation/shape_field_estimation.h>
 
+#include <Eigen/Core>
+
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace pcl {
+
+/** \brief A round suction cup with a soft lip. */
+struct SuctionCup {
+  double radius = 0.01;    ///< of the lip, meters
+  double compliance = 0.2; ///< how far the lip may bend out of its plane, in radii
+};
+
+/** \brief Why a cup leaks. */
+enum class SealProblem : std::uint8_t {
+  Border,   ///< the surface ends, or has a hole, under the cup
+  Edge,     ///< an edge is under the cup
+  Obstacle, ///< something stands on the surface, or before it, in the cup's way
+  Bent,     ///< the lip would have to bend further than it can
+  Rough     ///< the surface is neither flat nor of one curvature
+};
+
+/** \brief A lower-case English word, e.g. "border". */
+PCL_SHAPE_EXPORTS const char* nameOf(SealProblem problem);
+
+/** \brief A place for a suction cup. Lengths in meters. \ingroup segmentation */
+struct SuctionGrasp {
+  Eigen::Vector3f position = Eigen::Vector3f::Zero(); ///< on the surface
+  Eigen::Vector3f approach = Eigen::Vector3f::Zero(); ///< unit, into the surface
+  float score = 0.0f;                ///< 0 to 1; above 0.5 if and only if it seals
+  std::vector<SealProblem> problems; ///< none if it seals
+
+  std::uint32_t surface = 0; ///< the class looked for: 1 planar, 2 curved
+  float likelihood = 0.0f;   ///< of this class, mean under the cup
+  float covered = 0.0f;      ///< share of the area under the cup, with its margin
+  float border_distance =
+      0.0f; ///< to where the surface ends; at most 2 cup radii + margin
+  float edge_distance = 0.0f;     ///< to the nearest edge point, likewise
+  float obstacle_distance = 0.0f; ///< across the approach, likewise
+  float sag = 0.0f;               ///< by which the lip has to bend
+  float sag_allowed = 0.0f;       ///< the cup's compliance, and what noise may add
+  float residual = 0.0f;          ///< r.m.s. distance of the points from the surface
+  float residual_allowed = 0.0f;
+  float margin = 0.0f; ///< beside the cup that must be free as well
+
+  std::uint32_t starts = 0;     ///< of the mean shift that ended here
+  std::uint32_t iterations = 0; ///< of it
+  bool converged = false;
+  float bandwidth = 0.0f;
+  float moved = 0.0f; ///< from the mode to where the cup fits
+
+  bool
+  seals() const
+  {
+    return problems.empty();
+  }
+};
 
 /** \brief Find places for a suction cup on a target.
  *
@@ -30,20 +82,19 @@ namespace pcl {
  * face the viewpoint. The radii of the back-projection follow the cloud's density; the
  * radius of the cup is the only length.
  *
- * Errors (those of ShapeBackProjection; a cup radius that is not positive and finite,
- * or for which the points are too sparse: below half the median spacing; a compliance
- * out of [0, 1]; surfaces of another number than the input's points) are reported by
- * PCL_ERROR and give no grasps.
+ * Errors (those of ShapeFieldEstimation; a field of another cloud, or with other
+ * classes; a cup radius that is not positive and finite, or for which the points are
+ * too sparse: below half the median spacing; a compliance out of [0, 1]) are reported
+ * by PCL_ERROR and give no grasps.
  *
  * A. Kumar, L. Behera, K. S. Venkatesh: Shape Back-Projection In 3D Scenes.
  * \ingroup segmentation
  */
 template <typename PointT>
-class SuctionGraspEstimation : public PCLBase<PointT> {
+class SuctionGraspEstimation : public ShapeFieldUser<PointT> {
 public:
   using Ptr = shared_ptr<SuctionGraspEstimation<PointT>>;
   using ConstPtr = shared_ptr<const SuctionGraspEstimation<PointT>>;
-  using SearchPtr = typename pcl::search::Search<PointT>::Ptr;
 
   /** \brief The surface to look for. ANY: both, each on its own, ranked together. */
   enum Surface { ANY, PLANAR, CURVED };
@@ -60,7 +111,7 @@ public:
     return surface_;
   }
 
-  /** \param[in] radius of the lip, metres; 0.01 by default */
+  /** \param[in] radius of the lip, meters; 0.01 by default */
   void
   setCupRadius(double radius)
   {
@@ -91,48 +142,21 @@ public:
   void
   setMaximumGrasps(std::size_t count)
   {
-    most_grasps_ = count;
+    max_grasps_ = count;
   }
 
-  /** \brief From where the cloud was seen, metres: the side of surfaces that a cup can
+  std::size_t
+  getMaximumGrasps() const
+  {
+    return max_grasps_;
+  }
+
+  /** \brief From where the cloud was seen, meters: the side of surfaces that a cup can
    * reach. Without, it is the sensor_origin_ of the cloud. */
   void
   setViewPoint(float x, float y, float z)
   {
     view_point_ = Eigen::Vector3f(x, y, z);
-  }
-
-  /** \brief What ShapeBackProjection::classify() gave for all points of the input, in
-   * default mode with the default model: to look at several targets in one scene
-   * without doing it again. Optional. */
-  void
-  setInputSurfaces(const shared_ptr<const Surfaces>& surfaces)
-  {
-    given_surfaces_ = surfaces;
-  }
-
-  /** \brief Find neighbors with this instead of pcl::NeighborhoodSweep. It is asked by
-   * several threads at once: one that does not allow that needs setNumberOfThreads(1).
-   */
-  void
-  setSearchMethod(const SearchPtr& search)
-  {
-    search_ = search;
-  }
-
-  /** \brief Find the surfaces on means of points, see ShapeDetection::setResolution().
-   * \param[in] metres between points; 0 (default) for the cloud's own */
-  void
-  setResolution(double metres)
-  {
-    resolution_ = metres;
-  }
-
-  /** \param[in] threads 0 for all cores */
-  void
-  setNumberOfThreads(unsigned threads = 0)
-  {
-    threads_ = threads;
   }
 
   /** \brief Grasps, the best first: those that seal come first. Places nearer than a
@@ -141,26 +165,10 @@ public:
   bool compute(std::vector<SuctionGrasp>& grasps);
 
 private:
-  std::string findProblem() const;
-
-  /** \brief Surfaces of all points of the input; null after an error, which was
-   * reported. */
-  shared_ptr<const Surfaces> classified() const;
-
-  detail::GraspTarget targetOf(const Surfaces& surfaces) const;
-
-  std::vector<detail::GraspSurface> lookedFor(const Surfaces& surfaces) const;
-
-  void reportProblem(const std::string& problem) const;
-
   SuctionCup cup_;
   Surface surface_ = ANY;
-  std::size_t most_grasps_ = 0;
+  std::size_t max_grasps_ = 0;
   std::optional<Eigen::Vector3f> view_point_;
-  shared_ptr<const Surfaces> given_surfaces_;
-  double resolution_ = 0.0;
-  SearchPtr search_;
-  unsigned threads_ = 0;
 };
 
 } // namespace pcl

@@ -11,8 +11,8 @@
 
 #include <pcl/console/print.h>
 #include <pcl/features/inad.h>
-#include <pcl/features/impl/cloud_neighborhoods.hpp>
 #include <pcl/features/impl/feature.hpp>
+#include <pcl/features/impl/neighborhoods.hpp>
 
 #include <type_traits>
 #include <vector>
@@ -57,9 +57,12 @@ template <typename PointInT, typename PointNT, typename PointOutT>
 void
 INADEstimation<PointInT, PointNT, PointOutT>::computeFeature(PointCloudOut& output)
 {
-  detail::CloudNeighborhoods<PointInT> neighborhoods(
-      this->input_, this->surface_, *this->indices_, threads_);
-  neighborhoods.setSearch(this->tree_);
+  detail::Neighborhoods neighborhoods(detail::xyzOf(*this->input_),
+                                      detail::xyzOf(*this->surface_),
+                                      *this->indices_,
+                                      threads_);
+  neighborhoods.setFinder(
+      detail::finderOf<PointInT>(this->tree_, this->input_, this->surface_));
   neighborhoods.setIndex(index_);
   const auto computeInto = [&](float* mu_sigma) {
     std::vector<float> radii;

@@ -12,8 +12,8 @@
 #include <pcl/console/print.h>
 #include <pcl/features/normal_3d.h>
 #include <pcl/features/normal_3d_sweep.h>
-#include <pcl/features/impl/cloud_neighborhoods.hpp>
 #include <pcl/features/impl/feature.hpp>
+#include <pcl/features/impl/neighborhoods.hpp>
 
 namespace pcl {
 
@@ -49,9 +49,12 @@ NormalEstimationSweep<PointInT, PointOutT>::computeFeature(PointCloudOut& output
 {
   if (output.empty())
     return;
-  detail::CloudNeighborhoods<PointInT> neighborhoods(
-      this->input_, this->surface_, *this->indices_, threads_);
-  neighborhoods.setSearch(this->tree_);
+  detail::Neighborhoods neighborhoods(detail::xyzOf(*this->input_),
+                                      detail::xyzOf(*this->surface_),
+                                      *this->indices_,
+                                      threads_);
+  neighborhoods.setFinder(
+      detail::finderOf<PointInT>(this->tree_, this->input_, this->surface_));
   neighborhoods.setIndex(index_);
   std::vector<float> radii;
   output.is_dense = neighborhoods.computeNormals(

@@ -10,33 +10,24 @@
 #pragma once
 
 #include <pcl/segmentation/shape_detection.h>
+#include <pcl/segmentation/shape_field_estimation.h>
 #include <pcl/features/impl/inad.hpp>
 #include <pcl/features/impl/normal_3d_sweep.hpp>
-#include <pcl/segmentation/impl/shape_detection_settings.hpp>
+#include <pcl/segmentation/impl/shape_field_estimation.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 namespace pcl {
+namespace detail {
 
-template <typename PointT, typename PointNT>
-typename ShapeDetection<PointT, PointNT>::PointCloudNConstPtr
-ShapeDetection<PointT, PointNT>::estimateNormals(const INADParameters& parameters,
-                                                 const SweepIndex::Ptr& index) const
-{
-  NormalEstimationSweep<PointT, PointNT> estimation(threads_);
-  estimation.setInputCloud(searchSurface());
-  estimation.setRadiusMode(parameters.radius_mode);
-  estimation.setSearchMethod(search_);
-  estimation.setSweepIndex(index);
-  estimation.setRadiusSearch(parameters.normal_radius);
-  estimation.setKSearch(parameters.k);
-  const auto normals = pcl::make_shared<pcl::PointCloud<PointNT>>();
-  estimation.compute(*normals);
-  return normals;
-}
+/** \brief Parameters for the noise of this cloud: the growth with noise is added to the
+ * radii. */
+PCL_SHAPE_EXPORTS INADParameters withNoiseOfCloud(const INADParameters& parameters,
+                                                  const XYZView& cloud,
+                                                  unsigned threads);
+
+} // namespace detail
 
 template <typename PointT, typename PointNT>
 void
@@ -50,16 +41,31 @@ ShapeDetection<PointT, PointNT>::computeINAD(pcl::PointCloud<INAD>& inad) const
       inad.push_back((*inad_)[index]);
     return;
   }
+  const unsigned threads = this->getNumberOfThreads();
+  const PointCloudConstPtr surface = surface_ ? surface_ : this->input_;
   const INADParameters parameters =
-      detail::withNoiseOfCloud<PointT>(getParameters(), searchSurface(), threads_);
+      detail::withNoiseOfCloud(getParameters(), detail::xyzOf(*surface), threads);
   const auto index = index_ ? index_ : std::make_shared<SweepIndex>();
-  INADEstimation<PointT, PointNT> estimation(threads_);
+  PointCloudNConstPtr normals = normals_;
+  if (!normals) {
+    NormalEstimationSweep<PointT, PointNT> estimation(threads);
+    estimation.setInputCloud(surface);
+    estimation.setRadiusMode(parameters.radius_mode);
+    estimation.setSearchMethod(this->getSearchMethod());
+    estimation.setSweepIndex(index);
+    estimation.setRadiusSearch(parameters.normal_radius);
+    estimation.setKSearch(parameters.k);
+    const auto estimated = pcl::make_shared<pcl::PointCloud<PointNT>>();
+    estimation.compute(*estimated);
+    normals = estimated;
+  }
+  INADEstimation<PointT, PointNT> estimation(threads);
   estimation.setInputCloud(this->input_);
   estimation.setIndices(this->indices_);
   if (surface_)
     estimation.setSearchSurface(surface_);
-  estimation.setSearchMethod(search_);
-  estimation.setInputNormals(normals_ ? normals_ : estimateNormals(parameters, index));
+  estimation.setSearchMethod(this->getSearchMethod());
+  estimation.setInputNormals(normals);
   estimation.setSweepIndex(index);
   estimation.setRadiusSearch(parameters.radius);
   estimation.setKSearch(parameters.k);
@@ -69,105 +75,116 @@ ShapeDetection<PointT, PointNT>::computeINAD(pcl::PointCloud<INAD>& inad) const
 }
 
 template <typename PointT, typename PointNT>
-typename ShapeDetection<PointT, PointNT>::PointCloudConstPtr
-ShapeDetection<PointT, PointNT>::searchSurface() const
+std::vector<std::vector<float>>
+ShapeDetection<PointT, PointNT>::paperLikelihoods() const
 {
-  return surface_ ? surface_ : this->input_;
+  pcl::PointCloud<INAD> inad;
+  computeINAD(inad);
+  const ShapeModel model = getModel();
+  std::vector<float> values(model.classes().size());
+  std::vector<float> of_point(getClasses().size());
+  std::vector<std::vector<float>> likelihoods(of_point.size(),
+                                              std::vector<float>(inad.size()));
+  for (std::size_t i = 0; i < inad.size(); ++i) {
+    model.evaluate(inad[i], values.data());
+    toClasses(values, of_point.data());
+    for (std::size_t c = 0; c < of_point.size(); ++c)
+      likelihoods[c][i] = of_point[c];
+  }
+  return likelihoods;
 }
 
 template <typename PointT, typename PointNT>
-typename ShapeDetection<PointT, PointNT>::PointCloudConstPtr
-ShapeDetection<PointT, PointNT>::adaptiveSurface() const
+std::string
+ShapeDetection<PointT, PointNT>::findPaperProblem() const
 {
-  const PointCloudConstPtr all = searchSurface();
-  if (resolution_ == 0.0)
-    return all;
-  const std::vector<float> xyz = detail::thinned(detail::xyzOf(*all), resolution_);
-  const auto surface = pcl::make_shared<PointCloud>();
-  surface->resize(xyz.size() / 3);
-  for (std::size_t i = 0; i < surface->size(); ++i)
-    (*surface)[i].getVector3fMap() = Eigen::Map<const Eigen::Vector3f>(&xyz[3 * i]);
-  return surface;
+  const INADParameters parameters = getParameters();
+  const PointCloudConstPtr surface = surface_ ? surface_ : this->input_;
+  for (const double radius : {parameters.normal_radius, parameters.radius}) {
+    std::string problem = detail::problemOf({detail::xyzOf(*this->input_),
+                                             detail::xyzOf(*surface),
+                                             this->indices_.get(),
+                                             radius,
+                                             parameters.k});
+    if (!problem.empty())
+      return problem;
+  }
+  std::string problem = detail::problemOfOutlierRate(parameters.outlier_rate);
+  if (problem.empty() && normals_)
+    problem = detail::problemOfNormals(normals_->size(), surface->size());
+  if (problem.empty() && inad_ && inad_->size() != this->input_->size())
+    problem = std::to_string(inad_->size()) + " INAD are given for an input of " +
+              std::to_string(this->input_->size()) + " points: one for each is needed";
+  return problem;
 }
 
 template <typename PointT, typename PointNT>
-std::vector<std::int32_t>
-ShapeDetection<PointT, PointNT>::surfacePoints(const PointCloud& surface,
-                                               std::vector<float> spacings) const
+std::string
+ShapeDetection<PointT, PointNT>::findDefaultProblem()
 {
-  std::vector<std::int32_t> points(this->indices_->begin(), this->indices_->end());
-  if (&surface == this->input_.get())
-    return points;
-  const auto cell_diagonal = static_cast<float>(std::sqrt(3.0) * resolution_);
-  for (float& spacing : spacings)
-    spacing = std::max(spacing, cell_diagonal);
-  const auto nearest = detail::representatives(
-      detail::xyzOf(*this->input_), detail::xyzOf(surface), spacings, threads_);
-  for (std::int32_t& point : points)
-    point = nearest[static_cast<std::size_t>(point)];
-  return points;
+  ShapeFieldEstimation<PointT>& estimation = this->estimation_;
+  estimation.setSearchSurface(surface_);
+  estimation.setSweepIndex(index_);
+  estimation.setInputNormals(normals_);
+  estimation.setEdgesOnly(edgesOnly());
+  if (model_ && edgesOnly())
+    estimation.setEdgeModel(*model_);
+  else if (model_)
+    estimation.setSurfaceModel(*model_);
+  return this->findFieldProblem();
 }
 
 template <typename PointT, typename PointNT>
-template <typename Find>
-std::vector<std::int32_t>
-ShapeDetection<PointT, PointNT>::withAdaptiveInput(const Find& find) const
+std::string
+ShapeDetection<PointT, PointNT>::findProblem()
 {
-  const PointCloudConstPtr surface = adaptiveSurface();
-  pcl::Indices all(surface->size());
-  std::iota(all.begin(), all.end(), 0);
-  detail::CloudNeighborhoods<PointT> neighborhoods(surface, surface, all, threads_);
-  neighborhoods.setSearch(search_);
-  neighborhoods.setIndex(index_);
-  const XYZView points = detail::xyzOf(*surface);
-  return surfacePoints(
-      *surface,
-      find(detail::AdaptiveInput{
-          neighborhoods, points, detail::countFinite(points), threads_}));
+  if (!this->input_)
+    return "no input cloud is set: call setInputCloud() with one";
+  PCLBase<PointT>::initCompute();
+  std::string problem = problemOfMode(inad_ ? "INAD" : nullptr,
+                                      this->field_                   ? "a shape field"
+                                      : this->getResolution() != 0.0 ? "a resolution"
+                                                                     : nullptr);
+  if (problem.empty())
+    problem = mode_ == PAPER ? findPaperProblem() : findDefaultProblem();
+  return problem.empty() ? problemOfModel() : problem;
 }
 
 template <typename PointT, typename PointNT>
 void
-ShapeDetection<PointT, PointNT>::computeAdaptive(std::vector<float>& likelihoods) const
+ShapeDetection<PointT, PointNT>::reportProblem(const std::string& problem) const
 {
-  std::vector<float> of_surface;
-  const auto points = withAdaptiveInput([&](const detail::AdaptiveInput& input) {
-    std::vector<float> spacings;
-    of_surface = adaptiveLikelihoods(input, spacings);
-    return spacings;
-  });
-  const std::size_t classes = getClasses().size();
-  for (const std::int32_t point : points) {
-    for (std::size_t c = 0; c < classes; ++c) {
-      likelihoods.push_back(
-          point < 0 ? std::numeric_limits<float>::quiet_NaN()
-                    : of_surface[classes * static_cast<std::size_t>(point) + c]);
-    }
-  }
+  PCL_ERROR("[pcl::%s::compute] %s.\n", name_.c_str(), problem.c_str());
 }
 
 template <typename PointT, typename PointNT>
 bool
-ShapeDetection<PointT, PointNT>::computeLikelihoods(std::vector<float>& likelihoods)
+ShapeDetection<PointT, PointNT>::initCompute()
+{
+  const std::string problem = findProblem();
+  if (!problem.empty())
+    reportProblem(problem);
+  return problem.empty();
+}
+
+template <typename PointT, typename PointNT>
+void
+ShapeDetection<PointT, PointNT>::compute(std::vector<std::vector<float>>& likelihoods)
 {
   likelihoods.clear();
   if (!initCompute())
-    return false;
-  if (isAdaptive()) {
-    computeAdaptive(likelihoods);
-    return true;
+    return;
+  if (mode_ == PAPER) {
+    likelihoods = paperLikelihoods();
+    return;
   }
-  pcl::PointCloud<INAD> inad;
-  computeINAD(inad);
-  const ShapeModel model = getModel();
-  const std::size_t classes = getClasses().size();
-  likelihoods.resize(classes * inad.size());
-  std::vector<float> values(model.classes().size());
-  for (std::size_t i = 0; i < inad.size(); ++i) {
-    model.evaluate(inad[i], values.data());
-    toClasses(values, &likelihoods[classes * i]);
+  const ShapeField::ConstPtr field = this->fieldOfInput();
+  for (const std::vector<float>& of_cloud : likelihoodsOf(*field)) {
+    std::vector<float>& of_indices = likelihoods.emplace_back();
+    of_indices.reserve(this->indices_->size());
+    for (const index_t index : *this->indices_)
+      of_indices.push_back(of_cloud[static_cast<std::size_t>(index)]);
   }
-  return true;
 }
 
 template <typename PointT, typename PointNT>
@@ -175,10 +192,10 @@ void
 ShapeDetection<PointT, PointNT>::compute(pcl::PointCloud<pcl::Intensity>& likelihood)
 {
   likelihood.clear();
-  std::vector<float> likelihoods;
-  if (!computeLikelihoods(likelihoods))
+  std::vector<std::vector<float>> likelihoods;
+  compute(likelihoods);
+  if (likelihoods.empty())
     return;
-  const std::size_t classes = getClasses().size();
   likelihood.header = this->input_->header;
   likelihood.resize(this->indices_->size());
   if (likelihood.size() == this->input_->size()) {
@@ -187,23 +204,9 @@ ShapeDetection<PointT, PointNT>::compute(pcl::PointCloud<pcl::Intensity>& likeli
   }
   likelihood.is_dense = true;
   for (std::size_t i = 0; i < likelihood.size(); ++i) {
-    likelihood[i].intensity = likelihoods[classes * i];
-    likelihood.is_dense = likelihood.is_dense && !std::isnan(likelihoods[classes * i]);
+    likelihood[i].intensity = likelihoods[0][i];
+    likelihood.is_dense = likelihood.is_dense && !std::isnan(likelihoods[0][i]);
   }
-}
-
-template <typename PointT, typename PointNT>
-void
-ShapeDetection<PointT, PointNT>::compute(std::vector<std::vector<float>>& likelihoods)
-{
-  likelihoods.clear();
-  std::vector<float> all;
-  if (!computeLikelihoods(all))
-    return;
-  const std::size_t classes = getClasses().size();
-  likelihoods.resize(classes);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    likelihoods[i % classes].push_back(all[i]);
 }
 
 template <typename PointT, typename PointNT>

@@ -15,6 +15,15 @@
 #include <stdexcept>
 
 namespace pcl {
+namespace detail {
+
+/** \brief What kind of edge each point of a field is.
+ * \param[in] threshold as ShapeDetection::setThreshold() \param[in] threads 0 for all
+ * cores */
+PCL_SHAPE_EXPORTS std::vector<EdgeType>
+edgeTypesOf(const ShapeField& field, double threshold, unsigned threads);
+
+} // namespace detail
 
 template <typename PointT, typename PointNT>
 std::vector<std::string>
@@ -36,15 +45,11 @@ template <typename PointT, typename PointNT>
 std::string
 ShapeEdgeDetection<PointT, PointNT>::problemOfClasses(const ShapeModel& model) const
 {
-  const std::string found =
-      "the model has " + std::to_string(model.classes().size()) + " classes: ";
-  if (this->isAdaptive()) {
-    return model.classes().size() == 2
-               ? std::string()
-               : found + "edges are found with two, an edge and the rest";
-  }
-  return model.classes().size() == 1 ? std::string()
-                                     : found + "edges are found with one, a plane";
+  const std::size_t classes = model.classes().size();
+  if (this->mode_ == this->DEFAULT || classes == 1)
+    return {};
+  return "the model has " + std::to_string(classes) +
+         " classes: it must have one, a plane, in PAPER mode";
 }
 
 template <typename PointT, typename PointNT>
@@ -64,18 +69,12 @@ ShapeEdgeDetection<PointT, PointNT>::classOf(const float* likelihoods) const
 }
 
 template <typename PointT, typename PointNT>
-std::vector<float>
-ShapeEdgeDetection<PointT, PointNT>::adaptiveLikelihoods(
-    const detail::AdaptiveInput& input, std::vector<float>& spacings) const
+std::vector<std::vector<float>>
+ShapeEdgeDetection<PointT, PointNT>::likelihoodsOf(const ShapeField& field) const
 {
-  detail::AdaptiveEdges edges = detail::findEdges(input, this->getModel());
-  spacings = std::move(edges.spacings);
-  std::vector<float> likelihoods;
-  likelihoods.reserve(2 * edges.likelihood.size());
-  for (const float likelihood : edges.likelihood) {
-    likelihoods.push_back(likelihood);
-    likelihoods.push_back(1.0f - likelihood);
-  }
+  std::vector<std::vector<float>> likelihoods(2, field.edge_likelihood);
+  for (float& planar : likelihoods[1])
+    planar = 1.0f - planar;
   return likelihoods;
 }
 
@@ -86,27 +85,18 @@ ShapeEdgeDetection<PointT, PointNT>::detect(Edges& edges)
   edges = Edges();
   if (!this->initCompute())
     return;
-  if (!this->isAdaptive()) {
-    PCL_ERROR(
-        "[pcl::%s::detect] kinds of edges are known in DEFAULT mode only, without "
-        "radii, k, outlier rate, normals or INAD of your own.\n",
-        this->name_.c_str());
+  if (this->mode_ == this->PAPER) {
+    this->reportProblem("the paper's method knows no kinds of edges: use DEFAULT mode");
     return;
   }
-  detail::AdaptiveEdges found;
-  std::vector<EdgeType> types;
-  const auto points = this->withAdaptiveInput([&](const detail::AdaptiveInput& input) {
-    found = detail::findEdges(input, this->getModel());
-    types = detail::edgeTypes(input, found, this->threshold_);
-    return found.spacings;
-  });
-  for (const std::int32_t point : points) {
-    const auto i = static_cast<std::size_t>(point);
-    edges.likelihood.push_back(point < 0 ? std::numeric_limits<float>::quiet_NaN()
-                                         : found.likelihood[i]);
-    edges.types.push_back(point < 0 ? EdgeType::None : types[i]);
+  const ShapeField::ConstPtr field = this->fieldOfInput();
+  const std::vector<EdgeType> types =
+      detail::edgeTypesOf(*field, this->threshold_, this->getNumberOfThreads());
+  for (const index_t index : *this->indices_) {
+    edges.likelihood.push_back(field->edge_likelihood[static_cast<std::size_t>(index)]);
+    edges.types.push_back(types[static_cast<std::size_t>(index)]);
   }
-  edges.creases = std::move(found.creases);
+  edges.creases = field->creases;
 }
 
 template <typename PointT, typename PointNT>

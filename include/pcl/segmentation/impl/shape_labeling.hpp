@@ -9,43 +9,34 @@
 
 #pragma once
 
-#include <pcl/console/print.h>
 #include <pcl/segmentation/shape_labeling.h>
-#include <pcl/segmentation/impl/shape_back_projection.hpp>
-
-#include <algorithm>
+#include <pcl/segmentation/impl/shape_field_estimation.hpp>
 
 namespace pcl {
+namespace detail {
+
+/** \brief What is wrong with the settings; empty if nothing is. */
+PCL_SHAPE_EXPORTS std::string problemOfLabels(const std::vector<std::string>& classes,
+                                              double confidence);
+
+/** \brief The likeliest label of each point of a field with its confidence; those with
+ * less than `confidence` are void. */
+PCL_SHAPE_EXPORTS PointLabels labelsOf(const ShapeField& field,
+                                       double confidence,
+                                       unsigned threads);
+
+/** \brief The names of the classes of a model, and that of edges. */
+PCL_SHAPE_EXPORTS std::vector<std::string> labelNames(std::vector<std::string> classes);
+
+} // namespace detail
 
 template <typename PointT, typename PointNT>
 std::vector<std::string>
 ShapeLabeling<PointT, PointNT>::getClasses() const
 {
-  std::vector<std::string> names = detection_.getClasses();
-  names.emplace_back(detail::edge_class);
-  return names;
-}
-
-template <typename PointT, typename PointNT>
-std::string
-ShapeLabeling<PointT, PointNT>::findProblem() const
-{
-  if (!this->input_)
-    return "no input cloud is set: call setInputCloud() with one";
-  if (!(confidence_ >= 0.0 && confidence_ <= 1.0))
-    return "confidence is " + std::to_string(confidence_) + ": 0 to 1 is allowed";
-  const std::vector<std::string> names = detection_.getClasses();
-  if (std::count(names.begin(), names.end(), detail::edge_class) > 0) {
-    return "the model has a class 'edge': allowed are other names, edges are a class "
-           "of their own";
-  }
-  if (!detection_.isAdaptive()) {
-    return "the model has one class, or was not made in DENSITY mode: one of several "
-           "classes that was is allowed";
-  }
-  const XYZView points = detail::xyzOf(*this->input_);
-  constexpr double any_radius = 1.0;
-  return detail::problemOf({points, points, this->indices_.get(), any_radius, 0});
+  return detail::labelNames(
+      this->field_ ? this->field_->classes
+                   : detail::classNames(this->estimation_.getSurfaceModel()));
 }
 
 template <typename PointT, typename PointNT>
@@ -53,25 +44,17 @@ void
 ShapeLabeling<PointT, PointNT>::label(PointLabels& labels)
 {
   labels = PointLabels();
-  if (this->input_)
-    PCLBase<PointT>::initCompute();
-  const std::string problem = findProblem();
+  std::string problem =
+      this->input_ ? detail::problemOfLabels(getClasses(), confidence_) : std::string();
+  if (problem.empty())
+    problem = this->findFieldProblem();
   if (!problem.empty()) {
     PCL_ERROR("[pcl::ShapeLabeling::label] %s.\n", problem.c_str());
     return;
   }
-  detection_.setInputCloud(this->input_);
-  Surfaces surfaces;
-  detection_.classify(surfaces);
-  if (surfaces.likelihoods.empty())
-    return;
-  const std::vector<std::string> names = detection_.getClasses();
-  const auto planar = std::find(names.begin(), names.end(), detail::planar_class);
-  const auto planar_label =
-      planar == names.end() ? 0
-                            : static_cast<std::uint32_t>(planar - names.begin() + 1);
-  const PointLabels all = detail::labelPoints(
-      {detail::xyzOf(*this->input_), surfaces, threads_, planar_label}, confidence_);
+  const ShapeField::ConstPtr field = this->fieldOfInput();
+  const PointLabels all =
+      detail::labelsOf(*field, confidence_, this->getNumberOfThreads());
   for (const index_t index : *this->indices_) {
     labels.labels.push_back(all.labels[static_cast<std::size_t>(index)]);
     labels.confidence.push_back(all.confidence[static_cast<std::size_t>(index)]);

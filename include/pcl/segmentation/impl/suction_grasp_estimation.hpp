@@ -9,131 +9,63 @@
 
 #pragma once
 
-#include <pcl/console/print.h>
 #include <pcl/segmentation/suction_grasp_estimation.h>
-#include <pcl/segmentation/impl/shape_back_projection.hpp>
+#include <pcl/segmentation/impl/shape_field_estimation.hpp>
 
 namespace pcl {
 namespace detail {
 
-/** \brief True if they can be surfaces of as many points, in planar and curved. */
-inline bool
-areOf(const Surfaces& surfaces, std::size_t points)
-{
-  return surfaces.likelihoods.size() == 2 && surfaces.likelihoods[0].size() == points &&
-         surfaces.likelihoods[1].size() == points &&
-         surfaces.edge_likelihood.size() == points &&
-         surfaces.normals.size() == points && surfaces.spacings.size() == points;
-}
+/** \brief What grasps are found of. */
+struct GraspRequest {
+  const ShapeField& field;
+  const pcl::Indices& indices; ///< the target
+  SuctionCup cup;
+  bool planar = true; ///< surfaces to look for
+  bool curved = true;
+  Eigen::Vector3f view_point{0.0f, 0.0f, 0.0f};
+  unsigned threads = 0;
+};
+
+/** \brief What is wrong with a cup; empty if nothing is. */
+PCL_SHAPE_EXPORTS std::string problemOfCup(const SuctionCup& cup);
+
+/** \brief What is wrong with the field, or with the cup for it; empty if nothing is. */
+PCL_SHAPE_EXPORTS std::string problemOf(const GraspRequest& request);
+
+/** \brief Places for a cup, the best first. */
+PCL_SHAPE_EXPORTS std::vector<SuctionGrasp> findGrasps(const GraspRequest& request);
 
 } // namespace detail
-
-template <typename PointT>
-std::string
-SuctionGraspEstimation<PointT>::findProblem() const
-{
-  if (!this->input_)
-    return "no input cloud is set: call setInputCloud() with one";
-  const detail::NeighborhoodRequest request{detail::xyzOf(*this->input_),
-                                            detail::xyzOf(*this->input_),
-                                            this->indices_.get(),
-                                            cup_.radius,
-                                            0};
-  const std::string problem = detail::problemOfCup(cup_);
-  if (!problem.empty())
-    return problem;
-  if (given_surfaces_ && !detail::areOf(*given_surfaces_, this->input_->size()))
-    return "the surfaces are not those of the " + std::to_string(this->input_->size()) +
-           " points of the input: those that ShapeBackProjection::classify() gives for "
-           "all of them are needed";
-  return detail::problemOf(request);
-}
-
-template <typename PointT>
-void
-SuctionGraspEstimation<PointT>::reportProblem(const std::string& problem) const
-{
-  PCL_ERROR("[pcl::SuctionGraspEstimation::compute] %s.\n", problem.c_str());
-}
-
-template <typename PointT>
-shared_ptr<const Surfaces>
-SuctionGraspEstimation<PointT>::classified() const
-{
-  const auto surfaces = pcl::make_shared<Surfaces>();
-  ShapeBackProjection<PointT> back_projection;
-  back_projection.setInputCloud(this->input_);
-  back_projection.setSearchMethod(search_);
-  back_projection.setResolution(resolution_);
-  back_projection.setNumberOfThreads(threads_);
-  back_projection.classify(*surfaces);
-  return surfaces->likelihoods.empty() ? nullptr : surfaces;
-}
-
-template <typename PointT>
-detail::GraspTarget
-SuctionGraspEstimation<PointT>::targetOf(const Surfaces& surfaces) const
-{
-  const Eigen::Vector3f viewpoint =
-      view_point_.value_or(this->input_->sensor_origin_.template head<3>());
-  detail::GraspTarget target;
-  target.cloud = detail::xyzOf(*this->input_);
-  target.noise = surfaces.noise;
-  for (const index_t index : *this->indices_) {
-    const auto i = static_cast<std::size_t>(index);
-    target.points.push_back(static_cast<std::uint32_t>(index));
-    target.edge_likelihood.push_back(surfaces.edge_likelihood[i]);
-    target.spacings.push_back(surfaces.spacings[i]);
-    const Eigen::Vector3f normal = surfaces.normals[i].getNormalVector3fMap();
-    const Eigen::Vector3f away = (*this->input_)[i].getVector3fMap() - viewpoint;
-    const float outwards = normal.dot(away) > 0.0f ? -1.0f : 1.0f;
-    for (const float component : normal)
-      target.normals.push_back(outwards * component);
-  }
-  return target;
-}
-
-template <typename PointT>
-std::vector<detail::GraspSurface>
-SuctionGraspEstimation<PointT>::lookedFor(const Surfaces& surfaces) const
-{
-  std::vector<detail::GraspSurface> classes;
-  for (const Surface surface : {PLANAR, CURVED})
-    if (surface_ == ANY || surface_ == surface) {
-      const auto& likelihoods = surfaces.likelihoods[surface == PLANAR ? 0 : 1];
-      detail::GraspSurface& of = classes.emplace_back();
-      of.surface = surface;
-      for (const index_t index : *this->indices_)
-        of.likelihood.push_back(likelihoods[static_cast<std::size_t>(index)]);
-    }
-  return classes;
-}
 
 template <typename PointT>
 bool
 SuctionGraspEstimation<PointT>::compute(std::vector<SuctionGrasp>& grasps)
 {
   grasps.clear();
-  if (this->input_)
-    PCLBase<PointT>::initCompute();
-  std::string problem = findProblem();
-  if (!problem.empty()) {
-    reportProblem(problem);
+  const auto fail = [](const std::string& problem) {
+    PCL_ERROR("[pcl::SuctionGraspEstimation::compute] %s.\n", problem.c_str());
     return false;
-  }
-  const shared_ptr<const Surfaces> surfaces =
-      given_surfaces_ ? given_surfaces_ : classified();
-  if (!surfaces)
-    return false; // the reason was reported
-  const detail::GraspTarget target = targetOf(*surfaces);
-  problem = detail::problemOfCup(cup_, target);
-  if (!problem.empty()) {
-    reportProblem(problem);
-    return false;
-  }
-  grasps = detail::findGrasps(target, lookedFor(*surfaces), cup_, threads_);
-  if (most_grasps_ > 0 && grasps.size() > most_grasps_)
-    grasps.resize(most_grasps_);
+  };
+  std::string problem = this->input_ ? detail::problemOfCup(cup_) : std::string();
+  if (problem.empty())
+    problem = this->findFieldProblem();
+  if (!problem.empty())
+    return fail(problem);
+  const ShapeField::ConstPtr field = this->fieldOfInput();
+  const Eigen::Vector3f origin = this->input_->sensor_origin_.template head<3>();
+  const detail::GraspRequest request{*field,
+                                     *this->indices_,
+                                     cup_,
+                                     surface_ != CURVED,
+                                     surface_ != PLANAR,
+                                     view_point_.value_or(origin),
+                                     this->getNumberOfThreads()};
+  problem = detail::problemOf(request);
+  if (!problem.empty())
+    return fail(problem);
+  grasps = detail::findGrasps(request);
+  if (max_grasps_ > 0 && grasps.size() > max_grasps_)
+    grasps.resize(max_grasps_);
   return true;
 }
 

@@ -1,40 +1,21 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Labels for training: the likeliest one of each point, what speaks for it, and its
+// confidence.
 
 #pragma once
 
-#include <pcl/segmentation/shape_back_projection.h>
+#include <pcl/segmentation/shape_labeling.h>
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-
-/** \brief A label for each point. \ingroup segmentation */
-struct PointLabels {
-  std::vector<std::uint32_t> labels; ///< 0 void, else the class, from 1 on
-  std::vector<float> confidence;     ///< of the likeliest label, 0 to 1; 0 unknown
-};
-
-namespace detail {
-
-/** \brief The confidence from which labels are kept: see doc/labels.md. */
-constexpr double usual_confidence = 0.9;
-
-constexpr const char* edge_class = "edge";
-constexpr const char* planar_class = "planar";
+namespace pcl::detail {
 
 /** \brief What labels are made of. */
 struct LabelInput {
-  XYZView points;
-  const Surfaces& surfaces; ///< of all the points
+  const ShapeField& field;
   unsigned threads = 0;
   std::uint32_t planar_label = 0; ///< of the class "planar", 0 without one
 };
@@ -59,7 +40,6 @@ PCL_SHAPE_EXPORTS LabelEvidence labelEvidence(const LabelInput& input);
 
 /** \brief The likeliest labels with their confidence; those with less than `confidence`
  * are void. */
-PCL_SHAPE_EXPORTS PointLabels labelPoints(const LabelInput& input, double confidence);
+PointLabels labelPoints(const LabelInput& input, double confidence);
 
-} // namespace detail
-} // namespace pcl
+} // namespace pcl::detail

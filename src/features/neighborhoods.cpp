@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Statistics over neighborhoods, by the sweep or a search method, and the checks of
+// input.
 
 #include "common/finite.h"
 #include "common/number_text.h"
 #include "common/parallel.h"
-
-#include <pcl/features/impl/cloud_neighborhoods.hpp>
+#include "features/listed_neighborhoods.h"
+#include "features/local_spacing.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace pcl::detail {
 namespace {
@@ -111,12 +113,6 @@ problemOfOutlierRate(double rate)
                    ": it must be 0 (no rejection) or positive and finite";
 }
 
-bool
-allFinite(const XYZView& points)
-{
-  return countFinite(points) == points.size;
-}
-
 std::size_t
 countFinite(const XYZView& points)
 {
@@ -129,6 +125,121 @@ forEachPart(std::size_t count,
             const std::function<void(std::size_t, std::size_t)>& body)
 {
   kernels::parallelForRanges(count, threads, body);
+}
+
+Neighborhoods::Neighborhoods(const XYZView& input,
+                             const XYZView& surface,
+                             const pcl::Indices& indices,
+                             unsigned threads)
+: input_(input)
+, surface_(surface)
+, indices_(indices)
+, threads_(threads)
+{}
+
+Neighborhoods
+Neighborhoods::among(const pcl::Indices& points) const
+{
+  Neighborhoods some(input_, surface_, points, threads_);
+  some.finder_ = finder_;
+  some.index_ = index_;
+  return some;
+}
+
+template <typename Engine, typename... Arguments>
+Engine
+Neighborhoods::madeFor(const Arguments&... arguments) const
+{
+  Engine engine(surface_, arguments...);
+  if (input_.first != surface_.first)
+    engine.setQueries(input_);
+  bool is_all = indices_.size() == input_.size;
+  for (std::size_t i = 0; is_all && i < indices_.size(); ++i)
+    is_all = indices_[i] == static_cast<pcl::index_t>(i);
+  if (!is_all)
+    engine.setQueryIndices(indices_.data(), indices_.size());
+  engine.setNumberOfThreads(threads_);
+  if constexpr (std::is_same_v<Engine, NeighborhoodSweep>)
+    engine.setIndex(index_);
+  return engine;
+}
+
+namespace {
+
+ListedNeighborhoods::Find
+listsOf(const NeighborFinder& finder,
+        const pcl::Indices& indices,
+        const NeighborhoodSize& size)
+{
+  return [&finder, &indices, size](std::size_t position, pcl::Indices& found) {
+    thread_local std::vector<float> squared_distances;
+    finder(indices[position],
+           size.radii ? size.radii[position] : size.radius,
+           static_cast<int>(size.k),
+           found,
+           squared_distances);
+  };
+}
+
+} // namespace
+
+bool
+Neighborhoods::computeNormals(const NeighborhoodSize& size,
+                              float* normals,
+                              float* curvature,
+                              std::size_t stride) const
+{
+  if (finder_)
+    return madeFor<ListedNeighborhoods>(listsOf(finder_, indices_, size))
+        .computeNormals(normals, curvature, stride);
+  return madeFor<NeighborhoodSweep>().computeNormals(size, normals, curvature, stride);
+}
+
+bool
+Neighborhoods::computeINAD(const NeighborhoodSize& size,
+                           const XYZView& normals,
+                           double outlier_rate,
+                           float* mu_sigma) const
+{
+  if (finder_)
+    return madeFor<ListedNeighborhoods>(listsOf(finder_, indices_, size))
+        .computeINAD(normals, outlier_rate, mu_sigma);
+  return madeFor<NeighborhoodSweep>().computeINAD(
+      size, normals, outlier_rate, mu_sigma);
+}
+
+void
+Neighborhoods::computeDistanceToNearest(std::size_t k, float* distances) const
+{
+  k = std::min(k, countFinite(surface_));
+  if (!finder_) {
+    madeFor<NeighborhoodSweep>().computeDistanceToNearest(k, distances);
+    return;
+  }
+  pcl::Indices found;
+  std::vector<float> squared;
+  for (std::size_t i = 0; i < indices_.size(); ++i) {
+    distances[i] = std::numeric_limits<float>::quiet_NaN();
+    found.clear();
+    if (isFinite(input_[static_cast<std::size_t>(indices_[i])]))
+      finder_(indices_[i], 0.0, static_cast<int>(k), found, squared);
+    if (!found.empty())
+      distances[i] = std::sqrt(*std::max_element(squared.begin(), squared.end()));
+  }
+}
+
+NeighborhoodSize
+Neighborhoods::sizeOf(double radius,
+                      int k,
+                      AdaptiveRadius::RadiusMode mode,
+                      std::vector<float>& radii) const
+{
+  if (k > 0)
+    return NeighborhoodSize::ofNearest(static_cast<std::size_t>(k));
+  if (mode == AdaptiveRadius::FIXED)
+    return NeighborhoodSize::ofRadius(radius);
+  radii = adaptiveRadii(mode, radius, *this, indices_);
+  return NeighborhoodSize::ofRadii(radii.data());
 }
 
 } // namespace pcl::detail

@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The spacing of points, the noise of a cloud, and radii measured in them.
+
+#include "features/local_spacing.h"
 
 #include "common/finite.h"
 
-#include <pcl/features/adaptive_radius.h>
+#include <pcl/features/impl/neighborhoods.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 
 namespace pcl::detail {
 namespace {
 
 constexpr std::size_t nearest = 13; // the point itself and 12 neighbors
-constexpr double least_ratio = 0.6;
-constexpr double most_ratio = 3.0;
-constexpr float full_depth = 0.8f; // metres
+constexpr double min_ratio = 0.6;
+constexpr double max_ratio = 3.0;
+constexpr float full_depth = 0.8f; // meters
 constexpr double noise_spacings = 1.5;
-constexpr double most_noise = 0.3;
+constexpr double max_noise = 0.3;
 constexpr std::size_t noise_points = 20000; // the percentile is then known to 1 %
 
 /** The value that a share of the finite ones is below; 0 if there is none. */
@@ -97,29 +100,30 @@ spacingsOf(std::vector<float> distances)
   const double median = positive.empty() ? 1.0 : quantile(std::move(positive), 0.5);
   for (float& d : distances) {
     const double ratio = std::isfinite(d) ? d / median : 1.0;
-    d = static_cast<float>(median *
-                           std::sqrt(std::clamp(ratio, least_ratio, most_ratio)));
+    d = static_cast<float>(median * std::sqrt(std::clamp(ratio, min_ratio, max_ratio)));
   }
   return distances;
 }
 
 std::vector<float>
+localSpacings(const Neighborhoods& neighborhoods, std::size_t count)
+{
+  std::vector<float> distances(count);
+  neighborhoods.computeDistanceToNearest(nearest, distances.data());
+  return spacingsOf(std::move(distances));
+}
+
+std::vector<float>
 adaptiveRadii(AdaptiveRadius::RadiusMode mode,
               double radius,
-              const NeighborhoodStatistics& neighborhoods,
-              const XYZView& points,
-              const pcl::Indices& indices,
-              std::size_t finite)
+              const Neighborhoods& neighborhoods,
+              const pcl::Indices& indices)
 {
   std::vector<float> radii;
   if (mode == AdaptiveRadius::DEPTH)
-    radii = depthRadii(radius, points, indices);
-  else if (mode == AdaptiveRadius::FIXED)
-    radii.assign(indices.size(), static_cast<float>(radius));
+    radii = depthRadii(radius, neighborhoods.input(), indices);
   else {
-    radii.resize(indices.size());
-    neighborhoods.computeDistanceToNearest(std::min(nearest, finite), radii.data());
-    radii = spacingsOf(std::move(radii));
+    radii = localSpacings(neighborhoods, indices.size());
     for (float& r : radii)
       r *= static_cast<float>(radius);
   }
@@ -130,11 +134,9 @@ adaptiveRadii(AdaptiveRadius::RadiusMode mode,
 }
 
 double
-noiseOf(const NeighborhoodStatistics& neighborhoods,
-        const XYZView& points,
-        const std::vector<float>& spacings)
+noiseOf(const Neighborhoods& neighborhoods, const std::vector<float>& spacings)
 {
-  const pcl::Indices chosen = somePoints(points, noise_points);
+  const pcl::Indices chosen = somePoints(neighborhoods.input(), noise_points);
   if (chosen.empty())
     return 0.0;
   std::vector<float> radii;
@@ -143,13 +145,37 @@ noiseOf(const NeighborhoodStatistics& neighborhoods,
     radii.push_back(static_cast<float>(noise_spacings) *
                     spacings[static_cast<std::size_t>(index)]);
   std::vector<float> normals(4 * chosen.size());
-  neighborhoods.among(chosen)->computeNormals(
+  neighborhoods.among(chosen).computeNormals(
       NeighborhoodSize::ofRadii(radii.data()), normals.data(), normals.data() + 3, 4);
   std::vector<float> variations;
   for (std::size_t i = 0; i < chosen.size(); ++i)
     variations.push_back(normals[4 * i + 3]);
   const double variation = quantile(std::move(variations), 0.2);
-  return std::min(most_noise, 1.55 * noise_spacings * std::sqrt(0.5 * variation));
+  return std::min(max_noise, 1.55 * noise_spacings * std::sqrt(0.5 * variation));
+}
+
+INADParameters
+withNoise(INADParameters parameters, double noise)
+{
+  parameters.normal_radius += parameters.normal_radius_noise * noise;
+  parameters.radius += parameters.radius_noise * noise;
+  parameters.normal_radius_noise = parameters.radius_noise = 0.0;
+  return parameters;
+}
+
+INADParameters
+withNoiseOfCloud(const INADParameters& parameters,
+                 const XYZView& cloud,
+                 unsigned threads)
+{
+  if (parameters.normal_radius_noise == 0.0 && parameters.radius_noise == 0.0)
+    return parameters;
+  pcl::Indices all(cloud.size);
+  std::iota(all.begin(), all.end(), 0);
+  const Neighborhoods neighborhoods(cloud, cloud, all, threads);
+  const std::vector<float> spacings =
+      adaptiveRadii(AdaptiveRadius::DENSITY, 1.0, neighborhoods, all);
+  return withNoise(parameters, noiseOf(neighborhoods, spacings));
 }
 
 } // namespace pcl::detail

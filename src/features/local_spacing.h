@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// The spacing of points, the noise of a cloud, and radii measured in them.
+
+#pragma once
+
+#include <pcl/features/shape_model.h>
+#include <pcl/types.h>
+
+#include <vector>
+
+namespace pcl::detail {
+
+class Neighborhoods;
+
+/** \brief The local spacing of each point (of the median where it is not finite), see
+ * AdaptiveRadius. \param[in] distances to the 12th neighbors, NaN where a point is not
+ * finite */
+PCL_SHAPE_EXPORTS std::vector<float> spacingsOf(std::vector<float> distances);
+
+/** \brief The local spacings of the points of some neighborhoods.
+ * \param[in] count how many they are */
+std::vector<float> localSpacings(const Neighborhoods& neighborhoods, std::size_t count);
+
+/** \brief Radii in meters, one for each index, in DEPTH or DENSITY mode. */
+std::vector<float> adaptiveRadii(AdaptiveRadius::RadiusMode mode,
+                                 double radius,
+                                 const Neighborhoods& neighborhoods,
+                                 const pcl::Indices& indices);
+
+/** \brief How noisy a cloud is: the standard deviation of its points from a smooth
+ * surface in local spacings, from 0 to 0.3.
+ *
+ * 1.5 spacings are small enough for surfaces to be flat in them and large enough for
+ * some 25 points. Of a disc of radius R with noise s the surface variation is
+ * 2 (s / R)^2. The 20th percentile over the points leaves creases and curved surfaces
+ * out; 1.55 makes up for it and for noise that neighbors share. Beyond 0.3 a surface
+ * is as thick as it is sampled densely, and no larger radius would help.
+ * \param[in] neighborhoods of all points of a cloud among themselves
+ * \param[in] spacings one for each point */
+PCL_SHAPE_EXPORTS double noiseOf(const Neighborhoods& neighborhoods,
+                                 const std::vector<float>& spacings);
+
+/** \brief Parameters for this noise: the growth with noise is added to the radii. */
+INADParameters withNoise(INADParameters parameters, double noise);
+
+/** \brief Parameters for the noise of this cloud. */
+PCL_SHAPE_EXPORTS INADParameters withNoiseOfCloud(const INADParameters& parameters,
+                                                  const XYZView& cloud,
+                                                  unsigned threads);
+
+} // namespace pcl::detail

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Instances of a class or whole objects: what they are found of.
+
+#pragma once
+
+#include <pcl/segmentation/shape_instance_segmentation.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl::detail {
+
+/** \brief What is known about points that instances are made of; one entry a point. */
+struct InstanceInput {
+  XYZView points;
+  std::vector<float> normals;    ///< three each, towards the viewpoint; NaN unknown
+  std::vector<float> spacings;   ///< meters
+  std::vector<float> edge;       ///< likelihood of an edge
+  std::vector<float> likelihood; ///< of the class, of planar for objects; NaN unknown
+  double noise = 0.0;            ///< in spacings
+  unsigned threads = 0;
+};
+
+/** \brief The instance of each point, 0 and up, -1 for none; the largest is first. */
+using InstanceLabels = std::vector<std::int32_t>;
+
+/** \brief Connected components of a class over its likelihood. See doc/instances.md for
+ * the steps. */
+InstanceLabels findComponents(const InstanceInput& input, const InstanceLimits& limits);
+
+/** \brief Whole objects on a support, likewise. */
+InstanceLabels findObjects(const InstanceInput& input, const InstanceLimits& limits);
+
+/** \brief Fit a primitive to some points of a cloud by RANSAC with a fixed seed
+ * (pcl::SampleConsensus), and refine it by least squares.
+ * \param[in] members the points; those on edges are left out if others are enough
+ * \param[in] type Plane, Cylinder, Sphere, or Auto */
+ShapePrimitive fitPrimitive(const InstanceInput& input,
+                            std::vector<std::uint32_t> members,
+                            PrimitiveType type);
+
+} // namespace pcl::detail

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Makes a field: at the points of a cloud, or at voxel means or a search surface that
+// stand for them.
+
+#include "common/number_text.h"
+#include "common/point_types.h"
+#include "edges/edge_detection.h"
+#include "geometry/voxel_means.h"
+#include "surfaces/surface_classification.h"
+
+#include <pcl/impl/instantiate.hpp>
+#include <pcl/segmentation/impl/shape_field_estimation.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace pcl::detail {
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+std::string
+problemOfModel(const ShapeModel& model, const std::string& name, bool is_edge)
+{
+  const std::size_t classes = model.classes().size();
+  if (model.parameters().radius_mode != AdaptiveRadius::DENSITY)
+    return "the " + name +
+           " model was not made in DENSITY mode: use one that was, or the paper's "
+           "method";
+  if (is_edge && classes != 2)
+    return "the " + name + " model has " + std::to_string(classes) +
+           " classes: it must have two, an edge and the rest";
+  if (classes < 2)
+    return "the " + name + " model has " + std::to_string(classes) +
+           " classes: use one with several, or the paper's method";
+  return {};
+}
+
+ShapeField
+fieldOf(const FieldRequest& request,
+        const shared_ptr<const void>& owner,
+        const XYZView& points,
+        const NeighborFinder& finder)
+{
+  pcl::Indices all(points.size);
+  std::iota(all.begin(), all.end(), 0);
+  Neighborhoods neighborhoods(points, points, all, request.threads);
+  neighborhoods.setFinder(finder);
+  neighborhoods.setIndex(request.index);
+  const FieldInput input{neighborhoods, points, request.normals, request.threads};
+  ShapeField field;
+  field.cloud = owner;
+  field.points = points;
+  field.resolution = request.resolution;
+  findEdges(input, request.edge_model, field);
+  if (!request.edges_only)
+    classifySurfaces(input, request.surface_model, field);
+  return field;
+}
+
+ShapeField
+baseOf(const FieldRequest& request)
+{
+  const auto finderAmong = [&](const std::vector<float>& means) {
+    return request.makeFinder ? request.makeFinder(means) : NeighborFinder();
+  };
+  if (request.resolution == 0.0)
+    return fieldOf(request, request.surface_owner, request.surface, finderAmong({}));
+  const auto means = std::make_shared<const std::vector<float>>(
+      voxelMeans(request.surface, request.resolution));
+  return fieldOf(
+      request, means, {means->data(), 3, means->size() / 3}, finderAmong(*means));
+}
+
+/** Values of points that stand for others, where they are known. */
+template <typename T>
+std::vector<T>
+taken(const std::vector<T>& values,
+      const std::vector<std::int32_t>& from,
+      const T& unknown)
+{
+  std::vector<T> result;
+  result.reserve(from.size());
+  for (const std::int32_t i : from)
+    result.push_back(i < 0 ? unknown : values[static_cast<std::size_t>(i)]);
+  return result;
+}
+
+/** The field of points with the values of others that they stand for. */
+ShapeField
+scattered(const ShapeField::ConstPtr& base, std::vector<std::int32_t> base_points)
+{
+  ShapeField field;
+  field.noise = base->noise;
+  field.creases = base->creases;
+  field.classes = base->classes;
+  field.resolution = base->resolution;
+  field.spacings = taken(base->spacings, base_points, nan);
+  field.normals = taken<Eigen::Vector3f>(
+      base->normals, base_points, Eigen::Vector3f::Constant(nan));
+  field.edge_likelihood = taken(base->edge_likelihood, base_points, nan);
+  for (const auto& likelihood : base->likelihoods)
+    field.likelihoods.push_back(taken(likelihood, base_points, nan));
+  field.base = base;
+  field.base_points = std::move(base_points);
+  return field;
+}
+
+/** Make all points unknown that are not among the indices. */
+void restrict(ShapeField& field, const pcl::Indices& indices)
+{
+  std::vector<bool> is_wanted(field.points.size, false);
+  for (const pcl::index_t index : indices)
+    is_wanted[static_cast<std::size_t>(index)] = true;
+  for (std::size_t i = 0; i < is_wanted.size(); ++i) {
+    if (is_wanted[i])
+      continue;
+    field.spacings[i] = field.edge_likelihood[i] = nan;
+    field.normals[i].setConstant(nan);
+    for (auto& likelihood : field.likelihoods)
+      likelihood[i] = nan;
+    if (field.base)
+      field.base_points[i] = -1;
+  }
+}
+
+} // namespace
+
+std::string
+problemOf(const FieldRequest& request)
+{
+  constexpr double any_radius = 1.0;
+  std::string problem =
+      problemOf({request.input, request.surface, request.indices, any_radius, 0});
+  if (problem.empty() && request.has_normals)
+    problem = request.resolution != 0.0
+                  ? "normals and a resolution are set: voxel means have normals of "
+                    "their own, leave one of the two out"
+                  : problemOfNormals(request.normals.size, request.surface.size);
+  if (problem.empty())
+    problem = problemOfModel(request.edge_model, "edge", true);
+  if (problem.empty() && !request.edges_only)
+    problem = problemOfModel(request.surface_model, "surface", false);
+  if (problem.empty() && request.resolution != 0.0)
+    problem = problemOfResolution(request.resolution, request.surface);
+  return problem;
+}
+
+std::string
+problemOfField(const ShapeField& field, const void* cloud, std::size_t size)
+{
+  if (field.isOf(cloud, size))
+    return {};
+  return "the shape field is of another cloud (of " +
+         std::to_string(field.points.size) + " points, the input has " +
+         std::to_string(size) + "): compute it for the input";
+}
+
+std::vector<std::string>
+classNames(const ShapeModel& model)
+{
+  std::vector<std::string> names;
+  for (const ShapeModel::Class& c : model.classes())
+    names.push_back(c.name);
+  return names;
+}
+
+ShapeField
+estimateField(const FieldRequest& request)
+{
+  ShapeField field = baseOf(request);
+  if (field.points.first != request.input.first) {
+    const auto voxel_diagonal = static_cast<float>(std::sqrt(3.0) * request.resolution);
+    std::vector<float> reach = field.spacings;
+    for (float& r : reach)
+      r = std::max(r, voxel_diagonal);
+    std::vector<std::int32_t> base_points =
+        representatives(request.input, field.points, reach, request.threads);
+    field = scattered(pcl::make_shared<const ShapeField>(std::move(field)),
+                      std::move(base_points));
+    field.cloud = request.input_owner;
+    field.points = request.input;
+  }
+  if (request.indices->size() != request.input.size)
+    restrict(field, *request.indices);
+  return field;
+}
+
+} // namespace pcl::detail
+
+PCL_INSTANTIATE(ShapeFieldEstimation, PCL_SHAPE_POINT_TYPES)

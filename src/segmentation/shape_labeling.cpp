@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Labels of a field: their names, and what is refused.
+
+#include "common/number_text.h"
+#include "common/point_types.h"
+#include "labels/label_evidence.h"
+
+#include <pcl/impl/instantiate.hpp>
+#include <pcl/segmentation/impl/shape_labeling.hpp>
+
+#include <algorithm>
+
+namespace pcl::detail {
+namespace {
+
+const char* const edge_class = "edge";
+const char* const planar_class = "planar";
+
+} // namespace
+
+std::vector<std::string>
+labelNames(std::vector<std::string> classes)
+{
+  classes.emplace_back(edge_class);
+  return classes;
+}
+
+std::string
+problemOfLabels(const std::vector<std::string>& classes, double confidence)
+{
+  if (!(confidence >= 0.0 && confidence <= 1.0))
+    return "confidence is " + numberText(confidence) + ": it must be 0 to 1";
+  if (classes.size() == 1)
+    return "the field has no classes: it was made for edges only";
+  if (std::count(classes.begin(), classes.end(), edge_class) > 1)
+    return "the model has a class 'edge': edges are a class of their own, use another "
+           "name";
+  return {};
+}
+
+PointLabels
+labelsOf(const ShapeField& field, double confidence, unsigned threads)
+{
+  const auto planar =
+      std::find(field.classes.begin(), field.classes.end(), planar_class);
+  const auto label =
+      planar == field.classes.end()
+          ? 0
+          : static_cast<std::uint32_t>(planar - field.classes.begin() + 1);
+  return labelPoints({field, threads, label}, confidence);
+}
+
+} // namespace pcl::detail
+
+PCL_INSTANTIATE_PRODUCT(ShapeLabeling, (PCL_SHAPE_POINT_TYPES)(PCL_SHAPE_NORMAL_TYPES))
