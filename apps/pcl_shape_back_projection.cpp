@@ -1,76 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// pcl_shape_back_projection: planar and curved points, or surfaces of a model.
 
 #include "cli/app.h"
+#include "cli/errors.h"
 #include "cli/filter_app.h"
-#include "detection/detection.h"
-
-#include <pcl/segmentation/shape_back_projection.h>
+#include "detection/surfaces.h"
 
 namespace {
 
 using namespace pcl::app;
-using Detector = pcl::ShapeBackProjection<pcl::PointXYZ, pcl::Normal>;
-
-struct Classification {
-  std::vector<std::vector<float>> likelihoods; ///< one a class
-  std::vector<pcl::PointIndices> members;      ///< one a class
-};
-
-/** \param[in] is_default the model, which tells planar from curved surfaces */
-std::vector<std::vector<float>>
-likelihoodsOf(Detector& detector, bool is_default, Report& report)
-{
-  if (!is_default) {
-    std::vector<std::vector<float>> likelihoods;
-    detector.compute(likelihoods);
-    return likelihoods;
-  }
-  pcl::Surfaces surfaces;
-  detector.classify(surfaces);
-  report.setNumber("", largest_radius, pcl::largestCurvedRadius(surfaces));
-  return std::move(surfaces.likelihoods);
-}
-
-Classification
-classify(Detector& detector, const CloudFile& file, bool is_default, Report& report)
-{
-  Classification classes;
-  classes.likelihoods = likelihoodsOf(detector, is_default, report);
-  classes.members = detector.classesOf(classes.likelihoods);
-  if (classes.likelihoods.empty() || classes.members.empty())
-    throw InputError(file.path + ": refused for the reason given above");
-  return classes;
-}
 
 void
-addClasses(CloudFile& file,
-           const Arguments& arguments,
-           const DetectionSettings& settings,
-           Report& report)
+classify(CloudFile& file,
+         const Arguments& arguments,
+         const DetectionSettings& settings,
+         Report& report)
 {
-  Detector detector;
-  prepare(detector, file, settings, arguments, report);
-  const bool is_default = settings.adaptive && !arguments.has("model");
-  const Classification classes = report.time(
-      "back_projection", [&] { return classify(detector, file, is_default, report); });
-  const std::vector<std::string> names = detector.getClasses();
-
-  std::vector<std::uint32_t> surface(file.size(), 0);
-  std::uint64_t unknown = report.count("", "finite_points");
-  for (std::size_t c = 0; c < names.size(); ++c) {
-    for (const pcl::index_t index : classes.members[c].indices)
-      surface[static_cast<std::size_t>(index)] = static_cast<std::uint32_t>(c + 1);
-    report.setCount("counts", names[c], classes.members[c].indices.size());
-    unknown -= classes.members[c].indices.size();
+  SurfaceDetector detector;
+  InadCloud cloud;
+  if (settings.paper) {
+    cloud = inadOf(file, settings, arguments, report);
+    usePaperMethod(detector, cloud, settings, arguments);
   }
-  report.setCount("counts", "unknown", unknown);
-  setField(file, "likelihood", classes.likelihoods.front());
-  if (arguments.has("model") && settings.model.classes().size() > 1)
-    for (std::size_t c = 0; c < names.size(); ++c)
-      setField(file, "likelihood_" + names[c], classes.likelihoods[c]);
-  setField(file, "surface", surface);
+  else {
+    cloud.points = pointsOf(file);
+    detector.setInputCloud(cloud.points);
+  }
+  report.time("back_projection", [&] {
+    if (!settings.paper)
+      detector.setShapeField(
+          fieldOf(file, cloud.points, settings, false, arguments, report));
+    addSurfaces(file, detector, settings, report);
+  });
 }
 
 /** Names of classes become parts of names of fields. */
@@ -81,7 +43,7 @@ requireFieldNames(const DetectionSettings& settings, const Arguments& arguments)
     for (const char c : of.name)
       if (c <= ' ' || c > '~')
         throw InputError(arguments.text("model") + ": class '" + of.name +
-                         "': allowed are names without blanks, in ASCII");
+                         "'; expected names in ASCII without blanks");
 }
 
 int
@@ -91,12 +53,11 @@ run(const Arguments& arguments)
       detectionSettings(arguments, pcl::INADParameters::surfaces());
   requireFieldNames(settings, arguments);
   if (arguments.has("threshold") &&
-      (settings.adaptive || settings.model.classes().size() > 1))
-    throw UsageError("-threshold with several classes, as the default mode has: points "
-                     "belong to the likeliest; allowed is one class, as with -mode "
-                     "paper");
+      (!settings.paper || settings.model.classes().size() > 1))
+    throw UsageError("-threshold with several classes, of which points belong to the "
+                     "likeliest; it needs one class, as with -mode paper");
   return runFilter(arguments, [&](CloudFile& file, Report& report) {
-    addClasses(file, arguments, settings, report);
+    classify(file, arguments, settings, report);
   });
 }
 
@@ -109,8 +70,7 @@ main(int argc, char** argv)
       "pcl_shape_back_projection",
       "in.pcd out.pcd",
       "Add the fields likelihood (of the first class) and surface: 1 planar, 2 curved, "
-      "0 "
-      "unknown;\nwith a model of several classes the number of the class, and "
+      "0 unknown;\nwith a model of several classes the number of the class, and "
       "likelihood_<name> of each.");
   addDetectionOptions(command_line);
   addFilterOptions(command_line);

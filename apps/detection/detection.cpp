@@ -1,80 +1,175 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Which of the two methods detects, and with which settings, by the command line.
 
 #include "detection/detection.h"
 
+#include "cli/errors.h"
+#include "cli/filter_app.h"
+#include "cli/pcl_errors.h"
 #include "detection/model_file.h"
 #include "detection/resolution.h"
 
-namespace pcl::app {
-void
-addDetectionOptions(CommandLine& command_line)
-{
-  command_line.option("model", "F", "a model file instead of the default model")
-      .option("mode", "M", "default (default), or paper: the published method")
-      .option("bins", "N", "N x N bins for an ideal plane, as in paper mode (10)")
-      .option(
-          "threshold", "T", "likelihood from which a point is of the surface (0.5)");
-  addInadOptions(command_line);
-  addResolutionOption(command_line);
-  command_line
-      .flag("ignore_model_parameters",
-            "use a model at other radii than it was made with")
-      .flag("normals", "write normal_x normal_y normal_z curvature too");
-}
+#include <pcl/segmentation/shape_field_estimation.h>
 
+namespace pcl::app {
 namespace {
 
-/** All but the resolution. */
-DetectionSettings
-settingsOf(const Arguments& arguments, const INADParameters& defaults)
+const char* const paper_options[] = {"radius",
+                                     "normal_radius",
+                                     "k",
+                                     "outlier_rate",
+                                     "scale",
+                                     "use_normals",
+                                     "bins",
+                                     "ignore_model_parameters"};
+
+/** Refuse options of the method that is not in use. */
+void
+checkMethod(const Arguments& arguments, bool paper)
 {
-  constexpr std::uint64_t default_bins = 10;
-  constexpr std::uint64_t most_bins = 4096;
-  arguments.exclude("model", "bins");
-  arguments.exclude("use_normals", "normals");
-  DetectionSettings settings;
-  settings.paper = arguments.choice("mode", {"default", "paper"}) == "paper";
-  settings.threshold =
-      arguments.number("threshold", probability).value_or(settings.threshold);
-  const auto bins = arguments.integer("bins", 1, most_bins).value_or(default_bins);
-  const bool is_own = settings.paper || hasInadParameters(arguments) ||
-                      arguments.has("use_normals") || arguments.has("bins");
-  const bool is_density =
-      !arguments.has("scale") || radiusMode(arguments) == AdaptiveRadius::DENSITY;
-  if (!arguments.has("model")) {
-    settings.adaptive = !is_own && is_density;
-    settings.parameters = inadParameters(arguments, defaults);
-    settings.model = pcl::ShapeModel::idealPlane(settings.parameters, bins);
-    return settings;
-  }
+  if (paper && arguments.has("resolution"))
+    throw UsageError("-resolution '" + arguments.text("resolution") +
+                     "' belongs to the default method; leave it out, or -mode paper");
+  for (const std::string option : paper_options)
+    if (!paper && arguments.has(option))
+      throw UsageError("-" + option +
+                       " belongs to the paper's method; add -mode paper, "
+                       "or leave it out");
+}
+
+void
+loadDefaultModel(const std::string& path, DetectionSettings& settings)
+{
+  settings.model = loadModel(path);
+  if (settings.model.classes().size() < 2 ||
+      settings.model.parameters().radius_mode != AdaptiveRadius::DENSITY)
+    throw InputError(path +
+                     ": a model of the paper's method; add -mode paper, or use a "
+                     "model of two classes or more, made with -scale density");
+}
+
+void
+loadPaperModel(const Arguments& arguments, DetectionSettings& settings)
+{
   const std::string path = arguments.text("model");
   settings.model = loadModel(path);
-  settings.adaptive =
-      !is_own && is_density && settings.model.classes().size() > 1 &&
-      settings.model.parameters().radius_mode == AdaptiveRadius::DENSITY;
   settings.parameters = inadParameters(arguments, settings.model.parameters());
   const std::string disagreement = settings.model.disagreement(settings.parameters);
   if (!disagreement.empty() && !arguments.has("ignore_model_parameters"))
     throw InputError(path + ": " + disagreement +
-                     ": allowed is the model's own value, or -ignore_model_parameters");
-  return settings;
+                     "; leave the option out, or add -ignore_model_parameters");
+}
+
+void
+addNormals(CloudFile& file,
+           const PointsPtr& points,
+           const INADParameters& parameters,
+           const Arguments& arguments)
+{
+  setNormals(file, *estimateNormals(file, points, parameters, arguments.threads()));
 }
 
 } // namespace
 
-DetectionSettings
-detectionSettings(const Arguments& arguments, const INADParameters& defaults)
+void
+addDetectionOptions(CommandLine& command_line)
 {
-  DetectionSettings settings = settingsOf(arguments, defaults);
+  command_line.option("model", "F", "a model file instead of the default model")
+      .option("mode", "M", "default (default), or paper: the published method");
+  addResolutionOption(command_line);
+  command_line.flag("normals", "write normal_x normal_y normal_z curvature too")
+      .option("threshold", "T", "likelihood from which a point is of the surface (0.5)")
+      .option("bins", "N", "with -mode paper: N x N bins for an ideal plane (10)");
+  addInadOptions(command_line);
+  command_line.flag("ignore_model_parameters",
+                    "use a model at other radii than it was made with");
+}
+
+DetectionSettings
+detectionSettings(const Arguments& arguments, const INADParameters& paper)
+{
+  constexpr std::uint64_t default_bins = 10, max_bins = 4096;
+  arguments.exclude("model", "bins");
+  arguments.exclude("use_normals", "normals");
+  DetectionSettings settings;
+  settings.paper = arguments.choice("mode", {"default", "paper"}) == "paper";
+  settings.has_model = arguments.has("model");
+  settings.threshold =
+      arguments.number("threshold", probability).value_or(settings.threshold);
   settings.resolution = resolutionOf(arguments);
-  if (settings.resolution > 0.0 && !settings.adaptive)
-    throw UsageError("-resolution '" + arguments.text("resolution") +
-                     "' with radii, -k, -outlier_rate, -bins, -use_normals, -scale, "
-                     "-mode paper or a model not made with -scale density: allowed is "
-                     "the default mode without them");
+  settings.parameters = inadParameters(arguments, paper);
+  const auto bins = arguments.integer("bins", 1, max_bins).value_or(default_bins);
+  checkMethod(arguments, settings.paper);
+  if (settings.has_model && settings.paper)
+    loadPaperModel(arguments, settings);
+  else if (settings.has_model)
+    loadDefaultModel(arguments.text("model"), settings);
+  else if (settings.paper)
+    settings.model = pcl::ShapeModel::idealPlane(settings.parameters, bins);
   return settings;
+}
+
+pcl::ShapeField::ConstPtr
+fieldOf(CloudFile& file,
+        const PointsPtr& points,
+        const DetectionSettings& settings,
+        bool edges_only,
+        const Arguments& arguments,
+        Report& report)
+{
+  reportPoints(*points, report);
+  report.setText("parameters", "mode", "default");
+  report.setText("parameters", "scale", "density");
+  report.setNumber("parameters", "threshold", settings.threshold);
+  report.setText("parameters", "model", arguments.text("model", "default"));
+  report.setCount("parameters", "threads", arguments.threads());
+  reportResolution(settings.resolution, report);
+  pcl::ShapeFieldEstimation<pcl::PointXYZ> estimation;
+  estimation.setInputCloud(points);
+  estimation.setResolution(settings.resolution);
+  estimation.setEdgesOnly(edges_only);
+  if (settings.has_model && edges_only)
+    estimation.setEdgeModel(settings.model);
+  else if (settings.has_model)
+    estimation.setSurfaceModel(settings.model);
+  estimation.setNumberOfThreads(arguments.threads());
+  const auto field = pcl::make_shared<pcl::ShapeField>();
+  withPclErrors(file.path, [&] { return estimation.compute(*field); });
+  if (arguments.has("normals")) {
+    const pcl::ShapeModel& model =
+        edges_only ? estimation.getEdgeModel() : estimation.getSurfaceModel();
+    addNormals(file, points, model.parameters(), arguments);
+  }
+  return field;
+}
+
+InadCloud
+inadOf(CloudFile& file,
+       const DetectionSettings& settings,
+       const Arguments& arguments,
+       Report& report)
+{
+  InadCloud cloud = estimateInad(file, arguments, settings.parameters, report);
+  report.setText("parameters", "mode", "paper");
+  report.setNumber("parameters", "threshold", settings.threshold);
+  report.setText("parameters", "model", arguments.text("model", "ideal plane"));
+  report.setCount(
+      "parameters", "bins", settings.model.classes().front().histogram.muBins());
+  return cloud;
+}
+
+void
+reportClasses(const std::vector<std::string>& names,
+              const std::vector<pcl::PointIndices>& members,
+              Report& report)
+{
+  std::uint64_t unknown = report.count("", "finite_points");
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    report.setCount("counts", names[c], members[c].indices.size());
+    unknown -= members[c].indices.size();
+  }
+  report.setCount("counts", "unknown", unknown);
 }
 
 } // namespace pcl::app

@@ -1,92 +1,70 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Which of the two methods detects, and with which settings, by the command line.
 
 #pragma once
 
 #include "cli/arguments.h"
 #include "cli/command_line.h"
-#include "cli/errors.h"
-#include "cli/filter_app.h"
+#include "cli/report.h"
 #include "detection/inad_options.h"
 #include "detection/inad_stages.h"
-#include "detection/resolution.h"
+#include "io/cloud_file.h"
 
 #include <pcl/features/shape_model.h>
-
-#include <optional>
-#include <string>
+#include <pcl/segmentation/shape_detection.h>
+#include <pcl/segmentation/shape_field.h>
 
 namespace pcl::app {
+
+using PointsPtr = pcl::PointCloud<pcl::PointXYZ>::ConstPtr;
 
 /** \brief The options of pcl_shape_back_projection and pcl_shape_edge_detection. */
 void addDetectionOptions(CommandLine& command_line);
 
-/** \brief What is to be looked for, and with which parameters. */
+/** \brief The method, and its settings. */
 struct DetectionSettings {
   bool paper = false;
-  bool adaptive = false; ///< the parameters are the detector's and the model's own
+  bool has_model = false; ///< one was given with -model
   double threshold = 0.5;
-  double resolution = 0.0; ///< metres, 0 the cloud's own
-  INADParameters parameters;
-  pcl::ShapeModel model;
+  double resolution = 0.0;   ///< meters, 0 for the cloud's own; default method
+  INADParameters parameters; ///< of the paper's method
+  pcl::ShapeModel model;     ///< of the paper's method, or the one given
 };
 
 /** \brief Settings from the command line and the model file.
- * \param[in] defaults the detector's own
+ * \param[in] paper the parameters of the paper's method
+ * \throws UsageError for an option of the other method
  * \throws InputError for a bad model file, or one that disagrees with the command line
  */
 DetectionSettings detectionSettings(const Arguments& arguments,
-                                    const INADParameters& defaults);
+                                    const INADParameters& paper);
 
-/** \brief A detector that is ready for compute(): it estimates what it needs itself. */
+/** \brief What the default method finds in a cloud; the settings are noted, and with
+ * -normals these are added. \param[in] edges_only whether classes are left out; a model
+ * is then that of edges \throws InputError with the reason if the cloud is refused */
+pcl::ShapeField::ConstPtr fieldOf(CloudFile& file,
+                                  const PointsPtr& points,
+                                  const DetectionSettings& settings,
+                                  bool edges_only,
+                                  const Arguments& arguments,
+                                  Report& report);
+
+/** \brief The points of a cloud, and INAD for the paper's method, noted likewise. */
+InadCloud inadOf(CloudFile& file,
+                 const DetectionSettings& settings,
+                 const Arguments& arguments,
+                 Report& report);
+
+/** \brief Set up a detector with what the paper's method needs. */
 template <typename Detector>
 void
-prepareAdaptive(Detector& detector,
-                CloudFile& file,
-                const DetectionSettings& settings,
-                const Arguments& arguments,
-                Report& report)
+usePaperMethod(Detector& detector,
+               const InadCloud& cloud,
+               const DetectionSettings& settings,
+               const Arguments& arguments)
 {
-  const auto points = pointsOf(file);
-  reportPoints(*points, report);
-  report.setText("parameters", "mode", "default");
-  report.setText("parameters", "scale", "density");
-  report.setNumber("parameters", "threshold", settings.threshold);
-  report.setText("parameters", "model", arguments.text("model", "default"));
-  report.setCount("parameters", "threads", arguments.threads());
-  detector.setInputCloud(points);
-  if (arguments.has("model"))
-    detector.setModel(settings.model);
-  detector.setResolution(settings.resolution);
-  reportResolution(settings.resolution, report);
-  detector.setThreshold(settings.threshold);
-  detector.setNumberOfThreads(arguments.threads());
-  if (arguments.has("normals"))
-    addNormals(file, detector.getParameters(), arguments.threads());
-}
-
-/** \brief A detector that is ready for compute(): its INAD is computed, unless the
- * settings are adaptive. */
-template <typename Detector>
-void
-prepare(Detector& detector,
-        CloudFile& file,
-        const DetectionSettings& settings,
-        const Arguments& arguments,
-        Report& report)
-{
-  if (settings.adaptive) {
-    prepareAdaptive(detector, file, settings, arguments, report);
-    return;
-  }
-  const InadCloud cloud = estimateInad(file, arguments, settings.parameters, report);
-  report.setText("parameters", "mode", settings.paper ? "paper" : "default");
-  report.setNumber("parameters", "threshold", settings.threshold);
-  report.setText("parameters", "model", arguments.text("model", "ideal plane"));
-  report.setCount(
-      "parameters", "bins", settings.model.classes().front().histogram.muBins());
-  detector.setMode(settings.paper ? Detector::PAPER : Detector::DEFAULT);
+  detector.setMode(Detector::PAPER);
   detector.setInputCloud(cloud.points);
   detector.setInputNormals(cloud.normals);
   detector.setInputINAD(cloud.inad);
@@ -95,5 +73,10 @@ prepare(Detector& detector,
   detector.setIgnoreModelParameters(arguments.has("ignore_model_parameters"));
   detector.setNumberOfThreads(arguments.threads());
 }
+
+/** \brief Note how many points are of each class, and how many of none. */
+void reportClasses(const std::vector<std::string>& names,
+                   const std::vector<pcl::PointIndices>& members,
+                   Report& report);
 
 } // namespace pcl::app

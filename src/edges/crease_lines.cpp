@@ -6,7 +6,9 @@
 #include "geometry/point_grid.h"
 #include "geometry/polyline.h"
 
-#include <pcl/segmentation/adaptive_detection.h>
+#include "features/adaptive_inad.h"
+
+#include <pcl/segmentation/shape_field.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

@@ -150,8 +150,7 @@ fitCrease(const Vectors& points, const Vectors& normals)
 
 namespace {
 
-using detail::AdaptiveEdges;
-using detail::AdaptiveInput;
+using detail::FieldInput;
 using Eigen::Vector3f;
 
 // Evidence is the logarithm of density(edge) / density(surface). doc/method.md has the
@@ -165,8 +164,8 @@ constexpr float vote_spacings = 0.6f;
 
 /** The neighborhood of a candidate in units of its spacing, thinned out. */
 void
-collect(const AdaptiveInput& input,
-        const AdaptiveEdges& edges,
+collect(const FieldInput& input,
+        const ShapeField& edges,
         const std::vector<std::uint32_t>& found,
         std::size_t center,
         std::vector<Vector3f>& points,
@@ -178,7 +177,7 @@ collect(const AdaptiveInput& input,
   const Vector3f origin = positionOf(input.points, center);
   for (std::size_t k = 0; k < found.size(); k += step) {
     const Vector3f normal =
-        Eigen::Map<const Vector3f>(&edges.normals[3 * std::size_t{found[k]}]);
+        edges.normals[std::size_t{found[k]}];
     if (normal.allFinite()) {
       points.emplace_back((positionOf(input.points, found[k]) - origin) /
                           edges.spacings[center]);
@@ -226,8 +225,8 @@ fitSpacings(double noise)
 }
 
 std::vector<Vote>
-collectVotes(const AdaptiveInput& input,
-             const AdaptiveEdges& edges,
+collectVotes(const FieldInput& input,
+             const ShapeField& edges,
              const std::vector<float>& evidence,
              const PointGrid& grid)
 {

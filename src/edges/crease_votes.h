@@ -6,7 +6,9 @@
 
 #include "geometry/point_grid.h"
 
-#include <pcl/segmentation/adaptive_detection.h>
+#include "features/adaptive_inad.h"
+
+#include <pcl/segmentation/shape_field.h>
 
 #include <Eigen/Core>
 
@@ -55,8 +57,8 @@ float fitSpacings(double noise);
  * planes meet at an angle.
  * \param[in] edges with normals, spacings and noise
  * \param[in] evidence ln(density(edge) / density(rest)) at each point, NaN unknown */
-std::vector<Vote> collectVotes(const detail::AdaptiveInput& input,
-                               const detail::AdaptiveEdges& edges,
+std::vector<Vote> collectVotes(const detail::FieldInput& input,
+                               const ShapeField& edges,
                                const std::vector<float>& evidence,
                                const PointGrid& grid);
 

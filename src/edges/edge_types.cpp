@@ -9,7 +9,9 @@
 #include "edges/crease_votes.h"
 #include "geometry/point_grid.h"
 
-#include <pcl/segmentation/adaptive_detection.h>
+#include "features/adaptive_inad.h"
+
+#include <pcl/segmentation/shape_field.h>
 
 #include <Eigen/Geometry>
 
@@ -20,7 +22,6 @@
 namespace pcl::segmentation {
 namespace {
 
-using detail::AdaptiveEdges;
 using Eigen::Vector3f;
 
 // doc/method.md has the reason of each number.
@@ -44,7 +45,7 @@ differ(const std::vector<Vector3f>& directions)
 
 } // namespace
 
-CreaseCorners::CreaseCorners(const AdaptiveEdges& edges)
+CreaseCorners::CreaseCorners(const ShapeField& edges)
 : creases_(edges.creases)
 , fit_(fitSpacings(edges.noise))
 , grid_(positionsOf(creases_),
@@ -121,18 +122,17 @@ hasGap(const std::bitset<sectors>& taken)
 
 /** True where the neighbors leave a wide sector of the tangent plane empty. */
 bool
-isOnBoundary(const AdaptiveInput& input,
-             const AdaptiveEdges& edges,
+isOnBoundary(const ShapeField& edges,
              const PointGrid& grid,
              std::size_t i)
 {
-  const Vector3f normal = Eigen::Map<const Vector3f>(&edges.normals[3 * i]);
+  const Vector3f normal = edges.normals[i];
   const Vector3f x = normal.unitOrthogonal(), y = normal.cross(x);
-  const Vector3f center = positionOf(input.points, i);
+  const Vector3f center = positionOf(edges.points, i);
   std::bitset<sectors> taken;
   grid.forEachWithin(
       center, boundary_spacings * edges.spacings[i], [&](std::uint32_t j, float d2) {
-        const Vector3f d = positionOf(input.points, j) - center;
+        const Vector3f d = positionOf(edges.points, j) - center;
         if (d2 > 0.0f)
           taken.set(sectorOf(d.dot(x), d.dot(y)));
       });
@@ -142,23 +142,23 @@ isOnBoundary(const AdaptiveInput& input,
 } // namespace
 
 std::vector<EdgeType>
-edgeTypes(const AdaptiveInput& input, const AdaptiveEdges& edges, double threshold)
+edgeTypes(const ShapeField& edges, double threshold, unsigned threads)
 {
-  const std::size_t size = input.points.size;
+  const std::size_t size = edges.points.size;
   const float most = *std::max_element(edges.spacings.begin(), edges.spacings.end());
-  const PointGrid grid(input.points, most);
+  const PointGrid grid(edges.points, most);
   const CreaseCorners corners(edges);
   std::vector<EdgeType> types(size, EdgeType::None);
   kernels::parallelForRanges(
-      size, input.threads, [&](std::size_t begin, std::size_t end) {
+      size, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-          if (!kernels::isFinite(input.points[i]) || std::isnan(edges.likelihood[i]))
+          if (!kernels::isFinite(edges.points[i]) || std::isnan(edges.edge_likelihood[i]))
             continue;
-          if (edges.likelihood[i] > 1.0 - threshold)
-            types[i] = corners.areAt(positionOf(input.points, i), edges.spacings[i])
+          if (edges.edge_likelihood[i] > 1.0 - threshold)
+            types[i] = corners.areAt(positionOf(edges.points, i), edges.spacings[i])
                            ? EdgeType::Corner
                            : EdgeType::Crease;
-          else if (isOnBoundary(input, edges, grid, i))
+          else if (isOnBoundary(edges, grid, i))
             types[i] = EdgeType::OpenBoundary;
         }
       });

@@ -7,7 +7,9 @@
 #include "geometry/point_grid.h"
 
 #include <pcl/features/neighborhood_sweep.h>
-#include <pcl/segmentation/adaptive_detection.h>
+#include "features/adaptive_inad.h"
+
+#include <pcl/segmentation/shape_field.h>
 
 #include <vector>
 
@@ -17,7 +19,7 @@ namespace pcl::segmentation {
 class CreaseCorners {
 public:
   /** \param[in] edges kept, not copied */
-  explicit CreaseCorners(const detail::AdaptiveEdges& edges);
+  explicit CreaseCorners(const ShapeField& edges);
 
   /** \brief True if the creases around say different directions, and creases of
    * different directions lead there. \param[in] spacing of the points there, metres */
@@ -45,3 +47,12 @@ positionsOf(const std::vector<CreasePoint>& creases)
 }
 
 } // namespace pcl::segmentation
+
+namespace pcl::detail {
+
+/** \brief What kind of edge each point is. \param[in] threshold as
+ * ShapeDetection::setThreshold() \param[in] threads 0 for all cores */
+std::vector<EdgeType>
+edgeTypes(const ShapeField& edges, double threshold, unsigned threads);
+
+} // namespace pcl::detail

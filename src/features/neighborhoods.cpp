@@ -9,6 +9,8 @@
 #include "features/listed_neighborhoods.h"
 #include "features/local_spacing.h"
 
+#include <pcl/features/impl/neighborhoods.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

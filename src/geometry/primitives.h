@@ -8,7 +8,7 @@
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
-#include <pcl/segmentation/shape_primitive.h>
+#include <pcl/features/neighborhood_sweep.h>
 
 #include <Eigen/Core>
 

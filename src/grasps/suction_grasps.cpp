@@ -6,7 +6,7 @@
 #include "grasps/cup_placement.h"
 #include "grasps/mean_shift.h"
 
-#include <pcl/segmentation/suction_grasp.h>
+#include "grasps/suction_grasps.h"
 
 #include <algorithm>
 #include <cmath>

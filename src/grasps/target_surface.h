@@ -6,7 +6,7 @@
 
 #include "geometry/point_grid.h"
 
-#include <pcl/segmentation/suction_grasp.h>
+#include "grasps/suction_grasps.h"
 
 #include <vector>
 

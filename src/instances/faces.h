@@ -6,7 +6,7 @@
 
 #include "instances/smooth_pieces.h"
 
-#include <pcl/segmentation/shape_primitive.h>
+#include "instances/instance_detection.h"
 
 namespace pcl::segmentation {
 

@@ -6,7 +6,7 @@
 #include "instances/face_grouping.h"
 #include "instances/label_growth.h"
 
-#include <pcl/segmentation/instance_detection.h>
+#include "instances/instance_detection.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include "geometry/point_grid.h"
 
-#include <pcl/segmentation/instance_detection.h>
+#include "instances/instance_detection.h"
 
 #include <cstdint>
 #include <vector>

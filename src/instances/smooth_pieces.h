@@ -7,7 +7,7 @@
 #include "geometry/point_grid.h"
 #include "instances/label_growth.h"
 
-#include <pcl/segmentation/instance_detection.h>
+#include "instances/instance_detection.h"
 
 #include <Eigen/Core>
 

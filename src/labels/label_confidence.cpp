@@ -4,7 +4,7 @@
 
 #include "labels/label_weights.h"
 
-#include <pcl/segmentation/label_confidence.h>
+#include "labels/label_evidence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +40,7 @@ labelPoints(const LabelInput& input, double confidence)
 {
   LabelEvidence evidence = labelEvidence(input);
   const auto edge_label =
-      static_cast<std::uint32_t>(input.surfaces.likelihoods.size() + 1);
+      static_cast<std::uint32_t>(input.field.likelihoods.size() + 1);
   PointLabels result{std::move(evidence.labels), {}};
   result.confidence.resize(result.labels.size(), 0.0f);
   for (std::size_t i = 0; i < result.labels.size(); ++i) {

@@ -8,7 +8,7 @@
 #include "edges/edge_types.h"
 #include "geometry/point_grid.h"
 
-#include <pcl/segmentation/label_confidence.h>
+#include "labels/label_evidence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,13 +45,13 @@ class Evidence {
 public:
   explicit Evidence(const LabelInput& input)
   : input_(input)
-  , edge_label_(static_cast<std::uint32_t>(input.surfaces.likelihoods.size() + 1))
-  , grid_(input.points, 2.0f * medianSpacing(input.surfaces.spacings))
-  , creases_(positionsOf(input.surfaces.creases),
-             2.0f * medianSpacing(input.surfaces.spacings))
-  , log_normal_radius_(logNormalRadius(input.surfaces.noise))
+  , edge_label_(static_cast<std::uint32_t>(input.field.likelihoods.size() + 1))
+  , grid_(input.field.points, 2.0f * medianSpacing(input.field.spacings))
+  , creases_(positionsOf(input.field.creases),
+             2.0f * medianSpacing(input.field.spacings))
+  , log_normal_radius_(logNormalRadius(input.field.noise))
   {
-    for (std::size_t i = 0; i < input.points.size; ++i)
+    for (std::size_t i = 0; i < input.field.points.size; ++i)
       labels_.push_back(labelAt(i));
   }
 
@@ -81,7 +81,7 @@ private:
   float
   posterior(std::size_t c, std::size_t i) const
   {
-    return input_.surfaces.likelihoods[c][i];
+    return input_.field.likelihoods[c][i];
   }
 
   bool
@@ -93,8 +93,8 @@ private:
   std::uint32_t
   labelAt(std::size_t i) const
   {
-    const float edge = input_.surfaces.edge_likelihood[i];
-    if (!kernels::isFinite(input_.points[i]) || std::isnan(edge) ||
+    const float edge = input_.field.edge_likelihood[i];
+    if (!kernels::isFinite(input_.field.points[i]) || std::isnan(edge) ||
         std::isnan(posterior(0, i)))
       return 0;
     if (edge > 0.5f)
@@ -122,24 +122,24 @@ private:
   Vector3f
   normalAt(std::size_t i) const
   {
-    return input_.surfaces.normals[i].getNormalVector3fMap();
+    return input_.field.normals[i];
   }
 
   Around
   lookAround(std::size_t i) const
   {
     Around around;
-    const Vector3f center = positionOf(input_.points, i);
+    const Vector3f center = positionOf(input_.field.points, i);
     const Vector3f normal = normalAt(i);
-    const float spacing = input_.surfaces.spacings[i];
+    const float spacing = input_.field.spacings[i];
     grid_.forEachWithin(center, reach * spacing, [&](std::uint32_t j, float squared) {
       around.points += 1.0;
-      around.offset += (positionOf(input_.points, j) - center).cast<double>();
+      around.offset += (positionOf(input_.field.points, j) - center).cast<double>();
       if (labels_[j] == 0)
         return;
       around.known += 1.0;
       around.turn += 1.0 - std::abs(normal.dot(normalAt(j)));
-      around.edge = std::max(around.edge, input_.surfaces.edge_likelihood[j]);
+      around.edge = std::max(around.edge, input_.field.edge_likelihood[j]);
       around.surfaces += isEdge(j) ? 0.0 : 1.0;
       around.same += labels_[j] == labels_[i] ? 1.0 : 0.0;
       if (isEdge(j) != isEdge(i))
@@ -154,8 +154,8 @@ private:
   logCreases(std::size_t i, float spacings) const
   {
     float count = 1.0f;
-    creases_.forEachWithin(positionOf(input_.points, i),
-                           spacings * input_.surfaces.spacings[i],
+    creases_.forEachWithin(positionOf(input_.field.points, i),
+                           spacings * input_.field.spacings[i],
                            [&](std::uint32_t, float) { count += 1.0f; });
     return std::log(count);
   }
@@ -165,7 +165,7 @@ private:
   {
     const Around around = lookAround(i);
     const auto offset = static_cast<float>(around.offset.norm() / around.points) /
-                        input_.surfaces.spacings[i];
+                        input_.field.spacings[i];
     const auto turn = static_cast<float>(std::max(0.0, around.turn / around.known));
     if (isEdge(i))
       return {logCreases(i, near_crease),

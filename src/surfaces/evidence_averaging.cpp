@@ -17,8 +17,7 @@
 namespace pcl::segmentation {
 namespace {
 
-using detail::AdaptiveEdges;
-using detail::AdaptiveInput;
+using detail::FieldInput;
 using Eigen::Vector3f;
 
 // doc/method.md has the reason of each number.
@@ -64,8 +63,8 @@ gridOf(const XYZView& points, const std::vector<std::size_t>& nodes, float cell)
 
 } // namespace
 
-EvidenceNodes::EvidenceNodes(const AdaptiveInput& input,
-                             const AdaptiveEdges& edges,
+EvidenceNodes::EvidenceNodes(const FieldInput& input,
+                             const ShapeField& edges,
                              const std::vector<bool>& is_known)
 : input_(input)
 , edges_(edges)
@@ -79,9 +78,9 @@ EvidenceNodes::EvidenceNodes(const AdaptiveInput& input,
     in_order.push_back(i);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       positions_[axis].push_back(input.points[i][axis]);
-      normals_[axis].push_back(edges.normals[3 * i + axis]);
+      normals_[axis].push_back(edges.normals[i][static_cast<Eigen::Index>(axis)]);
     }
-    weights_.push_back(edges.likelihood[i] > 0.5f ? across_weight : 1.0f);
+    weights_.push_back(edges.edge_likelihood[i] > 0.5f ? across_weight : 1.0f);
   }
   points_ = std::move(in_order);
 }
@@ -99,7 +98,7 @@ EvidenceNodes::weigh(std::size_t first,
                      std::vector<float>& weights) const
 {
   const float* p = input_.points[point];
-  const float* n = &edges_.normals[3 * point];
+  const float* n = edges_.normals[point].data();
   const float *x = &positions_[0][first], *y = &positions_[1][first],
               *z = &positions_[2][first];
   const float *nx = &normals_[0][first], *ny = &normals_[1][first],
@@ -121,14 +120,13 @@ EvidenceNodes::weigh(std::size_t first,
 
 namespace {
 
-using detail::AdaptiveEdges;
-using detail::AdaptiveInput;
+using detail::FieldInput;
 
 constexpr int rounds = 4; // doc/method.md has the reason
 
 std::vector<bool>
-knownPoints(const AdaptiveInput& input,
-            const AdaptiveEdges& edges,
+knownPoints(const FieldInput& input,
+            const ShapeField& edges,
             const std::vector<float>& evidence,
             std::size_t classes)
 {
@@ -136,7 +134,7 @@ knownPoints(const AdaptiveInput& input,
   for (std::size_t i = 0; i < is_known.size(); ++i)
     is_known[i] = kernels::isFinite(input.points[i]) &&
                   !std::isnan(evidence[i * classes]) &&
-                  kernels::isFinite(&edges.normals[3 * i]);
+                  kernels::isFinite(edges.normals[i].data());
   return is_known;
 }
 
@@ -207,8 +205,8 @@ averaged(const NodeValues& values, const EvidenceNodes& nodes, unsigned threads)
 } // namespace
 
 std::vector<float>
-averageEvidence(const AdaptiveInput& input,
-                const AdaptiveEdges& edges,
+averageEvidence(const FieldInput& input,
+                const ShapeField& edges,
                 std::vector<float> evidence,
                 std::size_t classes)
 {

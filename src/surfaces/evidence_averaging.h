@@ -6,7 +6,9 @@
 
 #include "geometry/point_grid.h"
 
-#include <pcl/segmentation/adaptive_detection.h>
+#include "features/adaptive_inad.h"
+
+#include <pcl/segmentation/shape_field.h>
 
 #include <cstddef>
 #include <vector>
@@ -20,8 +22,8 @@ namespace pcl::segmentation {
  * to its middle. The averages of averages there reach further than one neighborhood
  * would, around corners of the surface but not across its edges. \param[in] evidence
  * logarithms of densities, point by point; NaN stays NaN */
-std::vector<float> averageEvidence(const detail::AdaptiveInput& input,
-                                   const detail::AdaptiveEdges& edges,
+std::vector<float> averageEvidence(const detail::FieldInput& input,
+                                   const ShapeField& edges,
                                    std::vector<float> evidence,
                                    std::size_t classes);
 
@@ -30,8 +32,8 @@ std::vector<float> averageEvidence(const detail::AdaptiveInput& input,
 class EvidenceNodes {
 public:
   /** \param[in] is_known for each point */
-  EvidenceNodes(const detail::AdaptiveInput& input,
-                const detail::AdaptiveEdges& edges,
+  EvidenceNodes(const detail::FieldInput& input,
+                const ShapeField& edges,
                 const std::vector<bool>& is_known);
 
   std::size_t
@@ -71,8 +73,8 @@ private:
              float squared_radius,
              std::vector<float>& weights) const;
 
-  const detail::AdaptiveInput& input_;
-  const detail::AdaptiveEdges& edges_;
+  const detail::FieldInput& input_;
+  const ShapeField& edges_;
   std::vector<std::size_t> points_;
   PointGrid grid_;
   std::vector<float> positions_[3], normals_[3]; ///< x, y, z of each node

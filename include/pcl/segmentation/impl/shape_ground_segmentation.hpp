@@ -10,7 +10,8 @@
 #pragma once
 
 #include <pcl/segmentation/shape_ground_segmentation.h>
-#include <pcl/features/impl/cloud_neighborhoods.hpp>
+#include <pcl/common/point_tests.h>
+#include <pcl/features/impl/neighborhoods.hpp>
 
 #include <string>
 

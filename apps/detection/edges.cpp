@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// The results of edge detection, as fields and lines.
+
+#include "detection/edges.h"
+
+#include "cli/pcl_errors.h"
+
+namespace pcl::app {
+namespace {
+
+void
+addTypes(CloudFile& file, const std::vector<pcl::EdgeType>& found, Report& report)
+{
+  const char* const names[] = {"none", "crease", "corner", "open_boundary"};
+  std::vector<std::uint32_t> types;
+  std::uint64_t counts[4] = {};
+  for (const pcl::EdgeType type : found) {
+    types.push_back(static_cast<std::uint32_t>(type));
+    ++counts[types.back()];
+  }
+  for (std::size_t t = 1; t < 4; ++t)
+    report.setCount("types", names[t], counts[t]);
+  setField(file, "edge_type", types);
+}
+
+void
+reportLines(const std::vector<pcl::CreaseLine>& lines, Report& report)
+{
+  double length = 0.0;
+  for (const pcl::CreaseLine& line : lines)
+    length += line.length;
+  report.setCount("lines", "count", lines.size());
+  report.setNumber("lines", "length", length);
+}
+
+} // namespace
+
+std::vector<pcl::CreaseLine>
+addEdges(CloudFile& file,
+         EdgeDetector& detector,
+         const EdgeResults& results,
+         Report& report)
+{
+  pcl::Edges edges;
+  std::vector<std::vector<float>> likelihoods;
+  withPclErrors(file.path, [&] {
+    if (results.types || results.lines)
+      detector.detect(edges);
+    detector.compute(likelihoods);
+    return !likelihoods.empty() && likelihoods[0].size() == file.size();
+  });
+  if (results.edges) {
+    const auto members = detector.classesOf(likelihoods);
+    std::vector<std::uint32_t> edge(file.size(), 0);
+    for (const pcl::index_t index : members.front().indices)
+      edge[static_cast<std::size_t>(index)] = 1;
+    reportClasses(detector.getClasses(), members, report);
+    setField(file, "edge_likelihood", likelihoods[0]);
+    setField(file, "edge", edge);
+  }
+  if (results.types)
+    addTypes(file, edges.types, report);
+  if (!results.lines)
+    return {};
+  std::vector<pcl::CreaseLine> lines = detector.linesOf(edges);
+  reportLines(lines, report);
+  return lines;
+}
+
+} // namespace pcl::app
