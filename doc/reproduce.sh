@@ -85,7 +85,7 @@ peers cylinders "pcl_shape" "paper mode" "RANSAC cylinders" -- "$data"/osd/learn
 echo
 echo "## Time of INAD for a point, k nearest points, one thread"
 echo
-echo "Search and INAD of a scene's points; PCL's tree has the same loop over its neighbours. The paper's"
+echo "Search and INAD of a scene's points; PCL's tree has the same loop over its neighbors. The paper's"
 echo "cloud is synthetic."
 echo
 "$build"/benchmarks/k_sweep "$work/learn4.pcd" -k 10 100 200 300 400 500 -threads 1 -repeat 1 >"$work/times"
