@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# The paper's tables, computed in paper mode and beside the figures that it prints, and where these
-# contradict each other. Markdown goes to standard output. Builds what it needs first.
+# Print the paper's tables as Markdown, computed in paper mode, beside the figures that the paper prints, and where
+# these contradict each other. Builds what it needs first.
 # Usage: doc/reproduce.sh DATA_DIR [BUILD_DIR]
-# Some minutes, most of them PCL's. Times of INAD are of one thread here and of one of an i7-6850K in the paper.
 # DATA_DIR/osd has learn4_gt.pcd, learn20_gt.pcd, learn33_gt.pcd and learn44_gt.pcd. BUILD_DIR: build.
+# This takes some minutes, most of them PCL's. INAD is timed on one thread here, and on one of an i7-6850K in the paper.
 set -euo pipefail
 root=$(realpath "$(dirname "${BASH_SOURCE[0]}")/..")
 source "$root/scripts/paper_tables.sh"
@@ -43,7 +43,7 @@ contradictions() {
     }'
 }
 
-# peers TABLE NAME ... -- ARGUMENT ...: a table of what compare_peers finds of the peers named
+# peers TABLE NAME ... -- ARGUMENT ...: a table of the results of the named peers, by compare_peers
 peers() {
   local table=$1 names=()
   shift
@@ -71,11 +71,11 @@ edges_beside_paper
 echo
 echo "## Edges by surface variation with Bazazian's defaults, strict convention (in brackets: the paper)"
 echo
-echo "Below it with a radius and the threshold that are the best for these four scenes together."
+echo "Below, with the radius and the threshold that are best for these four scenes together."
 echo
 peers edges "surface variation" -- "$data"/osd/learn{4,20,33,44}_gt.pcd -tasks edges
 echo
-echo "The paper's row of a synthetic cloud is left out: it does not say which cloud that was."
+echo "The paper's row for a synthetic cloud is left out: it does not say which cloud that was."
 echo
 echo "## All cylinders of scene 33, strict convention (in brackets: the paper)"
 echo
@@ -85,7 +85,7 @@ peers cylinders "pcl_shape" "paper mode" "RANSAC cylinders" -- "$data"/osd/learn
 echo
 echo "## Time of INAD for a point, k nearest points, one thread"
 echo
-echo "Search and INAD of a scene's points; PCL's tree has the same loop over its neighbours. The paper's"
+echo "Search and INAD for the points of a scene; PCL's tree has the same loop over its neighbors. The paper's"
 echo "cloud is synthetic."
 echo
 "$build"/benchmarks/k_sweep "$work/learn4.pcd" -k 10 100 200 300 400 500 -threads 1 -repeat 1 >"$work/times"
