@@ -3,14 +3,11 @@
 // pcl_shape_detect: edges, their kinds, surfaces and instances from one field.
 
 #include "cli/app.h"
-#include "cli/pcl_errors.h"
 #include "detection/edges.h"
+#include "detection/instances.h"
 #include "detection/lines_app.h"
 #include "detection/resolution.h"
 #include "detection/surfaces.h"
-#include "results/result_files.h"
-
-#include <pcl/segmentation/shape_instance_segmentation.h>
 
 namespace {
 
@@ -55,29 +52,6 @@ addWantedEdges(CloudFile& file,
                      [&] { return addEdges(file, detector, wanted.edges, report); });
 }
 
-void
-addWantedInstances(CloudFile& file,
-                   const PointsPtr& points,
-                   const pcl::ShapeField::ConstPtr& field,
-                   const Wanted& wanted,
-                   const Arguments& arguments,
-                   Report& report)
-{
-  if (wanted.instances.empty())
-    return;
-  pcl::ShapeInstanceSegmentation<pcl::PointXYZ> segmentation;
-  segmentation.setInputCloud(points);
-  segmentation.setShapeField(field);
-  segmentation.setClass(wanted.instances);
-  segmentation.setViewPoint(file.viewpoint[0], file.viewpoint[1], file.viewpoint[2]);
-  segmentation.setNumberOfThreads(arguments.threads());
-  std::vector<pcl::ShapeInstance> instances;
-  withPclErrors(file.path, [&] {
-    return report.time("instances", [&] { return segmentation.segment(instances); });
-  });
-  addInstances(file, instances, wanted.instances, segmentation.getClasses(), report);
-}
-
 std::vector<pcl::CreaseLine>
 detect(CloudFile& file,
        const DetectionSettings& settings,
@@ -98,7 +72,14 @@ detect(CloudFile& file,
     detector.setShapeField(field);
     report.time("surfaces", [&] { addSurfaces(file, detector, settings, report); });
   }
-  addWantedInstances(file, points, field, wanted, arguments, report);
+  if (!wanted.instances.empty()) {
+    InstanceSegmentation segmentation;
+    segmentation.setInputCloud(points);
+    segmentation.setShapeField(field);
+    segmentation.setClass(wanted.instances);
+    segmentation.setNumberOfThreads(arguments.threads());
+    addInstances(file, segmentation, report);
+  }
   return lines;
 }
 
