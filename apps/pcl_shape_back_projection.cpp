@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// pcl_shape_back_projection: adds the surface class and its likelihood.
 
 #include "cli/app.h"
 #include "cli/filter_app.h"
@@ -81,7 +81,7 @@ requireFieldNames(const DetectionSettings& settings, const Arguments& arguments)
     for (const char c : of.name)
       if (c <= ' ' || c > '~')
         throw InputError(arguments.text("model") + ": class '" + of.name +
-                         "': allowed are names without blanks, in ASCII");
+                         "'; expected a name without blanks, in ASCII");
 }
 
 int
@@ -93,7 +93,7 @@ run(const Arguments& arguments)
   if (arguments.has("threshold") &&
       (settings.adaptive || settings.model.classes().size() > 1))
     throw UsageError("-threshold with several classes, as the default mode has: points "
-                     "belong to the likeliest; allowed is one class, as with -mode "
+                     "belong to the likeliest; expected one class, as with -mode "
                      "paper");
   return runFilter(arguments, [&](CloudFile& file, Report& report) {
     addClasses(file, arguments, settings, report);

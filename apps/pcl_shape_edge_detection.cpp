@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// pcl_shape_edge_detection: adds edges and their types, and writes crease lines.
 
 #include "cli/app.h"
 #include "cli/filter_app.h"
 #include "detection/detection.h"
-#include "results/lines_file.h"
+#include "results/result_files.h"
 
 #include <pcl/segmentation/shape_edge_detection.h>
 
@@ -104,18 +104,18 @@ requireClasses(const DetectionSettings& settings, const Arguments& arguments)
   const std::size_t classes = settings.model.classes().size();
   if (classes != 1 && !(settings.adaptive && (classes == 2 || !arguments.has("model"))))
     throw InputError(arguments.text("model") + ": " + std::to_string(classes) +
-                     " classes: allowed is one, the plane, or two made with -scale "
+                     " classes; expected one, the plane, or two made with -scale "
                      "density, an edge and the rest");
   if (arguments.has("model") && classes == 2 &&
       settings.model.classes().front().name != "edge")
     throw InputError(arguments.text("model") + ": its first class is '" +
                      settings.model.classes().front().name +
-                     "': allowed is edge, and then the rest");
+                     "'; expected edge, and then the rest");
   if (wantsMore(arguments) && !settings.adaptive)
     throw UsageError(
         std::string(arguments.has("types") ? "-types" : "-lines") +
-        " with radii, -k, -outlier_rate, -bins, -use_normals, -scale or -mode paper: "
-        "allowed is the default mode without them");
+        " with radii, -k, -outlier_rate, -bins, -use_normals, -scale or -mode paper; "
+        "use the default mode without them");
 }
 
 /** The -lines file, which is complete when the cloud is written. */

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// pcl_shape_instances: adds the field instance, and primitives to the JSON.
 
 #include "cli/app.h"
 #include "cli/errors.h"
 #include "cli/filter_app.h"
 #include "detection/model_file.h"
 #include "detection/resolution.h"
-#include "results/instances_json.h"
+#include "results/result_files.h"
 
 #include <pcl/segmentation/shape_instance_segmentation.h>
 
@@ -45,7 +45,7 @@ densityModel(const std::string& path)
   const bool is_density =
       model.parameters().radius_mode == pcl::AdaptiveRadius::DENSITY;
   if (!is_density || model.classes().size() < 2)
-    throw InputError(path + ": allowed is a model of two classes or more, made with "
+    throw InputError(path + ": expected a model of two classes or more, made with "
                             "-scale density");
   return model;
 }
@@ -61,11 +61,11 @@ checkClass(const Settings& settings)
   }
   if (std::find(names.begin(), names.end(), "planar") != names.end())
     names.emplace_back("object");
-  std::string allowed;
+  std::string expected;
   for (const std::string& name : names)
-    allowed += (allowed.empty() ? "" : ", ") + name;
+    expected += (expected.empty() ? "" : ", ") + name;
   if (std::find(names.begin(), names.end(), settings.of_class) == names.end())
-    throw UsageError("-class '" + settings.of_class + "': allowed is " + allowed);
+    throw UsageError("-class '" + settings.of_class + "': expected one of " + expected);
 }
 
 Settings
@@ -80,7 +80,7 @@ settingsOf(const Arguments& arguments)
                      .value_or(std::min(default_low, settings.high));
   if (settings.low > settings.high)
     throw UsageError("-low '" + arguments.text("low") + "' is above -high, " +
-                     std::to_string(settings.high) + ": allowed is up to that");
+                     std::to_string(settings.high) + "; expected up to that");
   settings.min_points =
       arguments.integer("min_points", 1, std::numeric_limits<std::uint32_t>::max())
           .value_or(default_points);
@@ -137,10 +137,7 @@ addInstances(CloudFile& file,
   }
   report.setCount("counts", "instances", instances.size());
   report.setCount("counts", "points in them", labelled);
-  report.setJson(
-      "",
-      "instances",
-      instancesToJson(instances, settings.of_class, segmentation.getClasses()));
+  reportInstances(instances, settings.of_class, segmentation.getClasses(), report);
   setField(file, "instance", labels);
 }
 

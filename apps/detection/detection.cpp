@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The settings of the detectors and what a model file says of them.
 
 #include "detection/detection.h"
 
@@ -58,7 +58,7 @@ settingsOf(const Arguments& arguments, const INADParameters& defaults)
   const std::string disagreement = settings.model.disagreement(settings.parameters);
   if (!disagreement.empty() && !arguments.has("ignore_model_parameters"))
     throw InputError(path + ": " + disagreement +
-                     ": allowed is the model's own value, or -ignore_model_parameters");
+                     "; expected the model's own value, or -ignore_model_parameters");
   return settings;
 }
 
@@ -72,8 +72,8 @@ detectionSettings(const Arguments& arguments, const INADParameters& defaults)
   if (settings.resolution > 0.0 && !settings.adaptive)
     throw UsageError("-resolution '" + arguments.text("resolution") +
                      "' with radii, -k, -outlier_rate, -bins, -use_normals, -scale, "
-                     "-mode paper or a model not made with -scale density: allowed is "
-                     "the default mode without them");
+                     "-mode paper or a model not made with -scale density; use the "
+                     "default mode without them");
   return settings;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The stages from a file to INAD at all its points.
 
 #include "detection/inad_stages.h"
 
-#include "cli/errors.h"
 #include "cli/filter_app.h"
+#include "cli/pcl_errors.h"
 #include "detection/inad_options.h"
 
 #include <pcl/features/inad.h>
@@ -14,14 +14,6 @@
 
 namespace pcl::app {
 namespace {
-
-/** What was not refused here before is reported by the class itself. */
-void
-requireResult(const CloudFile& file, std::size_t size)
-{
-  if (size != file.size())
-    throw InputError(file.path + ": refused for the reason given above");
-}
 
 template <typename Estimation>
 void
@@ -68,11 +60,14 @@ void
 addNormals(CloudFile& file, const INADParameters& parameters, unsigned threads)
 {
   const auto points = pointsOf(file);
-  const auto normals = estimateNormals(
-      points,
-      pcl::detail::withNoiseOfCloud<pcl::PointXYZ>(parameters, points, threads),
-      threads);
-  requireResult(file, normals->size());
+  pcl::PointCloud<pcl::Normal>::Ptr normals;
+  withPclErrors(file.path, [&] {
+    normals = estimateNormals(
+        points,
+        pcl::detail::withNoiseOfCloud<pcl::PointXYZ>(parameters, points, threads),
+        threads);
+    return normals->size() == file.size();
+  });
   setNormals(file, *normals);
 }
 
@@ -96,12 +91,16 @@ estimateInad(CloudFile& file,
   if (arguments.has("use_normals"))
     cloud.normals = normalsOf(file);
   else
-    cloud.normals = report.time(
-        "normals", [&] { return estimateNormals(points, parameters, threads); });
-  requireResult(file, cloud.normals->size());
-  cloud.inad =
-      report.time("inad", [&] { return estimateAngles(cloud, parameters, threads); });
-  requireResult(file, cloud.inad->size());
+    withPclErrors(file.path, [&] {
+      cloud.normals = report.time(
+          "normals", [&] { return estimateNormals(points, parameters, threads); });
+      return cloud.normals->size() == file.size();
+    });
+  withPclErrors(file.path, [&] {
+    cloud.inad =
+        report.time("inad", [&] { return estimateAngles(cloud, parameters, threads); });
+    return cloud.inad->size() == file.size();
+  });
   if (arguments.has("normals"))
     setNormals(file, *cloud.normals);
   return cloud;

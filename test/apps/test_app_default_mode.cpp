@@ -77,7 +77,7 @@ TEST_F(DefaultMode, TypesNeedIt)
   expectRefused(runApp("pcl_shape_edge_detection",
                        {sampledScene(), path("out.pcd"), "-types", "-radius", "0.01"}),
                 2,
-                {"-types", "radii", "allowed"});
+                {"-types", "radii", "expected"});
 }
 
 TEST_F(DefaultMode, AThresholdNeedsOneClass)
@@ -85,7 +85,7 @@ TEST_F(DefaultMode, AThresholdNeedsOneClass)
   const std::string scene = sampledScene(), out = path("out.pcd");
   expectRefused(runApp("pcl_shape_back_projection", {scene, out, "-threshold", "0.9"}),
                 2,
-                {"-threshold", "likeliest", "allowed"});
+                {"-threshold", "likeliest", "expected"});
   expectSuccess(runApp("pcl_shape_back_projection",
                        {scene, out, "-mode", "paper", "-threshold", "0.9"}));
 }
@@ -98,7 +98,7 @@ TEST_F(DefaultMode, SampledScenesCountTheirObjects)
   EXPECT_EQ(Json::parse(readFile(path("json")))["counts"]["objects"], 3);
 }
 
-TEST_F(DefaultMode, ModelsOfSeveralClassesComeFromLabelledClouds)
+TEST_F(DefaultMode, ModelsOfSeveralClassesComeFromLabeledClouds)
 {
   const std::string model = path("m.json");
   const std::string scene = sampledScene("6");
@@ -135,7 +135,7 @@ TEST_F(DefaultMode, ModelsOfSeveralClassesComeFromLabelledClouds)
   expectRefused(
       runApp("pcl_shape_edge_detection", {scene, path("edges.pcd"), "-model", model}),
       1,
-      {model, "planar", "allowed is edge"});
+      {model, "planar", "expected edge"});
 }
 
 TEST_F(DefaultMode, AHistogramIsDrawn)
@@ -149,7 +149,7 @@ TEST_F(DefaultMode, AHistogramIsDrawn)
   const std::string png = readFile(plane + ".png");
   EXPECT_EQ(png.substr(1, 3), "PNG");
   EXPECT_EQ(png.substr(12, 4), "IHDR");
-  EXPECT_NE(png, readFile(fold + ".png")) << "other counts, other colours";
+  EXPECT_NE(png, readFile(fold + ".png")) << "other counts, other colors";
   expectRefused(
       runApp("pcl_shape_histogram",
              {plane, path("m.json"), "-radius", "0.02", "-png", path("missing/m.png")}),
@@ -185,7 +185,7 @@ TEST_F(DefaultMode, AClassWithoutAPointIsRefused)
                         "-classes",
                         "planar=1,none=77"}),
                 1,
-                {"'none'", "77", "'surface'", "allowed"});
+                {"'none'", "77", "'surface'", "expected"});
   EXPECT_FALSE(exists(path("m.json")));
 }
 

@@ -103,10 +103,10 @@ TEST_F(AppLines, NeedTheDefaultModeAndOneCloudAndAFileOfTheirOwn)
   const std::string out = path("out.pcd"), lines = path("lines.json");
   expectRefused(runApp(app, {cloud, out, "-lines", lines, "-radius", "0.01"}),
                 2,
-                {"-lines", "radii", "allowed"});
+                {"-lines", "radii", "expected"});
   expectRefused(runApp(app, {cloud, out, "-lines", lines, "-mode", "paper"}),
                 2,
-                {"-lines", "-mode paper", "allowed"});
+                {"-lines", "-mode paper", "expected"});
   expectRefused(
       runApp(app, {"-input_dir", path("."), "-output_dir", path("d"), "-lines", lines}),
       2,

@@ -64,7 +64,7 @@ TEST_F(Outcomes, AreRefusedWithoutOneClassOrAFileOfTheirOwn)
   for (const char* const task : {"instance", "label"})
     expectRefused(runApp(app, {in, in, "-task", task, "-out", out}),
                   2,
-                  {"-out", task, "allowed"});
+                  {"-out", task, "expected"});
   const std::string edges = cloud("edge.pcd", "edge", {"1", "0"});
   expectRefused(runApp(app, {edges, edges, "-out", edges}), 2, {"-out", "another"});
   expectRefused(

@@ -26,7 +26,7 @@ std::size_t
 countOthers(const Picture& picture, const Part& part = {})
 {
   return picture.size(part) - picture.count(white, part) -
-         picture.count(light_grey, part);
+         picture.count(light_gray, part);
 }
 
 TEST_F(ViewerOverlays, LinesAreTubes)

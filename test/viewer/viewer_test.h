@@ -17,8 +17,8 @@ constexpr Pixel blue{70, 120, 205};
 constexpr Pixel orange{240, 140, 30};
 constexpr Pixel crimson{205, 20, 55};
 constexpr Pixel green{35, 155, 75};
-constexpr Pixel grey{150, 150, 150};
-constexpr Pixel light_grey{205, 205, 205};
+constexpr Pixel gray{150, 150, 150};
+constexpr Pixel light_gray{205, 205, 205};
 
 /** \brief Pictures of the viewer, drawn under xvfb-run. */
 class ViewerTest : public AppTest {
