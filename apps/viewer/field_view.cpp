@@ -335,7 +335,8 @@ shade(const CloudFile& cloud, FieldView& view)
 {
   constexpr float min_light = 0.3f, unknown_light = 0.6f;
   const auto normals = normalsOf(cloud);
-  const Eigen::Vector3f light = pointsOf(cloud)->sensor_orientation_ *
+  const auto& v = cloud.viewpoint;
+  const Eigen::Vector3f light = Eigen::Quaternionf(v[3], v[4], v[5], v[6]) *
                                 Eigen::Vector3f(-0.3f, -0.46f, -0.84f); // unit
   for (std::size_t i = 0; i < view.colors.size(); ++i) {
     const float cosine = std::abs(light.dot((*normals)[i].getNormalVector3fMap()));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Damaged clouds and bad paths are refused, and leave no output.
 
 #include "app_test.h"
 

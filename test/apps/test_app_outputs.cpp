@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Output files: refused paths, fields and formats that are kept.
 
 #include "app_test.h"
 #include "io/pcd.h"
@@ -222,16 +222,15 @@ TEST_F(Outputs, AModelIsNotOverwritten)
   EXPECT_FALSE(exists(out));
 }
 
-TEST_F(Outputs, APictureOverwritesNothingElse)
+TEST_F(Outputs, ASummaryOverwritesNoSampleAndNoModel)
 {
-  const std::string cloud = plane(), model = path("m.json"), json = path("r.json");
+  const std::string cloud = plane(), model = path("m.json");
   const std::string before = readFile(cloud);
-  for (const std::string& picture : {cloud, model, json})
+  for (const std::string& json : {cloud, model})
     expectRefused(
-        runApp("pcl_shape_histogram",
-               {cloud, model, "-radius", "0.02", "-json", json, "-png", picture}),
+        runApp("pcl_shape_histogram", {cloud, model, "-radius", "0.02", "-json", json}),
         2,
-        {"-png", picture, "expected"});
+        {"-json", json, "expected"});
   EXPECT_EQ(before, readFile(cloud));
   EXPECT_EQ(files(), (Words{"in.pcd"}));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// PCD files; the reader and writer of PCL are the reference.
 
 #include "app_test.h"
 #include "cli/errors.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
-
-// Points in the colors of their fields.
+// Colors, legends and scales of fields in pictures.
 
 #include "viewer_test.h"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
-
-// Lines, instances, grasps, normals and keys over the points.
+// Lines, instances, grasps and normals in pictures.
 
 #include "viewer_test.h"
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
-
 // What the viewer refuses. Nothing is drawn: these need no display.
 
 #include "viewer_test.h"
