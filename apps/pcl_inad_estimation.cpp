@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// pcl_inad_estimation: adds mu and sigma of the angles between normals.
 
 #include "cli/app.h"
 #include "cli/errors.h"
@@ -39,8 +39,8 @@ int
 run(const Arguments& arguments)
 {
   if (!arguments.has("radius") && !arguments.has("k"))
-    throw UsageError("-radius and -k are missing: allowed is one of the two, -radius a "
-                     "positive number of metres or -k a positive whole number");
+    throw UsageError("-radius and -k are missing; expected one of the two, -radius a "
+                     "positive number of meters or -k a positive whole number");
   arguments.exclude("use_normals", "normals");
   const pcl::INADParameters parameters = inadParameters(arguments, {});
   return runFilter(arguments, [&](CloudFile& file, Report& report) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// pcl_shape_evaluate: compares a predicted cloud with the truth.
 
 #include "cli/app.h"
 #include "cli/atomic_file.h"
@@ -8,7 +8,6 @@
 #include "cli/filter_app.h"
 #include "cli/report.h"
 #include "evaluation/evaluation_tasks.h"
-#include "evaluation/outcomes.h"
 #include "io/any_cloud.h"
 #include "io/pcd.h"
 
@@ -117,7 +116,7 @@ checkOut(const Arguments& arguments, const std::string& task)
 {
   if (arguments.has("out") && (task == "instance" || task == "label"))
     throw UsageError("-out with -task '" + task +
-                     "': allowed is -task edge, planar, curved or ground");
+                     "'; expected -task edge, planar, curved or ground");
   checkOutputPath(arguments, "out", arguments.operands(2));
 }
 
@@ -207,6 +206,6 @@ main(int argc, char** argv)
           "write the predicted cloud with the field outcome: 2 hit, 3 miss, 4 false "
           "alarm");
   addFormatOption(command_line);
-  addCommonOptions(command_line);
+  addCommonOptions(command_line, false);
   return runApp(command_line, argc, argv, run);
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// pcl_shape_grasp: finds places for a suction cup.
 
 #include "cli/app.h"
 #include "cli/atomic_file.h"
-#include "cli/errors.h"
 #include "cli/filter_app.h"
+#include "cli/pcl_errors.h"
 #include "detection/resolution.h"
 #include "io/pcd.h"
-#include "results/grasps_file.h"
+#include "results/result_files.h"
 #include "results/selection.h"
 
 #include <pcl/segmentation/suction_grasp_estimation.h>
@@ -23,8 +23,8 @@ using Estimation = pcl::SuctionGraspEstimation<pcl::PointXYZ>;
 using Grasps = std::vector<pcl::SuctionGrasp>;
 
 constexpr std::uint64_t default_grasps = 10;
-constexpr std::uint64_t most_grasps = 1000000;
-const char* const three_numbers = "three numbers of metres, X,Y,Z";
+constexpr std::uint64_t grasps_limit = 1000000;
+const char* const three_numbers = "three numbers of meters, X,Y,Z";
 
 Estimation
 makeEstimation(const Arguments& arguments, Report& report)
@@ -39,7 +39,7 @@ makeEstimation(const Arguments& arguments, Report& report)
   estimation.setCompliance(
       arguments.number("compliance", probability).value_or(estimation.getCompliance()));
   const std::uint64_t max_grasps =
-      arguments.integer("max_grasps", 1, most_grasps).value_or(default_grasps);
+      arguments.integer("max_grasps", 1, grasps_limit).value_or(default_grasps);
   estimation.setMaximumGrasps(max_grasps);
   const double resolution = resolutionOf(arguments);
   estimation.setResolution(resolution);
@@ -86,8 +86,7 @@ findGrasps(Estimation& estimation, const CloudFile& file, const Arguments& argum
   estimation.setIndices(selectedPoints(file, *points, arguments));
   setViewPoint(estimation, file, arguments);
   Grasps grasps;
-  if (!estimation.compute(grasps))
-    throw InputError(file.path + ": refused for the reason given above");
+  withPclErrors(file.path, [&] { return estimation.compute(grasps); });
   return grasps;
 }
 
@@ -152,7 +151,7 @@ main(int argc, char** argv)
       "whole cloud, or the points that -field and -value or -box select; the others "
       "are in the way.");
   command_line.option("surface", "S", "to look for: any (default), planar, curved")
-      .option("cup_radius", "R", "of the cup's lip, metres (0.01)")
+      .option("cup_radius", "R", "of the cup's lip, meters (0.01)")
       .option("compliance", "C", "by how many radii the lip may bend, 0 to 1 (0.2)")
       .option("max_grasps", "N", "at most (10)")
       .option(

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// pcl_shape_ground: marks the ground in a vehicle's laser scan.
 
 #include "cli/app.h"
-#include "cli/errors.h"
 #include "cli/filter_app.h"
+#include "cli/pcl_errors.h"
 
 #include <pcl/segmentation/shape_ground_segmentation.h>
 
@@ -20,14 +20,14 @@ constexpr double degree = 3.14159265358979323846 / 180.0;
 Eigen::Vector3f
 upOf(const Arguments& arguments)
 {
-  const std::string allowed =
+  const std::string expected =
       "a direction x,y,z, three numbers that are not all 0, such as 0,0,1";
-  const auto numbers = arguments.numbers("up", 3, allowed);
+  const auto numbers = arguments.numbers("up", 3, expected);
   if (!numbers)
     return Eigen::Vector3f::UnitZ();
   const Eigen::Vector3f up = Eigen::Vector3d(numbers->data()).cast<float>();
   if (!(up.squaredNorm() > 0.0f) || !up.allFinite())
-    throw UsageError("-up '" + arguments.text("up") + "': allowed is " + allowed);
+    arguments.fail("up", expected);
   return up;
 }
 
@@ -56,9 +56,10 @@ addGround(CloudFile& file,
   reportPoints(*points, report);
   segmentation.setInputCloud(points);
   std::vector<float> likelihood;
-  report.time("ground", [&] { segmentation.compute(likelihood); });
-  if (likelihood.size() != file.size())
-    throw InputError(file.path + ": refused for the reason given above");
+  withPclErrors(file.path, [&] {
+    report.time("ground", [&] { segmentation.compute(likelihood); });
+    return likelihood.size() == file.size();
+  });
   std::vector<std::uint32_t> ground(file.size(), 0);
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < ground.size(); ++i)
@@ -102,7 +103,7 @@ main(int argc, char** argv)
       "0 elsewhere. The scanner is at the VIEWPOINT.");
   command_line.option("up", "X,Y,Z", "a direction, roughly up (0,0,1)")
       .option("max_slope", "A", "of the ground towards up, degrees (20)")
-      .option("max_step", "S", "that ground continues over, metres: a kerb (0.2)")
+      .option("max_step", "S", "that ground continues over, meters: a kerb (0.2)")
       .option("threshold", "L", "the likelihood from which a point is ground (0.5)");
   addFilterOptions(command_line);
   return runApp(command_line, argc, argv, run);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// pcl_shape_histogram: makes a model file from samples of surfaces.
 
 #include "cli/app.h"
 #include "cli/atomic_file.h"
@@ -9,7 +9,6 @@
 #include "detection/inad_options.h"
 #include "detection/model_file.h"
 #include "io/pcd.h"
-#include "results/heat_map.h"
 
 #include <iostream>
 
@@ -38,19 +37,6 @@ printHistogram(const Report& report)
             << report.number("histogram", "peak_sigma") << " degrees\n";
 }
 
-/** -png: the class that was made; of several the first. */
-void
-writePicture(const Arguments& arguments,
-             const ModelFile& model,
-             const std::string& name)
-{
-  AtomicFile picture(arguments.text("png"));
-  for (const auto& of : model.model().classes())
-    if (of.name == name)
-      picture.write(heatMap(of.histogram));
-  picture.commit();
-}
-
 int
 run(const Arguments& arguments)
 {
@@ -63,9 +49,6 @@ run(const Arguments& arguments)
   std::vector<std::string> others = samples;
   others.push_back(model_path);
   checkJsonPath(arguments, others);
-  if (arguments.has("json"))
-    others.push_back(arguments.text("json"));
-  checkOutputPath(arguments, "png", others);
   requireWritable(model_path);
 
   ModelFile model(model_path, arguments, classes);
@@ -78,8 +61,6 @@ run(const Arguments& arguments)
   }
   Report result;
   model.save(result);
-  if (arguments.has("png"))
-    writePicture(arguments, model, classes.front().name);
   for (const Report& report : reports)
     printSummary(report.text("", "input"), report);
   result.setCount("", "samples", samples.size());
@@ -119,7 +100,6 @@ main(int argc, char** argv)
       .option("mu_range", "A", "degrees, angles from there are beyond the bins (90)")
       .option("sigma_range", "A", "degrees, the same for sigma (90)")
       .option("prior", "P", "how frequent the class is, relative to the others (1)")
-      .option("png", "F", "draw the class, of several the first, as a heat map")
       .option("input_dir", "D", "all .pcd files of D instead of sample.pcd");
   addCommonOptions(command_line);
   return runApp(command_line, argc, argv, run);

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// pcl_shape_instances: adds the field instance, and primitives to the JSON.
 
 #include "cli/app.h"
 #include "cli/errors.h"
 #include "cli/filter_app.h"
+#include "detection/instances.h"
 #include "detection/model_file.h"
 #include "detection/resolution.h"
-#include "results/instances_json.h"
-
-#include <pcl/segmentation/shape_instance_segmentation.h>
 
 #include <algorithm>
 #include <limits>
@@ -18,7 +16,6 @@
 namespace {
 
 using namespace pcl::app;
-using Segmentation = pcl::ShapeInstanceSegmentation<pcl::PointXYZ>;
 
 struct Settings {
   std::string of_class;
@@ -45,7 +42,7 @@ densityModel(const std::string& path)
   const bool is_density =
       model.parameters().radius_mode == pcl::AdaptiveRadius::DENSITY;
   if (!is_density || model.classes().size() < 2)
-    throw InputError(path + ": allowed is a model of two classes or more, made with "
+    throw InputError(path + ": expected a model of two classes or more, made with "
                             "-scale density");
   return model;
 }
@@ -61,11 +58,11 @@ checkClass(const Settings& settings)
   }
   if (std::find(names.begin(), names.end(), "planar") != names.end())
     names.emplace_back("object");
-  std::string allowed;
+  std::string expected;
   for (const std::string& name : names)
-    allowed += (allowed.empty() ? "" : ", ") + name;
+    expected += (expected.empty() ? "" : ", ") + name;
   if (std::find(names.begin(), names.end(), settings.of_class) == names.end())
-    throw UsageError("-class '" + settings.of_class + "': allowed is " + allowed);
+    throw UsageError("-class '" + settings.of_class + "': expected one of " + expected);
 }
 
 Settings
@@ -80,7 +77,7 @@ settingsOf(const Arguments& arguments)
                      .value_or(std::min(default_low, settings.high));
   if (settings.low > settings.high)
     throw UsageError("-low '" + arguments.text("low") + "' is above -high, " +
-                     std::to_string(settings.high) + ": allowed is up to that");
+                     std::to_string(settings.high) + "; expected up to that");
   settings.min_points =
       arguments.integer("min_points", 1, std::numeric_limits<std::uint32_t>::max())
           .value_or(default_points);
@@ -106,15 +103,15 @@ reportSettings(const Settings& settings, const Arguments& arguments, Report& rep
 }
 
 void
-addInstances(CloudFile& file,
-             const Settings& settings,
-             const Arguments& arguments,
-             Report& report)
+segment(CloudFile& file,
+        const Settings& settings,
+        const Arguments& arguments,
+        Report& report)
 {
   const auto points = pointsOf(file);
   reportPoints(*points, report);
   reportSettings(settings, arguments, report);
-  Segmentation segmentation;
+  InstanceSegmentation segmentation;
   if (settings.model)
     segmentation.setModel(*settings.model);
   segmentation.setInputCloud(points);
@@ -124,24 +121,7 @@ addInstances(CloudFile& file,
   segmentation.setPrimitive(settings.primitive);
   segmentation.setResolution(settings.resolution);
   segmentation.setNumberOfThreads(arguments.threads());
-  std::vector<pcl::ShapeInstance> instances;
-  if (!report.time("instances", [&] { return segmentation.segment(instances); }))
-    throw InputError(file.path + ": refused for the reason given above");
-
-  std::vector<std::uint32_t> labels(file.size(), 0);
-  std::uint64_t labelled = 0;
-  for (std::size_t k = 0; k < instances.size(); ++k) {
-    for (const pcl::index_t index : instances[k].indices)
-      labels[static_cast<std::size_t>(index)] = static_cast<std::uint32_t>(k + 1);
-    labelled += instances[k].indices.size();
-  }
-  report.setCount("counts", "instances", instances.size());
-  report.setCount("counts", "points in them", labelled);
-  report.setJson(
-      "",
-      "instances",
-      instancesToJson(instances, settings.of_class, segmentation.getClasses()));
-  setField(file, "instance", labels);
+  addInstances(file, segmentation, report);
 }
 
 int
@@ -149,7 +129,7 @@ run(const Arguments& arguments)
 {
   const Settings settings = settingsOf(arguments);
   return runFilter(arguments, [&](CloudFile& file, Report& report) {
-    addInstances(file, settings, arguments, report);
+    segment(file, settings, arguments, report);
   });
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// pcl_shape_label: labels clouds for training.
 
 #include "cli/app.h"
 #include "cli/errors.h"
@@ -8,7 +8,7 @@
 #include "detection/resolution.h"
 #include "io/any_cloud.h"
 #include "labels/label_directory.h"
-#include "labels/labelled_cloud.h"
+#include "labels/labeled_cloud.h"
 
 #include <filesystem>
 
@@ -25,7 +25,7 @@ formatOfFile(const Arguments& arguments, const std::string& output)
     return fs::path(output).extension() == ".ply" ? "ply" : "pcd";
   const std::string format = arguments.choice("format", labelFormats());
   if (format == "kitti")
-    throw UsageError("-format 'kitti' of a single file: allowed is pcd or ply, or a "
+    throw UsageError("-format 'kitti' of a single file; expected pcd or ply, or a "
                      "directory of clouds");
   return format;
 }
@@ -35,7 +35,7 @@ labelFile(const Arguments& arguments)
 {
   const auto& operands = arguments.operands(2);
   if (arguments.has("overwrite"))
-    throw UsageError("-overwrite of a single file: allowed is a directory of clouds");
+    throw UsageError("-overwrite of a single file; expected a directory of clouds");
   const LabelSettings settings = labelSettings(arguments);
   const std::string format = formatOfFile(arguments, operands[1]);
   checkJsonPath(arguments, operands);
@@ -47,7 +47,7 @@ labelFile(const Arguments& arguments)
   CloudFile cloud = report.time("read", [&] { return readAnyCloud(operands[0]); });
   const std::vector<std::uint32_t> labels = labelCloud(cloud, settings, report);
   report.time("write",
-              [&] { output.write(encodeLabelled(format, cloud, labels).front()); });
+              [&] { output.write(encodeLabeled(format, cloud, labels).front()); });
   commitWithJson(arguments, toJson(arguments.app(), report), output);
   printSummary(operands[0], report);
   return 0;
@@ -56,11 +56,7 @@ labelFile(const Arguments& arguments)
 int
 run(const Arguments& arguments)
 {
-  if (arguments.has("input_dir") || arguments.has("output_dir")) {
-    if (!arguments.has("input_dir") || !arguments.has("output_dir"))
-      throw UsageError("-input_dir '" + arguments.text("input_dir") +
-                       "' and -output_dir '" + arguments.text("output_dir") +
-                       "': allowed is both or neither");
+  if (arguments.hasBoth("input_dir", "output_dir")) {
     arguments.operands(0);
     return labelDirectory(
         arguments, arguments.text("input_dir"), arguments.text("output_dir"));

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// pcl_shape_scene: makes scenes whose surfaces, edges and objects are known.
 
 #include "cli/app.h"
 #include "cli/atomic_file.h"
 #include "cli/filter_app.h"
 #include "io/pcd.h"
 #include "scene/lidar_scene.h"
-#include "scene/table_options.h"
 #include "scene/table_scene.h"
 
 namespace {
@@ -56,15 +55,15 @@ main(int argc, char** argv)
               "A",
               "another view: from A degrees further right around the objects (0)")
       .option(
-          "noise", "X", "kinect (default), none, or the sigma of white noise, metres")
+          "noise", "X", "kinect (default), none, or the sigma of white noise, meters")
       .option("sampling",
               "S",
-              "no camera: points at random on all surfaces, S metres apart")
+              "no camera: points at random on all surfaces, S meters apart")
       .flag("organized", "keep the image's layout, with NaN where there is no depth")
       .flag("normals", "write the exact normals too")
       .flag("faces", "write face too: which face of its object a point is on");
   addLidarOptions(command_line);
   addFormatOption(command_line);
-  addCommonOptions(command_line);
+  addCommonOptions(command_line, false);
   return runApp(command_line, argc, argv, run);
 }

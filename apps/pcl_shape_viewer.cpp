@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// pcl_shape_viewer: shows a cloud in a window, or draws a picture of it.
 
 #include "cli/app.h"
 #include "cli/atomic_file.h"
 #include "cli/errors.h"
 #include "cli/filter_app.h"
 #include "io/pcd.h"
-#include "viewer/label_names.h"
 #include "viewer/window.h"
 
 #include <iostream>
@@ -30,10 +29,9 @@ splitNames(const Arguments& arguments, const std::string& option)
   for (std::string word; std::getline(words, word, ',');)
     if (!word.empty())
       names.push_back(word);
-  constexpr std::size_t most = 16;
-  if (arguments.has(option) && (names.empty() || names.size() > most))
-    throw UsageError("-" + option + " '" + arguments.text(option) +
-                     "': allowed are 1 to 16 names of fields, as surface,edge");
+  constexpr std::size_t max_views = 16; // smaller ones show nothing
+  if (arguments.has(option) && (names.empty() || names.size() > max_views))
+    arguments.fail(option, "1 to 16 names of fields, as surface,edge");
   return names;
 }
 
@@ -42,19 +40,20 @@ sizeOf(const Arguments& arguments, std::size_t views)
 {
   constexpr int view_width = 640, view_height = 480;
   const int columns = columnsOf(views);
-  const int rows = (static_cast<int>(views) + columns - 1) / columns;
+  const int rows = rowsOf(views);
   if (!arguments.has("size"))
     return views == 1 ? Size{960, 720} : Size{columns * view_width, rows * view_height};
   const std::string text = arguments.text("size");
   const std::size_t cross = text.find('x');
-  constexpr double least = 64, most = 16384;
+  constexpr double min_side = 64,
+                   max_side = 16384; // legends need the one, OpenGL the other
   const auto width = parseNumber(text.substr(0, cross));
   const auto height =
       parseNumber(cross == std::string::npos ? "" : text.substr(cross + 1));
   for (const auto& side : {width, height})
-    if (!side || *side < least || *side > most || *side != static_cast<int>(*side))
-      throw UsageError("-size '" + text +
-                       "': allowed is WIDTHxHEIGHT, each from 64 to 16384 pixels");
+    if (!side || *side < min_side || *side > max_side ||
+        *side != static_cast<int>(*side))
+      arguments.fail("size", "WIDTHxHEIGHT, each from 64 to 16384 pixels");
   return {static_cast<int>(*width), static_cast<int>(*height)};
 }
 
@@ -102,7 +101,7 @@ sceneOf(const Arguments& arguments, const CloudFile& cloud)
   scene.width = size.width;
   scene.height = size.height;
   const int columns = columnsOf(scene.views.size());
-  const int rows = (static_cast<int>(scene.views.size()) + columns - 1) / columns;
+  const int rows = rowsOf(scene.views.size());
   const float aspect =
       static_cast<float>(size.width * rows) / static_cast<float>(size.height * columns);
   const std::size_t strays = arguments.has("camera") ? 0 : hideStrays(*scene.points);
@@ -124,8 +123,8 @@ reportView(const FieldView& view, Report& report)
 {
   const std::string section = "views/" + view.field;
   if (view.range) {
-    report.setNumber(section, "least", view.range->least);
-    report.setNumber(section, "most", view.range->most);
+    report.setNumber(section, "least", view.range->min);
+    report.setNumber(section, "most", view.range->max);
     report.setCount(section, "unknown", view.unknown);
   }
   for (const LegendEntry& entry : view.legend)
@@ -216,6 +215,6 @@ main(int argc, char** argv)
               "viewpoint)")
       .option("point_size", "N", "pixels, 1 to 50 (by the distance between points)")
       .flag("keys", "begin with the list of keys on the screen");
-  addCommonOptions(command_line);
+  addCommonOptions(command_line, false);
   return runApp(command_line, argc, argv, run);
 }

@@ -2,7 +2,7 @@
 # Draw the pictures of README.md in doc/figures, from generated scenes: scene.png (a scene, its classes, its
 # edges), lines.png (its creases as lines), heat_map.png (the histogram of its curved points).
 # Usage: scripts/draw_readme.sh BUILD_DIR [OUTPUT_DIR]
-# Needs xvfb-run without a display, and python3-pil.
+# Needs xvfb-run without a display, python3-matplotlib and python3-pil.
 set -euo pipefail
 [[ -n ${DISPLAY:-} ]] || exec xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$0" "$@"
 
@@ -23,7 +23,8 @@ camera=0,0,0,-0.03,0.02,0.9,0,-1,0,31
 "$apps"/pcl_shape_viewer "$work/edges.pcd" -field plain -shade -lines "$work/lines.json" -size 720x540 \
   -camera $camera -screenshot "$work/lines.png"
 "$apps"/pcl_shape_histogram "$work/scene.pcd" "$work/model.json" -radius 0.025 -name curved \
-  -field surface -value 2 -bins 60 -mu_range 45 -sigma_range 22.5 -png "$work/heat_map.png"
+  -field surface -value 2 -bins 60 -mu_range 45 -sigma_range 22.5
+"${PYTHON:-python3}" "$here"/draw_histogram.py "$work/model.json" "$work/heat_map.png"
 
 for picture in scene lines heat_map; do
   "${PYTHON:-python3}" "$here"/fewer_colors.py "$work/$picture.png" "$figures/$picture.png" 128

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Help, version, one-line errors and exit statuses.
 
 #include "cli/app.h"
 
@@ -14,10 +14,6 @@
 
 namespace pcl::app {
 namespace {
-
-constexpr int exit_success = 0;
-constexpr int exit_bad_input = 1;
-constexpr int exit_bad_usage = 2;
 
 int
 parseAndRun(const CommandLine& command_line,
@@ -36,7 +32,7 @@ parseAndRun(const CommandLine& command_line,
       throw InputError("standard output: cannot be written");
     return status;
   }
-  return exit_success;
+  return 0;
 }
 
 } // namespace
@@ -66,7 +62,7 @@ runApp(const CommandLine& command_line,
   }
   catch (const UsageError& error) {
     logLine(prefix + error.what());
-    return exit_bad_usage;
+    return 2;
   }
   catch (const std::bad_alloc&) {
     logLine(prefix + "not enough memory");
@@ -74,7 +70,7 @@ runApp(const CommandLine& command_line,
   catch (const std::exception& error) {
     logLine(prefix + error.what());
   }
-  return exit_bad_input;
+  return 1;
 }
 
 } // namespace pcl::app

@@ -1,38 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Checks the values of options and says what was expected instead.
 
 #include "cli/arguments.h"
 
 #include "cli/errors.h"
+#include "io/text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 
 namespace pcl::app {
-namespace {
-
-constexpr std::uint64_t max_threads = 1024;
-
-std::string
-badValue(const std::string& name, const std::string& value, const std::string& allowed)
-{
-  return "-" + name + " '" + value + "': allowed is " + allowed;
-}
-
-} // namespace
 
 std::optional<double>
 parseNumber(const std::string& text)
 {
-  double value = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end || !std::isfinite(value))
-    return std::nullopt;
-  return value;
+  const auto value = parseValue<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 Arguments::Arguments(std::string app, std::string usage)
@@ -44,7 +29,7 @@ void
 Arguments::addOption(const std::string& name, const std::string& value)
 {
   if (!options_.emplace(name, value).second)
-    throw UsageError("-" + name + " '" + value + "' is given twice: allowed is once");
+    throw UsageError("-" + name + " '" + value + "' is given twice; expected once");
 }
 
 const std::vector<std::string>&
@@ -56,10 +41,10 @@ Arguments::operands(std::size_t count) const
 }
 
 const std::vector<std::string>&
-Arguments::operandsFrom(std::size_t least) const
+Arguments::operandsFrom(std::size_t min) const
 {
-  if (operands_.size() < least)
-    failForOperands("at least " + std::to_string(least));
+  if (operands_.size() < min)
+    failForOperands("at least " + std::to_string(min));
   return operands_;
 }
 
@@ -70,87 +55,91 @@ Arguments::failForOperands(const std::string& expected) const
   for (const std::string& operand : operands_)
     given += " '" + operand + "'";
   throw UsageError("expected " + expected + " file names but got " +
-                   std::to_string(operands_.size()) + given + ": allowed is " + app_ +
-                   ' ' + usage_ + " (see -help)");
+                   std::to_string(operands_.size()) + given + "; usage: " + app_ + ' ' +
+                   usage_ + " (see -help)");
+}
+
+void
+Arguments::fail(const std::string& name, const std::string& expected) const
+{
+  throw UsageError("-" + name + " '" + options_.at(name) + "': expected " + expected);
+}
+
+const std::string*
+Arguments::find(const std::string& name) const
+{
+  const auto found = options_.find(name);
+  return found == options_.end() ? nullptr : &found->second;
 }
 
 std::string
 Arguments::text(const std::string& name, const std::string& fallback) const
 {
-  const auto found = options_.find(name);
-  if (found == options_.end())
-    return fallback;
-  if (found->second.empty())
-    throw UsageError(badValue(name, "", "a text that is not empty"));
-  return found->second;
+  const std::string* const text = find(name);
+  if (text && text->empty())
+    fail(name, "a text that is not empty");
+  return text ? *text : fallback;
 }
 
 std::string
-Arguments::choice(const std::string& name,
-                  const std::vector<std::string>& allowed) const
+Arguments::choice(const std::string& name, const std::vector<std::string>& words) const
 {
-  const auto found = options_.find(name);
-  if (found == options_.end())
-    return allowed.front();
-  if (std::find(allowed.begin(), allowed.end(), found->second) != allowed.end())
-    return found->second;
-  std::string words;
-  for (const std::string& word : allowed)
-    words += (words.empty() ? "" : ", ") + word;
-  throw UsageError(badValue(name, found->second, "one of " + words));
+  const std::string* const text = find(name);
+  if (!text)
+    return words.front();
+  std::string list;
+  for (const std::string& word : words) {
+    if (word == *text)
+      return word;
+    list += (list.empty() ? "" : ", ") + word;
+  }
+  fail(name, "one of " + list);
 }
 
 std::optional<double>
 Arguments::number(const std::string& name, const NumberRange& range) const
 {
-  const auto found = options_.find(name);
-  if (found == options_.end())
+  const std::string* const text = find(name);
+  if (!text)
     return std::nullopt;
-  const std::optional<double> value = parseNumber(found->second);
-  if (!value || *value > range.most || *value < range.least ||
-      (range.least_excluded && *value == range.least))
-    throw UsageError(badValue(name, found->second, range.allowed));
+  const std::optional<double> value = parseNumber(*text);
+  if (!value || *value > range.max || *value < range.min ||
+      (range.min_excluded && *value == range.min))
+    fail(name, range.expected);
   return value;
 }
 
 std::optional<std::vector<double>>
 Arguments::numbers(const std::string& name,
                    std::size_t count,
-                   const std::string& allowed) const
+                   const std::string& expected) const
 {
-  const auto found = options_.find(name);
-  if (found == options_.end())
+  const std::string* const text = find(name);
+  if (!text)
     return std::nullopt;
   std::vector<double> numbers;
-  bool is_number = true;
-  std::istringstream words(found->second + ',');
-  for (std::string word; is_number && std::getline(words, word, ',');) {
+  std::istringstream words(*text + ',');
+  for (std::string word; std::getline(words, word, ',');) {
     const std::optional<double> number = parseNumber(word);
-    is_number = number.has_value();
-    numbers.push_back(number.value_or(0.0));
+    if (!number)
+      fail(name, expected);
+    numbers.push_back(*number);
   }
-  if (!is_number || numbers.size() != count)
-    throw UsageError(badValue(name, found->second, allowed));
+  if (numbers.size() != count)
+    fail(name, expected);
   return numbers;
 }
 
 std::optional<std::uint64_t>
-Arguments::integer(const std::string& name,
-                   std::uint64_t least,
-                   std::uint64_t most) const
+Arguments::integer(const std::string& name, std::uint64_t min, std::uint64_t max) const
 {
-  const auto found = options_.find(name);
-  if (found == options_.end())
+  const std::string* const text = find(name);
+  if (!text)
     return std::nullopt;
-  const std::string& text = found->second;
-  std::uint64_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end || value < least || value > most)
-    throw UsageError(badValue(name,
-                              text,
-                              "a whole number from " + std::to_string(least) + " to " +
-                                  std::to_string(most)));
+  const auto value = parseValue<std::uint64_t>(*text);
+  if (!value || *value < min || *value > max)
+    fail(name,
+         "a whole number from " + std::to_string(min) + " to " + std::to_string(max));
   return value;
 }
 
@@ -159,12 +148,22 @@ Arguments::exclude(const std::string& one, const std::string& other) const
 {
   if (has(one) && has(other))
     throw UsageError("-" + one + " '" + options_.at(one) + "' and -" + other + " '" +
-                     options_.at(other) + "': allowed is one of the two");
+                     options_.at(other) + "': expected only one of the two");
+}
+
+bool
+Arguments::hasBoth(const std::string& one, const std::string& other) const
+{
+  if (has(one) != has(other))
+    throw UsageError("-" + one + " '" + text(one) + "' and -" + other + " '" +
+                     text(other) + "': expected both or neither");
+  return has(one);
 }
 
 unsigned
 Arguments::threads() const
 {
+  constexpr std::uint64_t max_threads = 1024; // more is a mistake, not a machine
   return static_cast<unsigned>(integer("threads", 0, max_threads).value_or(0));
 }
 

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Writes a file beside its place and renames it; signals remove what is unfinished.
 
 #include "cli/atomic_file.h"
 
 #include "cli/errors.h"
+#include "io/text.h"
 
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
-#include <optional>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 #include <sys/stat.h>
@@ -26,11 +26,9 @@ namespace fs = std::filesystem;
 namespace pcl::app {
 namespace {
 
-constexpr std::size_t max_pending = 4;
-constexpr const char* temporary_ending = ".tmp";
-
-/** Paths of the temporary files, for the signal handler. */
-std::array<std::atomic<const char*>, max_pending> pending{};
+/** Paths of the temporary files, for the signal handler; a scan with its labels and a
+ * report has three. */
+std::array<std::atomic<const char*>, 4> pending{};
 
 extern "C" void
 removePendingAndEnd(int signal)
@@ -45,50 +43,35 @@ removePendingAndEnd(int signal)
 void
 replacePending(const char* old_value, const char* new_value)
 {
-  for (auto& path : pending) {
-    const char* expected = old_value;
-    if (path.compare_exchange_strong(expected, new_value))
+  for (auto& path : pending)
+    if (const char* expected = old_value;
+        path.compare_exchange_strong(expected, new_value))
       return;
-  }
 }
 
-std::string
-cannotWrite(const std::string& path, const std::string& why)
+[[noreturn]] void
+fail(const std::string& path, const std::string& why)
 {
-  return path + ": cannot be written: " + why +
-         "; allowed is a file in a directory that exists and is writable";
+  throw InputError(path + ": cannot be written: " + why +
+                   "; expected a file in a directory that exists and is writable");
 }
 
+/** The file without symbolic links. */
 std::string
 resolve(const std::string& path)
 {
   std::error_code error;
   const fs::path resolved = fs::weakly_canonical(path, error);
   if (error)
-    throw InputError(cannotWrite(path, error.message()));
+    fail(path, error.message());
   const fs::file_status status = fs::status(resolved, error);
   if (fs::is_directory(status))
-    throw InputError(cannotWrite(path, "it is a directory"));
+    fail(path, "it is a directory");
   if (fs::exists(status) && !fs::is_regular_file(status))
-    throw InputError(cannotWrite(path, "it is not a regular file"));
+    fail(path, "it is not a regular file");
   if (fs::exists(status) && ::access(resolved.c_str(), W_OK) != 0)
-    throw InputError(cannotWrite(path, std::strerror(errno)));
+    fail(path, std::strerror(errno));
   return resolved.string();
-}
-
-/** The process whose temporary file has this name, if it is one's name. */
-std::optional<pid_t>
-processOf(const fs::path& path)
-{
-  if (path.extension() != temporary_ending || !path.stem().has_extension())
-    return std::nullopt;
-  const std::string digits = path.stem().extension().string().substr(1);
-  pid_t process = 0;
-  const char* const end = digits.data() + digits.size();
-  const auto [stop, error] = std::from_chars(digits.data(), end, process);
-  return error == std::errc() && stop == end && process > 0
-             ? std::optional<pid_t>(process)
-             : std::nullopt;
 }
 
 } // namespace
@@ -96,19 +79,18 @@ processOf(const fs::path& path)
 AtomicFile::AtomicFile(const std::string& path)
 : path_(path)
 , target_(resolve(path))
-, temporary_(target_ + '.' + std::to_string(::getpid()) + temporary_ending)
+, temporary_(target_ + '.' + std::to_string(::getpid()) + ".tmp")
 {
-  replacePending(nullptr, temporary_.c_str());
   constexpr mode_t by_umask = 0666;
+  replacePending(nullptr, temporary_.c_str());
   descriptor_ =
       ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, by_umask);
   if (descriptor_ < 0) {
     const std::string why = std::strerror(errno);
     replacePending(temporary_.c_str(), nullptr);
-    throw InputError(cannotWrite(path_, why));
+    fail(path_, why);
   }
-  struct stat old {};
-  if (::stat(target_.c_str(), &old) == 0)
+  if (struct stat old{}; ::stat(target_.c_str(), &old) == 0)
     ::fchmod(descriptor_, old.st_mode & 07777);
 }
 
@@ -116,7 +98,7 @@ AtomicFile::~AtomicFile()
 {
   if (descriptor_ >= 0)
     ::close(descriptor_);
-  if (!temporary_.empty())
+  if (!is_committed_)
     ::unlink(temporary_.c_str());
   replacePending(temporary_.c_str(), nullptr);
 }
@@ -126,23 +108,20 @@ AtomicFile::write(std::string_view contents)
 {
   while (!contents.empty()) {
     const ssize_t written = ::write(descriptor_, contents.data(), contents.size());
-    if (written < 0 && errno == EINTR)
-      continue;
-    if (written < 0)
-      throw InputError(cannotWrite(path_, std::strerror(errno)));
-    contents.remove_prefix(static_cast<std::size_t>(written));
+    if (written >= 0)
+      contents.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR)
+      fail(path_, std::strerror(errno));
   }
 }
 
 void
 AtomicFile::commit()
 {
-  const int closed = ::close(descriptor_);
-  descriptor_ = -1;
+  const int closed = ::close(std::exchange(descriptor_, -1));
   if (closed != 0 || std::rename(temporary_.c_str(), target_.c_str()) != 0)
-    throw InputError(cannotWrite(path_, std::strerror(errno)));
-  replacePending(temporary_.c_str(), nullptr);
-  temporary_.clear();
+    fail(path_, std::strerror(errno));
+  is_committed_ = true;
 }
 
 void
@@ -159,9 +138,12 @@ removeOrphans(const std::string& directory)
   for (auto entry = fs::recursive_directory_iterator(directory, error);
        !error && entry != fs::recursive_directory_iterator();
        entry.increment(error)) {
-    const auto process = processOf(entry->path());
-    if (process && ::kill(*process, 0) != 0 && errno == ESRCH)
-      orphans.push_back(entry->path());
+    const fs::path& path = entry->path(); // NAME.PROCESS.tmp
+    const auto process =
+        parseValue<pid_t>(path.stem().extension().string().erase(0, 1));
+    if (path.extension() == ".tmp" && process && *process > 0 &&
+        ::kill(*process, 0) != 0 && errno == ESRCH)
+      orphans.push_back(path);
     if (entry.depth() > 0)
       entry.disable_recursion_pending();
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Output files that are complete or not there at all.
 
 #pragma once
 
@@ -31,6 +31,7 @@ private:
   std::string target_; ///< without symbolic links
   std::string temporary_;
   int descriptor_ = -1;
+  bool is_committed_ = false;
 };
 
 /** \brief \throws InputError if a file cannot be written at the path */

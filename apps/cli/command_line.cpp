@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Parses PCL's style of options with Boost, and prints the help text.
 
 #include "cli/command_line.h"
 
@@ -23,12 +23,6 @@ constexpr int style = po::command_line_style::allow_long |
                       po::command_line_style::long_allow_next |
                       po::command_line_style::long_allow_adjacent |
                       po::command_line_style::allow_long_disguise;
-
-bool
-looksLikeOption(const std::string& token)
-{
-  return token.size() > 1 && token.front() == '-';
-}
 
 } // namespace
 
@@ -56,13 +50,13 @@ CommandLine::option(const std::string& name,
   return *this;
 }
 
-std::string
-CommandLine::optionNames() const
+void
+CommandLine::fail(const std::string& what) const
 {
   std::string names;
   for (const Option& option : options_)
     names += (names.empty() ? "-" : ", -") + option.name;
-  return names;
+  throw UsageError(what + "; expected one of " + names);
 }
 
 Arguments
@@ -80,22 +74,21 @@ CommandLine::parse(int argc, const char* const* argv) const
   try {
     const auto parsed =
         po::command_line_parser(argc, argv).options(description).style(style).run();
-    for (const auto& found : parsed.options)
+    for (const auto& found : parsed.options) {
+      const std::string value = found.value.empty() ? "" : found.value.front();
       if (found.string_key != operand_key)
-        arguments.addOption(found.string_key == "h" ? "help" : found.string_key,
-                            found.value.empty() ? "" : found.value.front());
-      else if (looksLikeOption(found.value.front()))
-        throw UsageError("unknown option " + found.value.front() + ": allowed are " +
-                         optionNames());
+        arguments.addOption(found.string_key == "h" ? "help" : found.string_key, value);
+      else if (value.size() > 1 && value.front() == '-')
+        fail("unknown option " + value);
       else
-        arguments.addOperand(found.value.front());
+        arguments.addOperand(value);
+    }
   }
   catch (const po::unknown_option& error) {
-    throw UsageError("unknown option " + error.get_option_name() + ": allowed are " +
-                     optionNames());
+    fail("unknown option " + error.get_option_name());
   }
   catch (const po::error& error) {
-    throw UsageError(std::string(error.what()) + ": allowed are " + optionNames());
+    fail(error.what());
   }
   return arguments;
 }
@@ -113,7 +106,7 @@ CommandLine::printHelp(std::ostream& stream) const
     stream << "  " << left << std::string(width - left.size(), ' ') << option.help
            << '\n';
   }
-  stream << "\nLengths are in metres, angles in degrees. Exit status: 0 success, 1 bad "
+  stream << "\nLengths are in meters, angles in degrees. Exit status: 0 success, 1 bad "
             "input, 2 bad command line.\n";
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The options that an app accepts, its help text and its parser.
 
 #pragma once
 
@@ -45,7 +45,7 @@ private:
     std::string help;
   };
 
-  std::string optionNames() const;
+  [[noreturn]] void fail(const std::string& what) const;
 
   std::string app_;
   std::string operands_;

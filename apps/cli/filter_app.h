@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Apps that add fields to a cloud or to all of a directory, and options of all apps.
 
 #pragma once
 
 #include "cli/arguments.h"
 #include "cli/atomic_file.h"
+#include "cli/batch.h"
 #include "cli/command_line.h"
 #include "cli/report.h"
 #include "io/cloud_file.h"
@@ -28,18 +29,14 @@ void addFormatOption(CommandLine& command_line);
 
 PCDFormat outputFormat(const Arguments& arguments);
 
-/** \brief -threads and -json, which every app has. */
-void addCommonOptions(CommandLine& command_line);
+/** \brief -threads and -json, which every app has. \param[in] is_parallel whether
+ * -threads has an effect */
+void addCommonOptions(CommandLine& command_line, bool is_parallel = true);
 
 /** \brief Read a cloud, filter it and write it; or every cloud of -input_dir to
  * -output_dir. A summary of each goes to standard output, and to the -json file.
  * \return the exit status: in a directory, files that fail don't stop the others */
 int runFilter(const Arguments& arguments, const Filter& filter);
-
-/** \brief The files of a directory with one of these endings, sorted. \throws
- * InputError if there is none */
-std::vector<std::string> cloudsIn(const std::string& directory,
-                                  const std::vector<std::string>& endings = {".pcd"});
 
 /** \brief Note the sizes of a cloud. */
 void reportPoints(const pcl::PointCloud<pcl::PointXYZ>& points, Report& report);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Reads a regular file, or says what is there instead.
 
 #include "cli/read_file.h"
 
@@ -16,10 +16,10 @@ namespace fs = std::filesystem;
 namespace pcl::app {
 
 std::string
-readFile(const std::string& path, const std::string& allowed)
+readFile(const std::string& path, const std::string& expected)
 {
   const auto bad = [&](const std::string& what, const char* readable = "") {
-    return InputError(path + ": " + what + ": allowed is " + readable + allowed);
+    return InputError(path + ": " + what + "; expected " + readable + expected);
   };
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -29,11 +29,11 @@ readFile(const std::string& path, const std::string& allowed)
     throw bad(fs::is_directory(status) ? "is a directory" : "is not a regular file");
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
-    throw bad(std::strerror(errno), "readable: ");
+    throw bad(std::strerror(errno), "a readable file: ");
   std::string contents(fs::file_size(path), '\0');
   stream.read(contents.data(), static_cast<std::streamsize>(contents.size()));
   if (!stream)
-    throw bad("reading failed", "readable: ");
+    throw bad("reading failed", "a readable file: ");
   return contents;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// A whole file as a string.
 
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace pcl::app {
 
-/** \brief All bytes of a regular file. \param[in] allowed what the file should be, for
+/** \brief All bytes of a regular file. \param[in] expected what the file should be, for
  * messages, such as "a PCD file" \throws InputError that names the path */
-std::string readFile(const std::string& path, const std::string& allowed);
+std::string readFile(const std::string& path, const std::string& expected);
 
 } // namespace pcl::app

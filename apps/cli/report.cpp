@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Keeps the values of a report as JSON and writes them for people and machines.
 
 #include "cli/report.h"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
+#include <iomanip>
 #include <sstream>
-#include <stdexcept>
 
 namespace pcl::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string
-dump(const Json& json)
-{
-  constexpr int indent = 2;
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
-}
 
 Json
 header(const std::string& app)
@@ -28,51 +20,20 @@ header(const std::string& app)
   return {{"app", app}, {"version", PCL_SHAPE_VERSION}};
 }
 
-/** The object of a section: "a/b" is b in a. */
-Json&
-objectOf(Json& json, const std::string& section)
-{
-  Json* object = &json;
-  std::istringstream names(section);
-  for (std::string name; std::getline(names, name, '/');)
-    object = &(*object)[name];
-  return *object;
-}
-
-Json
-toJson(const Report::Json& value)
-{
-  return Json::parse(value.text);
-}
-
-template <typename Value>
-Json
-toJson(const Value& value)
-{
-  return value;
-}
-
-void
-add(Json& json, const Report& report)
-{
-  for (const Report::Section& section : report.sections()) {
-    Json& target = objectOf(json, section.name);
-    for (const auto& [name, value] : section.entries)
-      std::visit([&, key = name](const auto& v) { target[key] = toJson(v); }, value);
-  }
-}
-
 } // namespace
 
+Report::Report() : sections_(std::make_unique<Json>(Json::object())) {}
+
+Report::~Report() = default;
+
+Report::Report(Report&& other) noexcept = default;
+
+Report& Report::operator=(Report&& other) noexcept = default;
+
 void
-Report::set(const std::string& section, const std::string& name, Value value)
+Report::setJson(const std::string& section, const std::string& name, const Json& value)
 {
-  auto place = std::find_if(sections_.begin(), sections_.end(), [&](const Section& s) {
-    return s.name == section;
-  });
-  if (place == sections_.end())
-    place = sections_.insert(sections_.end(), {section, {}});
-  place->entries.emplace_back(name, std::move(value));
+  (*sections_)[section][name] = value;
 }
 
 void
@@ -80,13 +41,13 @@ Report::setText(const std::string& section,
                 const std::string& name,
                 const std::string& value)
 {
-  set(section, name, value);
+  setJson(section, name, value);
 }
 
 void
 Report::setNumber(const std::string& section, const std::string& name, double value)
 {
-  set(section, name, value);
+  setJson(section, name, value);
 }
 
 void
@@ -94,69 +55,78 @@ Report::setCount(const std::string& section,
                  const std::string& name,
                  std::uint64_t value)
 {
-  set(section, name, value);
+  setJson(section, name, value);
 }
 
 void
 Report::setFlag(const std::string& section, const std::string& name, bool value)
 {
-  set(section, name, value);
-}
-
-void
-Report::setJson(const std::string& section,
-                const std::string& name,
-                const std::string& text)
-{
-  set(section, name, Json{text});
-}
-
-double
-Report::totalTime() const
-{
-  double total = 0.0;
-  for (const Section& section : sections_)
-    if (section.name == "times_ms")
-      for (const auto& entry : section.entries)
-        total += std::get<double>(entry.second);
-  return total;
-}
-
-const Report::Value&
-Report::get(const std::string& section, const std::string& name) const
-{
-  for (const Section& candidate : sections_)
-    if (candidate.name == section)
-      for (const auto& entry : candidate.entries)
-        if (entry.first == name)
-          return entry.second;
-  throw std::out_of_range("the report has no '" + section + '/' + name + "'");
+  setJson(section, name, value);
 }
 
 std::uint64_t
 Report::count(const std::string& section, const std::string& name) const
 {
-  return std::get<std::uint64_t>(get(section, name));
+  return sections_->at(section).at(name).get<std::uint64_t>();
 }
 
 double
 Report::number(const std::string& section, const std::string& name) const
 {
-  return std::get<double>(get(section, name));
+  return sections_->at(section).at(name).get<double>();
 }
 
 std::string
 Report::text(const std::string& section, const std::string& name) const
 {
-  return std::get<std::string>(get(section, name));
+  return sections_->at(section).at(name).get<std::string>();
+}
+
+std::string
+Report::summary() const
+{
+  std::ostringstream line;
+  line << count("", "points") << " points, " << count("", "finite_points") << " finite";
+  const Json counts = sections_->value("counts", Json::object());
+  for (const auto& [name, value] : counts.items())
+    line << ", " << value.get<std::uint64_t>() << ' ' << name;
+  if (sections_->at("").contains(largest_radius))
+    line << ", curved up to a radius of " << std::setprecision(2)
+         << number("", largest_radius);
+  double total = 0.0;
+  for (const Json& time : sections_->value("times_ms", Json::object()))
+    total += time.get<double>();
+  line << std::fixed << std::setprecision(0) << ", " << total << " ms";
+  return line.str();
+}
+
+nlohmann::ordered_json
+Report::toJson() const
+{
+  Json json = Json::object();
+  for (const auto& [section, values] : sections_->items()) {
+    Json* target = &json;
+    std::istringstream names(section);
+    for (std::string name; std::getline(names, name, '/');)
+      target = &(*target)[name];
+    for (const auto& [name, value] : values.items())
+      (*target)[name] = value;
+  }
+  return json;
+}
+
+std::string
+dumpJson(const Json& json, int indent)
+{
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 std::string
 toJson(const std::string& app, const Report& report)
 {
   Json json = header(app);
-  add(json, report);
-  return dump(json);
+  json.update(report.toJson());
+  return dumpJson(json);
 }
 
 std::string
@@ -167,11 +137,11 @@ toJson(const std::string& app,
   Json json = header(app);
   json["files"] = Json::array();
   for (const Report& report : reports)
-    add(json["files"].emplace_back(Json::object()), report);
+    json["files"].push_back(report.toJson());
   json["failures"] = Json::array();
   for (const Failure& failure : failures)
     json["failures"].push_back({{"input", failure.input}, {"error", failure.error}});
-  return dump(json);
+  return dumpJson(json);
 }
 
 } // namespace pcl::app

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// What an app says about one file: the line for people and the -json file.
 
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <string>
-#include <utility>
-#include <variant>
 #include <vector>
 
 namespace pcl::app {
@@ -16,21 +17,14 @@ namespace pcl::app {
 /** \brief The number of a report that printSummary() gives, if there is one. */
 inline const std::string largest_radius = "largest_curved_radius";
 
-/** \brief What an app says about one file, for people and for machines. */
+/** \brief Values by section and name. The section "" is the report itself, "a/b" is b
+ * in a; sections appear in the order of their first value. */
 class Report {
 public:
-  /** \brief A value that is JSON already, such as a list of objects. */
-  struct Json {
-    std::string text;
-  };
-
-  using Value = std::variant<bool, std::uint64_t, double, std::string, Json>;
-  using Entries = std::vector<std::pair<std::string, Value>>;
-
-  struct Section {
-    std::string name; ///< empty: the report itself; "a/b": b in a
-    Entries entries;
-  };
+  Report();
+  ~Report();
+  Report(Report&& other) noexcept;
+  Report& operator=(Report&& other) noexcept;
 
   void setText(const std::string& section,
                const std::string& name,
@@ -43,9 +37,9 @@ public:
 
   void setFlag(const std::string& section, const std::string& name, bool value);
 
-  /** \param[in] text valid JSON */
-  void
-  setJson(const std::string& section, const std::string& name, const std::string& text);
+  void setJson(const std::string& section,
+               const std::string& name,
+               const nlohmann::ordered_json& value);
 
   /** \brief Run a stage and note its duration under "times_ms". */
   template <typename Stage>
@@ -56,21 +50,18 @@ public:
     return stage();
   }
 
-  /** \brief The sum of the stages, milliseconds. */
-  double totalTime() const;
-
-  /** \brief A value that was set. \throws std::out_of_range if it was not */
+  /** \brief A value that was set. \throws std::exception if it was not */
   std::uint64_t count(const std::string& section, const std::string& name) const;
 
   double number(const std::string& section, const std::string& name) const;
 
   std::string text(const std::string& section, const std::string& name) const;
 
-  const std::vector<Section>&
-  sections() const
-  {
-    return sections_;
-  }
+  /** \brief One line: the points, the section "counts", the sum of the times. */
+  std::string summary() const;
+
+  /** \brief The values as one object. */
+  nlohmann::ordered_json toJson() const;
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -87,11 +78,8 @@ private:
     }
   };
 
-  void set(const std::string& section, const std::string& name, Value value);
-
-  const Value& get(const std::string& section, const std::string& name) const;
-
-  std::vector<Section> sections_;
+  /** An object of values for each section. */
+  std::unique_ptr<nlohmann::ordered_json> sections_;
 };
 
 /** \brief A file that could not be processed. */
@@ -107,5 +95,9 @@ std::string toJson(const std::string& app, const Report& report);
 std::string toJson(const std::string& app,
                    const std::vector<Report>& reports,
                    const std::vector<Failure>& failures);
+
+/** \brief The text of a JSON file; bytes that are not UTF-8 are replaced.
+ * \param[in] indent -1 for one line */
+std::string dumpJson(const nlohmann::ordered_json& json, int indent = 2);
 
 } // namespace pcl::app

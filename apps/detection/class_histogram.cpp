@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The histogram of one class: its bins from the options, its report.
 
 #include "detection/class_histogram.h"
 
@@ -55,7 +55,7 @@ emptyHistogram(const pcl::ShapeModel& model,
                      std::to_string(histogram.sigmaBins()) + " bins over " +
                      std::to_string(histogram.muRange() * degrees_per_radian) + " x " +
                      std::to_string(histogram.sigmaRange() * degrees_per_radian) +
-                     " degrees are asked for: allowed are the model's " +
+                     " degrees are asked for; expected the model's " +
                      std::to_string(like.muBins()) + " x " +
                      std::to_string(like.sigmaBins()) + " over " +
                      std::to_string(like.muRange() * degrees_per_radian) + " x " +

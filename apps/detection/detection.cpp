@@ -61,15 +61,6 @@ loadPaperModel(const Arguments& arguments, DetectionSettings& settings)
                      "; leave the option out, or add -ignore_model_parameters");
 }
 
-void
-addNormals(CloudFile& file,
-           const PointsPtr& points,
-           const INADParameters& parameters,
-           const Arguments& arguments)
-{
-  setNormals(file, *estimateNormals(file, points, parameters, arguments.threads()));
-}
-
 } // namespace
 
 void
@@ -139,7 +130,7 @@ fieldOf(CloudFile& file,
   if (arguments.has("normals")) {
     const pcl::ShapeModel& model =
         edges_only ? estimation.getEdgeModel() : estimation.getSurfaceModel();
-    addNormals(file, points, model.parameters(), arguments);
+    addNormals(file, points, model.parameters(), arguments.threads());
   }
   return field;
 }

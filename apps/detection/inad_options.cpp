@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Checks and reports the parameters of INAD.
 
 #include "detection/inad_options.h"
 
@@ -72,7 +72,7 @@ inadParameters(const Arguments& arguments, const INADParameters& defaults)
   else if (radius || normal_radius) {
     if (!radius && defaults.radius <= 0.0)
       throw UsageError("-normal_radius '" + arguments.text("normal_radius") +
-                       "' without -radius: allowed is both, or -radius alone");
+                       "' without -radius; expected both, or -radius alone");
     const bool one_radius = defaults.normal_radius == defaults.radius;
     parameters.k = 0;
     parameters.radius = radius.value_or(defaults.radius);
@@ -103,7 +103,7 @@ requireEnoughPoints(const INADParameters& parameters,
   const std::size_t finite = countFinite(points);
   if (parameters.k > 0 && static_cast<std::size_t>(parameters.k) > finite)
     throw InputError(cloud.path + ": -k '" + std::to_string(parameters.k) +
-                     "': allowed is 1 to the number of its finite points, " +
+                     "': expected 1 to the number of its finite points, " +
                      std::to_string(finite));
 }
 

@@ -1,27 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The stages from a file to INAD at all its points.
 
 #include "detection/inad_stages.h"
 
-#include "cli/errors.h"
 #include "cli/filter_app.h"
+#include "cli/pcl_errors.h"
 #include "detection/inad_options.h"
 
 #include <pcl/features/inad.h>
 #include <pcl/features/normal_3d_sweep.h>
-#include <pcl/features/impl/cloud_neighborhoods.hpp>
+#include <pcl/segmentation/impl/shape_detection.hpp>
 
 namespace pcl::app {
 namespace {
-
-/** What was not refused here before is reported by the class itself. */
-void
-requireResult(const CloudFile& file, std::size_t size)
-{
-  if (size != file.size())
-    throw InputError(file.path + ": refused for the reason given above");
-}
 
 template <typename Estimation>
 void
@@ -65,14 +57,19 @@ estimateAngles(const InadCloud& cloud,
 } // namespace
 
 void
-addNormals(CloudFile& file, const INADParameters& parameters, unsigned threads)
+addNormals(CloudFile& file,
+           const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& points,
+           const INADParameters& parameters,
+           unsigned threads)
 {
-  const auto points = pointsOf(file);
-  const auto normals = estimateNormals(
-      points,
-      pcl::detail::withNoiseOfCloud<pcl::PointXYZ>(parameters, points, threads),
-      threads);
-  requireResult(file, normals->size());
+  pcl::PointCloud<pcl::Normal>::Ptr normals;
+  withPclErrors(file.path, [&] {
+    normals = estimateNormals(
+        points,
+        pcl::detail::withNoiseOfCloud(parameters, pcl::detail::xyzOf(*points), threads),
+        threads);
+    return normals->size() == file.size();
+  });
   setNormals(file, *normals);
 }
 
@@ -85,7 +82,7 @@ estimateInad(CloudFile& file,
   const unsigned threads = arguments.threads();
   const auto points = pointsOf(file);
   const INADParameters parameters =
-      pcl::detail::withNoiseOfCloud<pcl::PointXYZ>(asked, points, threads);
+      pcl::detail::withNoiseOfCloud(asked, pcl::detail::xyzOf(*points), threads);
   requireEnoughPoints(parameters, file, *points);
   reportPoints(*points, report);
   reportParameters(parameters, report);
@@ -96,12 +93,16 @@ estimateInad(CloudFile& file,
   if (arguments.has("use_normals"))
     cloud.normals = normalsOf(file);
   else
-    cloud.normals = report.time(
-        "normals", [&] { return estimateNormals(points, parameters, threads); });
-  requireResult(file, cloud.normals->size());
-  cloud.inad =
-      report.time("inad", [&] { return estimateAngles(cloud, parameters, threads); });
-  requireResult(file, cloud.inad->size());
+    withPclErrors(file.path, [&] {
+      cloud.normals = report.time(
+          "normals", [&] { return estimateNormals(points, parameters, threads); });
+      return cloud.normals->size() == file.size();
+    });
+  withPclErrors(file.path, [&] {
+    cloud.inad =
+        report.time("inad", [&] { return estimateAngles(cloud, parameters, threads); });
+    return cloud.inad->size() == file.size();
+  });
   if (arguments.has("normals"))
     setNormals(file, *cloud.normals);
   return cloud;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Computes normals and INAD of a cloud, stage by stage.
 
 #pragma once
 
@@ -28,7 +28,11 @@ InadCloud estimateInad(CloudFile& file,
                        const INADParameters& parameters,
                        Report& report);
 
-/** \brief Estimate the normals and write them into the file's cloud. */
-void addNormals(CloudFile& file, const INADParameters& parameters, unsigned threads);
+/** \brief Set normals of the cloud, over the radius for its noise, and their curvature.
+ */
+void addNormals(CloudFile& file,
+                const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& points,
+                const INADParameters& parameters,
+                unsigned threads);
 
 } // namespace pcl::app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Reads, extends and writes model files.
 
 #include "detection/model_file.h"
 
@@ -36,12 +36,12 @@ startModel(const std::string& path, const Arguments& arguments)
         model.disagreement(inadParameters(arguments, model.parameters()));
     if (!disagreement.empty())
       throw InputError(path + ": " + disagreement +
-                       ": allowed is the model's own value, or a new model file");
+                       "; expected the model's own value, or a new model file");
     return model;
   }
   if (!arguments.has("radius") && !arguments.has("k"))
     throw UsageError("-radius and -k are missing for the new model '" + path +
-                     "': allowed is one of the two");
+                     "'; expected one of the two");
   INADParameters parameters = inadParameters(arguments, {});
   parameters.normal_radius_noise =
       arguments.number("normal_radius_noise", non_negative).value_or(0.0);
@@ -49,8 +49,8 @@ startModel(const std::string& path, const Arguments& arguments)
       arguments.number("radius_noise", non_negative).value_or(0.0);
   const double growth = parameters.normal_radius_noise + parameters.radius_noise;
   if (growth > 0.0 && parameters.radius_mode != AdaptiveRadius::DENSITY)
-    throw UsageError("-normal_radius_noise or -radius_noise without -scale density: "
-                     "allowed is 0, or -scale density");
+    throw UsageError("-normal_radius_noise or -radius_noise without -scale density; "
+                     "expected 0, or -scale density");
   return pcl::ShapeModel(parameters);
 }
 
@@ -84,7 +84,7 @@ ModelFile::ModelFile(const std::string& path,
   if (model_.smoothing() > 0.0 &&
       model_.parameters().radius_mode == AdaptiveRadius::FIXED)
     throw UsageError("-smoothing '" + arguments_.text("smoothing") +
-                     "' with -scale fixed: allowed is -scale density");
+                     "' with -scale fixed; expected -scale density");
 }
 
 void
@@ -112,7 +112,7 @@ ModelFile::add(CloudFile& sample, Report& report)
                           ? " and a value of -classes in field '" + first.field + "'"
                           : " and the value " + std::to_string(first.value) +
                                 " in field '" + first.field + "'") +
-                     ": allowed is a sample with at least one");
+                     "; expected a sample with at least one");
 }
 
 double
@@ -136,7 +136,7 @@ ModelFile::addClasses()
       throw InputError("class '" + options.name +
                        "': no point of any sample has the value " +
                        std::to_string(options.value) + " in field '" + options.field +
-                       "': allowed are samples with at least one");
+                       "'; expected samples with at least one");
     model_.add(options.name, histograms_[c], priorOf(options));
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Parses -name, -field, -value and -classes.
 
 #include "detection/sample_options.h"
 
@@ -31,12 +31,12 @@ classesOf(const Arguments& arguments)
   const auto fail = [&](const std::string& part) {
     throw UsageError(
         "-classes '" + text + "': '" + part +
-        "' is not NAME=VALUE[:PRIOR]: allowed are letters, digits, _ and - for a "
+        "' is not NAME=VALUE[:PRIOR]; expected letters, digits, _ and - for a "
         "name, a whole number of -field for a value, and commas between");
   };
   if (!arguments.has("field"))
     throw UsageError("-classes '" + text +
-                     "' without -field: allowed is a field of the samples");
+                     "' without -field; expected a field of the samples");
   std::vector<SampleOptions> classes;
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) {
@@ -70,11 +70,10 @@ sampleOptions(const Arguments& arguments)
   SampleOptions options;
   options.name = arguments.text("name", options.name);
   if (!isName(options.name))
-    throw UsageError("-name '" + options.name +
-                     "': allowed are letters, digits, _ and -");
+    throw UsageError("-name '" + options.name + "': expected letters, digits, _ and -");
   if (arguments.has("field") != arguments.has("value"))
     throw UsageError("-field '" + arguments.text("field") + "' and -value '" +
-                     arguments.text("value") + "': allowed is both or neither");
+                     arguments.text("value") + "': expected both or neither");
   options.field = arguments.text("field");
   options.value = static_cast<std::uint32_t>(
       arguments.integer("value", 0, std::numeric_limits<std::uint32_t>::max())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Counts hits and misses and matches instances.
 
 #include "evaluation/evaluation.h"
 
@@ -13,12 +13,18 @@
 namespace pcl::app {
 namespace {
 
-constexpr double least_matching_iou = 0.5;
+constexpr double min_matching_iou = 0.5; // two cannot both overlap one by more
 
 double
 ratio(double part, double whole)
 {
   return whole > 0.0 ? part / whole : std::numeric_limits<double>::quiet_NaN();
+}
+
+double
+ratio(std::uint64_t part, std::uint64_t whole)
+{
+  return ratio(static_cast<double>(part), static_cast<double>(whole));
 }
 
 void
@@ -49,8 +55,8 @@ matchingOverlaps(
   for (const auto& [labels, points] : common) {
     const auto [truth, predicted] = labels;
     const auto united = truth_sizes.at(truth) + predicted_sizes.at(predicted) - points;
-    const double iou = ratio(static_cast<double>(points), static_cast<double>(united));
-    if (iou >= least_matching_iou)
+    const double iou = ratio(points, united);
+    if (iou >= min_matching_iou)
       overlaps.push_back({iou, truth, predicted, points});
   }
   std::sort(overlaps.begin(), overlaps.end(), [](const Overlap& a, const Overlap& b) {
@@ -65,30 +71,26 @@ matchingOverlaps(
 double
 Score::precision() const
 {
-  return ratio(static_cast<double>(true_positives),
-               static_cast<double>(true_positives + false_positives));
+  return ratio(true_positives, true_positives + false_positives);
 }
 
 double
 Score::recall() const
 {
-  return ratio(static_cast<double>(true_positives),
-               static_cast<double>(true_positives + false_negatives));
+  return ratio(true_positives, true_positives + false_negatives);
 }
 
 double
 Score::f1() const
 {
-  return ratio(
-      2.0 * static_cast<double>(true_positives),
-      static_cast<double>(2 * true_positives + false_positives + false_negatives));
+  return ratio(2 * true_positives,
+               2 * true_positives + false_positives + false_negatives);
 }
 
 double
 Score::iou() const
 {
-  return ratio(static_cast<double>(true_positives),
-               static_cast<double>(true_positives + false_positives + false_negatives));
+  return ratio(true_positives, true_positives + false_positives + false_negatives);
 }
 
 Evaluation
@@ -107,8 +109,7 @@ evaluateLabels(const std::vector<LabelPair>& points, std::vector<ClassScore> cla
       countPoint(point, of);
   }
   Evaluation evaluation;
-  evaluation.accuracy =
-      ratio(static_cast<double>(right), static_cast<double>(points.size()));
+  evaluation.accuracy = ratio(right, std::uint64_t{points.size()});
   double sum = 0.0;
   for (const ClassScore& of : classes)
     sum += of.score.iou();

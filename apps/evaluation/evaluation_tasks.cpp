@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The tasks: which true points count, and what a prediction says of them.
 
 #include "evaluation/evaluation_tasks.h"
 
@@ -8,10 +8,12 @@
 
 #include <pcl/common/point_tests.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace pcl::app {
 namespace {
@@ -53,7 +55,7 @@ paperSurface(std::uint32_t surface)
 }
 
 std::optional<std::uint32_t>
-labelled(std::uint32_t label)
+knownLabel(std::uint32_t label)
 {
   return label != unknown_label ? std::optional<std::uint32_t>(label) : std::nullopt;
 }
@@ -83,7 +85,6 @@ Task
 taskOf(const std::string& name, Convention convention)
 {
   const bool paper = convention == Convention::paper;
-  const TruthRule surface = paper ? paperSurface : strictSurface;
   const ClassScore planar_class{"planar", planar, {}};
   const ClassScore curved_class{"curved", curved, {}};
   if (name == "edge")
@@ -92,64 +93,58 @@ taskOf(const std::string& name, Convention convention)
             Unknown::likelihood_nan,
             paper ? creaseOfSurface : zeroOrOne,
             {{"edge", 1, {}}}};
-  if (name == "planar")
-    return {"surface",
-            "surface",
-            Unknown::label_zero,
-            surface,
-            {planar_class, curved_class}};
-  if (name == "curved")
-    return {"surface",
-            "surface",
-            Unknown::label_zero,
-            surface,
-            {curved_class, planar_class}};
+  if (name == "planar" || name == "curved") {
+    Task task{"surface",
+              "surface",
+              Unknown::label_zero,
+              paper ? paperSurface : strictSurface,
+              {planar_class, curved_class}};
+    if (name == "curved")
+      std::swap(task.classes[0], task.classes[1]);
+    return task;
+  }
   if (paper)
     throw UsageError("-convention 'paper' with -task '" + name +
-                     "': allowed is strict, or -task edge, planar or curved");
+                     "'; expected strict, or -task edge, planar or curved");
   if (name == "ground")
     return {
         "ground", "ground", Unknown::likelihood_nan, zeroOrOne, {{"ground", 1, {}}}};
   if (name == "label")
-    return {"label", "label", Unknown::label_zero, labelled, {}};
+    return {"label", "label", Unknown::label_zero, knownLabel, {}};
   return {"instance", "instance", Unknown::never, everyLabel, {}};
 }
 
-void
-requireSameSize(const CloudFile& predicted, const CloudFile& truth)
+[[noreturn]] void
+failForOtherPoints(const std::string& what)
 {
-  if (predicted.size() == truth.size())
-    return;
-  throw InputError(
-      predicted.path + ": " + std::to_string(predicted.size()) + " points, but " +
-      truth.path + " has " + std::to_string(truth.size()) + " (" +
-      std::to_string(countFinite(*pointsOf(truth))) +
-      " finite): allowed is the same points in the same order; predict on the "
-      "cloud of the truth file");
+  throw InputError(what + "; expected the same points in the same order: predict on "
+                          "the cloud of the truth file");
 }
 
-/** Where the clouds say where their points are, this must be the same; formats may
- * round.
- */
-void
-requireSamePoints(const CloudFile& predicted, const CloudFile& truth)
+/** The points of the truth. Where the clouds say where their points are, this must be
+ * the same; formats may round. */
+pcl::PointCloud<pcl::PointXYZ>::Ptr
+samePoints(const CloudFile& predicted, const CloudFile& truth)
 {
-  requireSameSize(predicted, truth);
+  if (predicted.size() != truth.size())
+    failForOtherPoints(predicted.path + ": " + std::to_string(predicted.size()) +
+                       " points, but " + truth.path + " has " +
+                       std::to_string(truth.size()) + " (" +
+                       std::to_string(countFinite(*pointsOf(truth))) + " finite)");
   const auto a = pointsOf(predicted), b = pointsOf(truth);
   Eigen::AlignedBox3f box;
   for (const pcl::PointXYZ& point : *b)
     if (pcl::isXYZFinite(point))
       box.extend(point.getVector3fMap());
-  const float tolerance = 1e-3f * box.diagonal().norm();
+  const float tolerance = 1e-3f * box.diagonal().norm(); // text may round to mm
   for (std::size_t i = 0; i < a->size(); ++i) {
     const Eigen::Vector3f p = (*a)[i].getVector3fMap(), q = (*b)[i].getVector3fMap();
     if (p.allFinite() && q.allFinite() && (p - q).norm() > tolerance)
-      throw InputError(predicted.path + ": point " + std::to_string(i) + " is " +
-                       std::to_string((p - q).norm()) + " m away from that of " +
-                       truth.path +
-                       ": allowed is the same points in the same order; predict on the "
-                       "cloud of the truth file");
+      failForOtherPoints(predicted.path + ": point " + std::to_string(i) + " is " +
+                         std::to_string((p - q).norm()) + " m away from that of " +
+                         truth.path);
   }
+  return b;
 }
 
 std::vector<bool>
@@ -223,8 +218,7 @@ selectPoints(const std::string& task_name,
              const CloudFile& truth)
 {
   const Task task = taskOf(task_name, convention);
-  requireSamePoints(predicted, truth);
-  const auto coordinates = pointsOf(truth);
+  const auto coordinates = samePoints(predicted, truth);
   const bool of_scene = task_name == "label" && isScene(truth);
   const Labels truths =
       of_scene ? labelsOfScene(truth) : labelsOf(truth, task.truth_field);
@@ -243,9 +237,8 @@ selectPoints(const std::string& task_name,
   if (!of_scene && predictions == truths)
     selected.copied_field = task.predicted_field;
   if (selected.points.empty())
-    throw InputError(
-        truth.path + ": field '" + task.truth_field +
-        "' has no point to evaluate: allowed is a cloud with at least one");
+    throw InputError(truth.path + ": field '" + task.truth_field +
+                     "' has no point to evaluate; expected a cloud with at least one");
   selected.classes = task.classes;
   if (of_scene)
     selected.classes = {
@@ -253,6 +246,23 @@ selectPoints(const std::string& task_name,
   else if (task_name == "label")
     selected.classes = classesOf(selected.points);
   return selected;
+}
+
+std::vector<std::uint32_t>
+outcomesOf(const TaskPoints& selected, std::size_t points)
+{
+  std::vector<std::uint32_t> outcomes(points,
+                                      static_cast<std::uint32_t>(Outcome::left_out));
+  const std::uint32_t label = selected.classes.front().label;
+  for (std::size_t p = 0; p < selected.points.size(); ++p) {
+    const bool is_true = selected.points[p].truth == label;
+    const bool is_predicted = selected.points[p].predicted == label;
+    const Outcome outcome = is_true ? (is_predicted ? Outcome::hit : Outcome::miss)
+                            : is_predicted ? Outcome::false_alarm
+                                           : Outcome::rightly_not;
+    outcomes[selected.indices[p]] = static_cast<std::uint32_t>(outcome);
+  }
+  return outcomes;
 }
 
 } // namespace pcl::app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Chooses the reader by the ending of a file's name.
 
 #include "io/any_cloud.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Reads a cloud of any known format.
 
 #pragma once
 
@@ -17,7 +17,7 @@ const std::vector<std::string>& cloudEndings();
 
 /** \brief A cloud of the format that its path's ending says: PCD, PLY, or the
  * velodyne/NAME.bin of KITTI; any other ending is taken for PCD.
- * \throws InputError that names the path, what is wrong, and what is allowed */
+ * \throws InputError that names the path, what is wrong, and what is expected */
 CloudFile decodeAnyCloud(const std::string& path, std::string_view file);
 
 CloudFile readAnyCloud(const std::string& path);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Reads and sets the fields of a cloud in place: points, normals, labels, numbers.
 
 #include "io/cloud_file.h"
 
@@ -15,24 +15,145 @@
 #include <stdexcept>
 
 namespace pcl::app {
+namespace {
+
+const pcl::PCLPointField&
+singleField(const CloudFile& cloud, const std::string& name)
+{
+  const pcl::PCLPointField* const field = findField(cloud, name);
+  if (!field) {
+    std::string names;
+    for (const auto& other : cloud.blob.fields)
+      names += ' ' + other.name;
+    throw InputError(cloud.path + ": expected a field '" + name + "' but found only" +
+                     names);
+  }
+  if (field->count != 1)
+    throw InputError(cloud.path + ": field '" + name + "' has COUNT " +
+                     std::to_string(field->count) + ", expected 1");
+  return *field;
+}
+
+const pcl::PCLPointField&
+floatField(const CloudFile& cloud, const std::string& name)
+{
+  const pcl::PCLPointField& field = singleField(cloud, name);
+  if (field.datatype != pcl::PCLPointField::FLOAT32)
+    throw InputError(cloud.path + ": field '" + name +
+                     "' is not of type float32; expected SIZE 4, TYPE F");
+  return field;
+}
+
+/** Copy float32 fields to the members of points: `to` gives member c of point i. */
+template <typename Member>
+void
+copyFloats(const CloudFile& cloud,
+           const std::vector<const char*>& names,
+           const Member& to)
+{
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    const pcl::PCLPointField& field = floatField(cloud, names[c]);
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      std::memcpy(&to(i, c), cloud.at(i, field), sizeof(float));
+  }
+}
+
+/** The new values of a field, packed. */
+struct Column {
+  std::string name;
+  std::uint8_t datatype;
+  const void* values;
+  std::size_t size;
+};
+
+/** Append or replace fields, in one pass over the points. */
+void
+setColumns(CloudFile& cloud, const std::vector<Column>& columns)
+{
+  struct Source {
+    const std::uint8_t* values;
+    std::size_t step;
+  };
+  const pcl::PCLPointCloud2& old = cloud.blob;
+  std::vector<pcl::PCLPointField> fields = old.fields;
+  std::vector<Source> sources;
+  for (const auto& field : fields)
+    sources.push_back({old.data.data() + field.offset, old.point_step});
+  for (const Column& column : columns) {
+    if (column.size != cloud.size())
+      throw std::logic_error(cloud.path + ": " + std::to_string(column.size) +
+                             " values for a field of " + std::to_string(cloud.size()) +
+                             " points");
+    const auto found = std::find_if(fields.begin(), fields.end(), [&](const auto& f) {
+      return f.name == column.name;
+    });
+    const auto place = static_cast<std::size_t>(found - fields.begin());
+    if (found == fields.end()) {
+      fields.emplace_back();
+      sources.emplace_back();
+    }
+    fields[place].name = column.name;
+    fields[place].datatype = column.datatype;
+    fields[place].count = 1;
+    sources[place] = {static_cast<const std::uint8_t*>(column.values),
+                      valueSize(column.datatype)};
+  }
+  std::uint32_t step = 0;
+  for (auto& field : fields) {
+    field.offset = step;
+    step += static_cast<std::uint32_t>(valueSize(field.datatype)) * field.count;
+  }
+
+  std::vector<std::uint8_t> data(cloud.size() * step);
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    const std::size_t bytes = valueSize(fields[f].datatype) * fields[f].count;
+    std::uint8_t* const to = data.data() + fields[f].offset;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      std::memcpy(to + i * step, sources[f].values + i * sources[f].step, bytes);
+  }
+  cloud.blob.fields = std::move(fields);
+  cloud.blob.data = std::move(data);
+  cloud.blob.point_step = step;
+  cloud.blob.row_step = step * cloud.blob.width;
+}
+
+} // namespace
+
+const pcl::PCLPointField*
+findField(const CloudFile& cloud, const std::string& name)
+{
+  for (const auto& field : cloud.blob.fields)
+    if (field.name == name)
+      return &field;
+  return nullptr;
+}
+
+void
+addField(CloudFile& cloud, const std::string& name, std::uint8_t datatype)
+{
+  pcl::PCLPointField& field = cloud.blob.fields.emplace_back();
+  field.name = name;
+  field.datatype = datatype;
+  field.count = 1;
+  field.offset = cloud.blob.point_step;
+  cloud.blob.point_step += static_cast<std::uint32_t>(valueSize(datatype));
+}
 
 pcl::PointCloud<pcl::PointXYZ>::Ptr
 pointsOf(const CloudFile& cloud)
 {
-  const std::vector<float> x = floatsOf(cloud, "x");
-  const std::vector<float> y = floatsOf(cloud, "y");
-  const std::vector<float> z = floatsOf(cloud, "z");
-  pcl::PointCloud<pcl::PointXYZ>::Ptr points(
-      new pcl::PointCloud<pcl::PointXYZ>(cloud.blob.width, cloud.blob.height));
-  for (std::size_t i = 0; i < x.size(); ++i)
-    (*points)[i] = pcl::PointXYZ(x[i], y[i], z[i]);
+  const auto points = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(
+      cloud.blob.width, cloud.blob.height);
+  copyFloats(cloud, {"x", "y", "z"}, [&](std::size_t i, std::size_t c) -> float& {
+    return (*points)[i].data[c];
+  });
   const auto& v = cloud.viewpoint;
   points->sensor_origin_ = Eigen::Vector4f(v[0], v[1], v[2], 0.0f);
   points->sensor_orientation_ = Eigen::Quaternionf(v[3], v[4], v[5], v[6]);
   const std::size_t finite = countFinite(*points);
   if (finite == 0)
     throw InputError(cloud.path + ": none of its " + std::to_string(points->size()) +
-                     " points is finite: allowed is a cloud with at least one");
+                     " points is finite; expected at least one");
   points->is_dense = finite == points->size();
   return points;
 }
@@ -49,132 +170,27 @@ countFinite(const pcl::PointCloud<pcl::PointXYZ>& points)
 pcl::PointCloud<pcl::Normal>::Ptr
 normalsOf(const CloudFile& cloud)
 {
-  const std::vector<float> x = floatsOf(cloud, "normal_x");
-  const std::vector<float> y = floatsOf(cloud, "normal_y");
-  const std::vector<float> z = floatsOf(cloud, "normal_z");
-  pcl::PointCloud<pcl::Normal>::Ptr normals(
-      new pcl::PointCloud<pcl::Normal>(cloud.blob.width, cloud.blob.height));
+  const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>(
+      cloud.blob.width, cloud.blob.height);
   normals->is_dense = false;
-  for (std::size_t i = 0; i < x.size(); ++i)
-    (*normals)[i] = pcl::Normal(x[i], y[i], z[i]);
-  if (findField(cloud, "curvature")) {
-    const std::vector<float> curvature = floatsOf(cloud, "curvature");
-    for (std::size_t i = 0; i < curvature.size(); ++i)
-      (*normals)[i].curvature = curvature[i];
-  }
+  copyFloats(
+      cloud,
+      {"normal_x", "normal_y", "normal_z"},
+      [&](std::size_t i, std::size_t c) -> float& { return (*normals)[i].normal[c]; });
+  if (findField(cloud, "curvature"))
+    copyFloats(cloud, {"curvature"}, [&](std::size_t i, std::size_t) -> float& {
+      return (*normals)[i].curvature;
+    });
   return normals;
-}
-
-namespace {
-
-std::string
-fieldNames(const CloudFile& cloud)
-{
-  std::string names;
-  for (const auto& field : cloud.blob.fields)
-    names += ' ' + field.name;
-  return names;
-}
-
-const pcl::PCLPointField&
-singleField(const CloudFile& cloud, const std::string& name)
-{
-  const pcl::PCLPointField* const field = findField(cloud, name);
-  if (!field)
-    throw InputError(cloud.path + ": field '" + name +
-                     "' is missing: allowed is a file with it; this one has" +
-                     fieldNames(cloud));
-  if (field->count != 1)
-    throw InputError(cloud.path + ": field '" + name + "' has COUNT " +
-                     std::to_string(field->count) + ": allowed is 1");
-  return *field;
-}
-
-const pcl::PCLPointField&
-floatField(const CloudFile& cloud, const std::string& name)
-{
-  const pcl::PCLPointField& field = singleField(cloud, name);
-  if (field.datatype != pcl::PCLPointField::FLOAT32)
-    throw InputError(cloud.path + ": field '" + name + "' has another type than " +
-                     "float32: allowed is SIZE 4, TYPE F");
-  return field;
-}
-
-template <typename T>
-double
-valueAt(const std::uint8_t* bytes)
-{
-  T value;
-  std::memcpy(&value, bytes, sizeof(value));
-  return static_cast<double>(value);
-}
-
-double
-valueOf(std::uint8_t datatype, const std::uint8_t* bytes)
-{
-  switch (datatype) {
-  case pcl::PCLPointField::INT8:
-    return valueAt<std::int8_t>(bytes);
-  case pcl::PCLPointField::UINT8:
-    return valueAt<std::uint8_t>(bytes);
-  case pcl::PCLPointField::INT16:
-    return valueAt<std::int16_t>(bytes);
-  case pcl::PCLPointField::UINT16:
-    return valueAt<std::uint16_t>(bytes);
-  case pcl::PCLPointField::INT32:
-    return valueAt<std::int32_t>(bytes);
-  case pcl::PCLPointField::UINT32:
-    return valueAt<std::uint32_t>(bytes);
-  case pcl::PCLPointField::INT64:
-    return valueAt<std::int64_t>(bytes);
-  case pcl::PCLPointField::UINT64:
-    return valueAt<std::uint64_t>(bytes);
-  case pcl::PCLPointField::FLOAT32:
-    return valueAt<float>(bytes);
-  default:
-    return valueAt<double>(bytes);
-  }
-}
-
-} // namespace
-
-std::size_t
-valueSize(std::uint8_t datatype)
-{
-  switch (datatype) {
-  case pcl::PCLPointField::INT8:
-  case pcl::PCLPointField::UINT8:
-    return 1;
-  case pcl::PCLPointField::INT16:
-  case pcl::PCLPointField::UINT16:
-    return 2;
-  case pcl::PCLPointField::INT32:
-  case pcl::PCLPointField::UINT32:
-  case pcl::PCLPointField::FLOAT32:
-    return 4;
-  default:
-    return 8;
-  }
-}
-
-const pcl::PCLPointField*
-findField(const CloudFile& cloud, const std::string& name)
-{
-  for (const auto& field : cloud.blob.fields)
-    if (field.name == name)
-      return &field;
-  return nullptr;
 }
 
 std::vector<float>
 floatsOf(const CloudFile& cloud, const std::string& field)
 {
-  const std::uint32_t offset = floatField(cloud, field).offset;
   std::vector<float> values(cloud.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    std::memcpy(&values[i],
-                cloud.blob.data.data() + i * cloud.blob.point_step + offset,
-                sizeof(float));
+  copyFloats(cloud, {field.c_str()}, [&](std::size_t i, std::size_t) -> float& {
+    return values[i];
+  });
   return values;
 }
 
@@ -183,10 +199,12 @@ numbersOf(const CloudFile& cloud, const std::string& field)
 {
   const pcl::PCLPointField& source = singleField(cloud, field);
   std::vector<double> values(cloud.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] =
-        valueOf(source.datatype,
-                cloud.blob.data.data() + i * cloud.blob.point_step + source.offset);
+  visitType(source.datatype, [&](auto value) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      std::memcpy(&value, cloud.at(i, source), sizeof(value));
+      values[i] = static_cast<double>(value);
+    }
+  });
   return values;
 }
 
@@ -201,71 +219,17 @@ labelsOf(const CloudFile& cloud, const std::string& field)
         value != std::floor(value))
       throw InputError(cloud.path + ": field '" + field + "' of point " +
                        std::to_string(i) + " is " + std::to_string(value) +
-                       ": allowed is a whole number from 0 to 4294967295");
+                       ", expected a whole number from 0 to 4294967295");
     labels[i] = static_cast<std::uint32_t>(value);
   }
   return labels;
 }
 
-namespace {
-
-void
-setField32(CloudFile& cloud,
-           const std::string& name,
-           std::uint8_t datatype,
-           const void* values)
-{
-  const pcl::PCLPointCloud2& old = cloud.blob;
-  std::vector<pcl::PCLPointField> fields = old.fields;
-  const auto found = std::find_if(fields.begin(), fields.end(), [&](const auto& field) {
-    return field.name == name;
-  });
-  const auto place = static_cast<std::size_t>(found - fields.begin());
-  if (found == fields.end())
-    fields.emplace_back();
-  fields[place].name = name;
-  fields[place].datatype = datatype;
-  fields[place].count = 1;
-  std::uint32_t step = 0;
-  for (auto& field : fields) {
-    field.offset = step;
-    step += static_cast<std::uint32_t>(valueSize(field.datatype)) * field.count;
-  }
-
-  const std::size_t size = cloud.size();
-  std::vector<std::uint8_t> data(size * step);
-  for (std::size_t f = 0; f < fields.size(); ++f) {
-    const bool is_new = f == place;
-    const std::size_t bytes = valueSize(fields[f].datatype) * fields[f].count;
-    const auto* from = is_new ? static_cast<const std::uint8_t*>(values)
-                              : old.data.data() + old.fields[f].offset;
-    const std::size_t from_step = is_new ? bytes : old.point_step;
-    std::uint8_t* to = data.data() + fields[f].offset;
-    for (std::size_t i = 0; i < size; ++i)
-      std::memcpy(to + i * step, from + i * from_step, bytes);
-  }
-  cloud.blob.fields = std::move(fields);
-  cloud.blob.data = std::move(data);
-  cloud.blob.point_step = step;
-  cloud.blob.row_step = step * cloud.blob.width;
-}
-
-void
-requireSize(std::size_t values, const CloudFile& cloud)
-{
-  if (values != cloud.size())
-    throw std::logic_error(cloud.path + ": " + std::to_string(values) +
-                           " values for a field of " + std::to_string(cloud.size()) +
-                           " points");
-}
-
-} // namespace
-
 void
 setField(CloudFile& cloud, const std::string& name, const std::vector<float>& values)
 {
-  requireSize(values.size(), cloud);
-  setField32(cloud, name, pcl::PCLPointField::FLOAT32, values.data());
+  setColumns(cloud,
+             {{name, pcl::PCLPointField::FLOAT32, values.data(), values.size()}});
 }
 
 void
@@ -273,26 +237,26 @@ setField(CloudFile& cloud,
          const std::string& name,
          const std::vector<std::uint32_t>& values)
 {
-  requireSize(values.size(), cloud);
-  setField32(cloud, name, pcl::PCLPointField::UINT32, values.data());
+  setColumns(cloud, {{name, pcl::PCLPointField::UINT32, values.data(), values.size()}});
 }
 
 void
 setNormals(CloudFile& cloud, const pcl::PointCloud<pcl::Normal>& normals)
 {
-  std::array<std::vector<float>, 4> columns;
-  for (auto& column : columns)
+  std::array<std::vector<float>, 4> values;
+  for (auto& column : values)
     column.reserve(normals.size());
   for (const pcl::Normal& normal : normals) {
-    columns[0].push_back(normal.normal_x);
-    columns[1].push_back(normal.normal_y);
-    columns[2].push_back(normal.normal_z);
-    columns[3].push_back(normal.curvature);
+    for (std::size_t c = 0; c < 3; ++c)
+      values[c].push_back(normal.normal[c]);
+    values[3].push_back(normal.curvature);
   }
-  setField(cloud, "normal_x", columns[0]);
-  setField(cloud, "normal_y", columns[1]);
-  setField(cloud, "normal_z", columns[2]);
-  setField(cloud, "curvature", columns[3]);
+  const char* const names[] = {"normal_x", "normal_y", "normal_z", "curvature"};
+  std::vector<Column> columns;
+  for (std::size_t c = 0; c < values.size(); ++c)
+    columns.push_back(
+        {names[c], pcl::PCLPointField::FLOAT32, values[c].data(), values[c].size()});
+  setColumns(cloud, columns);
 }
 
 } // namespace pcl::app

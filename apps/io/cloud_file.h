@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// A cloud with all the fields of its file, and its fields as vectors.
 
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace pcl::app {
 
-/** \brief A PCD file in memory: all its fields, packed, and its viewpoint. */
+/** \brief A cloud file in memory: all its fields, packed, and its viewpoint. */
 struct CloudFile {
   std::string path; ///< for messages
   pcl::PCLPointCloud2 blob;
@@ -26,13 +26,57 @@ struct CloudFile {
   {
     return static_cast<std::size_t>(blob.width) * blob.height;
   }
+
+  /** \brief The bytes of a field's first value at a point. */
+  const std::uint8_t*
+  at(std::size_t point, const pcl::PCLPointField& field) const
+  {
+    return blob.data.data() + point * blob.point_step + field.offset;
+  }
 };
 
+/** \brief Call `visit` with a zero of the C++ type of a pcl::PCLPointField type. */
+template <typename Visitor>
+auto
+visitType(std::uint8_t datatype, const Visitor& visit)
+{
+  switch (datatype) {
+  case pcl::PCLPointField::INT8:
+    return visit(std::int8_t{});
+  case pcl::PCLPointField::UINT8:
+    return visit(std::uint8_t{});
+  case pcl::PCLPointField::INT16:
+    return visit(std::int16_t{});
+  case pcl::PCLPointField::UINT16:
+    return visit(std::uint16_t{});
+  case pcl::PCLPointField::INT32:
+    return visit(std::int32_t{});
+  case pcl::PCLPointField::UINT32:
+    return visit(std::uint32_t{});
+  case pcl::PCLPointField::INT64:
+    return visit(std::int64_t{});
+  case pcl::PCLPointField::UINT64:
+    return visit(std::uint64_t{});
+  case pcl::PCLPointField::FLOAT32:
+    return visit(float{});
+  default:
+    return visit(double{});
+  }
+}
+
 /** \brief Bytes of one value of a pcl::PCLPointField type. */
-std::size_t valueSize(std::uint8_t datatype);
+inline std::size_t
+valueSize(std::uint8_t datatype)
+{
+  return visitType(datatype, [](auto value) { return sizeof(value); });
+}
 
 /** \brief The field, or nullptr. */
 const pcl::PCLPointField* findField(const CloudFile& cloud, const std::string& name);
+
+/** \brief Append a single-valued field to the description of a point that has no data
+ * yet. */
+void addField(CloudFile& cloud, const std::string& name, std::uint8_t datatype);
 
 /** \brief The points; is_dense says whether all are finite.
  * \throws InputError unless x, y and z are single float32 values and a point is finite

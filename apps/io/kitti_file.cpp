@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Files of KITTI and SemanticKITTI: four floats a point, labels, classes in YAML.
 
 #include "io/kitti_file.h"
 
 #include "cli/errors.h"
 #include "io/pcd.h"
+#include "io/text.h"
 
 #include <array>
 #include <cstring>
@@ -64,21 +65,14 @@ decodeVelodyne(const std::string& path, std::string_view file)
 {
   if (file.empty() || file.size() % point_bytes != 0)
     throw InputError(path + ": " + std::to_string(file.size()) +
-                     " bytes: allowed are 16 for each point, x y z intensity");
-  if (file.size() > most_bytes)
+                     " bytes; expected 16 for each point, x y z intensity");
+  if (file.size() > max_bytes)
     throw InputError(path + ": " + std::to_string(file.size()) +
-                     " bytes: allowed is less than 4 GiB");
+                     " bytes; must be less than 4 GiB");
   CloudFile cloud;
   cloud.path = path;
-  for (const char* name : {"x", "y", "z", "intensity"}) {
-    pcl::PCLPointField field;
-    field.name = name;
-    field.datatype = pcl::PCLPointField::FLOAT32;
-    field.count = 1;
-    field.offset = cloud.blob.point_step;
-    cloud.blob.point_step += sizeof(float);
-    cloud.blob.fields.push_back(field);
-  }
+  for (const char* name : {"x", "y", "z", "intensity"})
+    addField(cloud, name, pcl::PCLPointField::FLOAT32);
   cloud.blob.width = static_cast<std::uint32_t>(file.size() / point_bytes);
   cloud.blob.height = 1;
   cloud.blob.row_step = static_cast<std::uint32_t>(file.size());

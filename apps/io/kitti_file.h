@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Files of KITTI and SemanticKITTI: scans, labels, classes.
 
 #pragma once
 
@@ -14,7 +14,7 @@
 namespace pcl::app {
 
 /** \brief A scan of KITTI, four float32 a point: x, y, z and intensity.
- * \throws InputError that names the path, what is wrong, and what is allowed */
+ * \throws InputError that names the path, what is wrong, and what is expected */
 CloudFile decodeVelodyne(const std::string& path, std::string_view file);
 
 /** \brief The same bytes. The fourth number is the field intensity, reflectivity or

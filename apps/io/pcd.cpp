@@ -1,36 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// PCD files: the header, the three kinds of data, and LZF compression.
 
 #include "io/pcd.h"
 
 #include "cli/errors.h"
 #include "cli/read_file.h"
-
-#include <pcl/PCLPointField.h>
+#include "io/text.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <map>
-#include <set>
-#include <utility>
 
 namespace pcl::app {
 namespace {
 
-constexpr std::size_t most_literals = 32;
-constexpr std::size_t least_match = 3;
-constexpr std::size_t most_match = 264;
-constexpr std::size_t most_distance = 8192;
+// What the format can say: see lzfCompress().
+constexpr std::size_t max_literals = 32;
+constexpr std::size_t min_match = 3; // a shorter one saves nothing
+constexpr std::size_t max_match = 264;
+constexpr std::size_t max_distance = 8192;
 constexpr unsigned length_shift = 5;
 constexpr unsigned long_length = 7;
-constexpr unsigned hash_bits = 16;
-
-/** Where each three bytes were seen last, plus one. */
-using Seen = std::vector<std::size_t>;
+constexpr unsigned hash_bits = 16; // a table that fits into the second cache
 
 std::size_t
 hashOf(const std::uint8_t* bytes)
@@ -44,7 +38,7 @@ hashOf(const std::uint8_t* bytes)
 std::size_t
 matchLength(const std::vector<std::uint8_t>& input, std::size_t from, std::size_t at)
 {
-  const std::size_t most = std::min(most_match, input.size() - at);
+  const std::size_t most = std::min(max_match, input.size() - at);
   std::size_t length = 0;
   while (length < most && input[from + length] == input[at + length])
     ++length;
@@ -58,7 +52,7 @@ writeLiterals(const std::vector<std::uint8_t>& input,
               std::string& output)
 {
   while (begin < end) {
-    const std::size_t count = std::min(end - begin, most_literals);
+    const std::size_t count = std::min(end - begin, max_literals);
     output.push_back(static_cast<char>(count - 1));
     output.append(reinterpret_cast<const char*>(input.data() + begin), count);
     begin += count;
@@ -84,17 +78,18 @@ lzfCompress(const std::vector<std::uint8_t>& input)
 {
   std::string output;
   output.reserve(input.size() / 2);
-  Seen seen(std::size_t{1} << hash_bits, 0);
+  // Where each three bytes were seen last, plus one.
+  std::vector<std::size_t> seen(std::size_t{1} << hash_bits, 0);
   std::size_t literals = 0;
   std::size_t at = 0;
-  while (at + least_match <= input.size()) {
+  while (at + min_match <= input.size()) {
     std::size_t& last = seen[hashOf(input.data() + at)];
     const std::size_t from = last == 0 ? at : last - 1;
     last = at + 1;
     const std::size_t distance = at - from;
-    const bool near = distance > 0 && distance <= most_distance;
+    const bool near = distance > 0 && distance <= max_distance;
     const std::size_t length = near ? matchLength(input, from, at) : 0;
-    if (length < least_match) {
+    if (length < min_match) {
       ++at;
       continue;
     }
@@ -118,7 +113,7 @@ lzfDecompress(const std::uint8_t* input,
   const std::uint8_t* const end = input + input_size;
   while (input < end) {
     const unsigned control = *input++;
-    if (control < most_literals) {
+    if (control < max_literals) {
       const std::size_t count = control + 1;
       if (count > static_cast<std::size_t>(end - input) || count > size - output.size())
         return false;
@@ -163,95 +158,50 @@ formatOf(std::string_view name)
   return std::nullopt;
 }
 
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+[[noreturn]] void
+fail(const std::string& path, const std::string& what, const std::string& expected)
+{
+  throw InputError(path + ": " + what + "; expected " + expected);
+}
+
+/** I, U or F. */
 char
 typeLetter(std::uint8_t datatype)
 {
-  switch (datatype) {
-  case pcl::PCLPointField::FLOAT32:
-  case pcl::PCLPointField::FLOAT64:
-    return 'F';
-  case pcl::PCLPointField::UINT8:
-  case pcl::PCLPointField::UINT16:
-  case pcl::PCLPointField::UINT32:
-  case pcl::PCLPointField::UINT64:
-    return 'U';
-  default:
-    return 'I';
-  }
+  return visitType(datatype, [](auto value) {
+    using T = decltype(value);
+    return std::is_floating_point_v<T> ? 'F' : std::is_unsigned_v<T> ? 'U' : 'I';
+  });
 }
 
 std::optional<std::uint8_t>
 datatypeOf(std::string_view type, std::string_view size)
 {
-  static const std::map<std::pair<std::string_view, std::string_view>, std::uint8_t>
-      types{{{"I", "1"}, pcl::PCLPointField::INT8},
-            {{"I", "2"}, pcl::PCLPointField::INT16},
-            {{"I", "4"}, pcl::PCLPointField::INT32},
-            {{"I", "8"}, pcl::PCLPointField::INT64},
-            {{"U", "1"}, pcl::PCLPointField::UINT8},
-            {{"U", "2"}, pcl::PCLPointField::UINT16},
-            {{"U", "4"}, pcl::PCLPointField::UINT32},
-            {{"U", "8"}, pcl::PCLPointField::UINT64},
-            {{"F", "4"}, pcl::PCLPointField::FLOAT32},
-            {{"F", "8"}, pcl::PCLPointField::FLOAT64}};
-  const auto found = types.find({type, size});
-  if (found == types.end())
-    return std::nullopt;
-  return found->second;
+  using Field = pcl::PCLPointField;
+  for (const std::uint8_t datatype : {Field::INT8,
+                                      Field::UINT8,
+                                      Field::INT16,
+                                      Field::UINT16,
+                                      Field::INT32,
+                                      Field::UINT32,
+                                      Field::INT64,
+                                      Field::UINT64,
+                                      Field::FLOAT32,
+                                      Field::FLOAT64})
+    if (type == std::string(1, typeLetter(datatype)) &&
+        size == std::to_string(valueSize(datatype)))
+      return datatype;
+  return std::nullopt;
 }
-
-std::string
-quoted(std::string_view word)
-{
-  constexpr std::size_t longest = 40;
-  std::string text(word.substr(0, longest));
-  std::replace_if(
-      text.begin(),
-      text.end(),
-      [](unsigned char c) { return c < ' ' || c > '~'; },
-      '?');
-  return '\'' + text + (word.size() > longest ? "...'" : "'");
-}
-
-std::vector<std::string_view>
-splitWords(std::string_view line)
-{
-  constexpr std::string_view blanks = " \t\r";
-  std::vector<std::string_view> words;
-  std::size_t begin = line.find_first_not_of(blanks);
-  while (begin != std::string_view::npos) {
-    const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
-    words.push_back(line.substr(begin, end - begin));
-    begin = line.find_first_not_of(blanks, end);
-  }
-  return words;
-}
-
-std::string_view
-takeLine(std::string_view& text)
-{
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  const std::string_view line = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
-  return line;
-}
-
-namespace {
-
-using Words = std::vector<std::string_view>;
-
-constexpr std::uint64_t most_count = 1u << 20;
 
 /** The lines of a header by their keyword. */
 class HeaderLines {
 public:
   HeaderLines(const std::string& path, std::string_view file);
-
-  std::string
-  problem(const std::string& what, const std::string& allowed) const
-  {
-    return path_ + ": " + what + ": allowed is " + allowed;
-  }
 
   const Words*
   find(const std::string& keyword) const
@@ -260,11 +210,12 @@ public:
     return found == lines_.end() ? nullptr : &found->second;
   }
 
-  /** \brief The words after a keyword; \p count of them. */
+  /** The words after a keyword; \p count of them. */
   const Words& words(const std::string& keyword, std::size_t count) const;
 
-  std::uint64_t integer(const std::string& keyword, std::uint64_t most) const;
+  std::uint64_t integer(const std::string& keyword, std::uint64_t max) const;
 
+  /** Offset of the data in the file. */
   std::size_t
   end() const
   {
@@ -274,49 +225,49 @@ public:
 private:
   void add(std::string_view line, std::size_t number);
 
-  std::string path_;
-  std::map<std::string, Words, std::less<>> lines_;
+  const std::string& path_;
+  std::map<std::string, Words> lines_;
   std::size_t end_ = 0;
 };
 
 HeaderLines::HeaderLines(const std::string& path, std::string_view file) : path_(path)
 {
   if (file.empty())
-    throw InputError(problem("the file is empty", "a PCD file"));
+    fail(path, "the file is empty", "a PCD file");
   std::string_view rest = file;
   for (std::size_t number = 1; !rest.empty() && !find("DATA"); ++number)
     add(takeLine(rest), number);
   if (!find("DATA"))
-    throw InputError(problem("the header has no DATA line", "a complete PCD header"));
+    fail(path, "the header has no DATA line", "a complete PCD header");
   end_ = file.size() - rest.size();
 }
 
 void
 HeaderLines::add(std::string_view line, std::size_t number)
 {
-  static const std::set<std::string, std::less<>> keywords{"VERSION",
-                                                           "FIELDS",
-                                                           "SIZE",
-                                                           "TYPE",
-                                                           "COUNT",
-                                                           "WIDTH",
-                                                           "HEIGHT",
-                                                           "VIEWPOINT",
-                                                           "POINTS",
-                                                           "DATA"};
+  constexpr std::array<std::string_view, 10> keywords{"VERSION",
+                                                      "FIELDS",
+                                                      "SIZE",
+                                                      "TYPE",
+                                                      "COUNT",
+                                                      "WIDTH",
+                                                      "HEIGHT",
+                                                      "VIEWPOINT",
+                                                      "POINTS",
+                                                      "DATA"};
   Words words = splitWords(line);
   if (words.empty() || words.front().front() == '#')
     return;
   const std::string keyword(words.front());
   const std::string where = "header line " + std::to_string(number) + " ";
-  if (keywords.count(keyword) == 0)
-    throw InputError(problem(
-        where + "begins with " + quoted(keyword),
-        "VERSION, FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, VIEWPOINT, POINTS or "
-        "DATA"));
+  if (std::count(keywords.begin(), keywords.end(), keyword) == 0)
+    fail(path_,
+         where + "begins with " + quoted(keyword),
+         "VERSION, FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, VIEWPOINT, POINTS or "
+         "DATA");
   words.erase(words.begin());
   if (!lines_.emplace(keyword, std::move(words)).second)
-    throw InputError(problem(where + "repeats " + keyword, "each keyword once"));
+    fail(path_, where + "repeats " + keyword, "each keyword once");
 }
 
 const Words&
@@ -324,32 +275,33 @@ HeaderLines::words(const std::string& keyword, std::size_t count) const
 {
   const Words* const found = find(keyword);
   if (!found)
-    throw InputError(
-        problem("the header has no " + keyword + " line", "a complete PCD header"));
+    fail(path_, "the header has no " + keyword + " line", "a complete PCD header");
   if (found->size() != count)
-    throw InputError(
-        problem(keyword + " has " + std::to_string(found->size()) + " values",
-                std::to_string(count)));
+    fail(path_,
+         keyword + " has " + std::to_string(found->size()) + " values",
+         std::to_string(count));
   return *found;
 }
 
 std::uint64_t
-HeaderLines::integer(const std::string& keyword, std::uint64_t most) const
+HeaderLines::integer(const std::string& keyword, std::uint64_t max) const
 {
   const std::string_view word = words(keyword, 1).front();
-  const auto value = parseInteger<std::uint64_t>(word);
-  if (!value || *value == 0 || *value > most)
-    throw InputError(problem(keyword + " is " + quoted(word),
-                             "a whole number from 1 to " + std::to_string(most)));
+  const auto value = parseValue<std::uint64_t>(word);
+  if (!value || *value == 0 || *value > max)
+    fail(path_,
+         keyword + " is " + quoted(word),
+         "a whole number from 1 to " + std::to_string(max));
   return *value;
 }
 
 void
 readFields(const HeaderLines& lines, CloudFile& cloud)
 {
+  constexpr std::uint64_t max_count = 1u << 20; // values: no descriptor has more
   const Words* const names = lines.find("FIELDS");
   if (!names || names->empty())
-    throw InputError(lines.problem("the header has no FIELDS", "at least x y z"));
+    fail(cloud.path, "the header has no FIELDS", "at least x y z");
   const Words& sizes = lines.words("SIZE", names->size());
   const Words& types = lines.words("TYPE", names->size());
   const Words ones(names->size(), "1");
@@ -358,31 +310,27 @@ readFields(const HeaderLines& lines, CloudFile& cloud)
   std::uint64_t step = 0;
   for (std::size_t i = 0; i < names->size(); ++i) {
     const std::string_view name = (*names)[i];
+    const std::string field = "field " + quoted(name);
     if (name != padding_field && std::count(names->begin(), names->end(), name) > 1)
-      throw InputError(
-          lines.problem("field " + quoted(name) + " is there twice", "each name once"));
+      fail(cloud.path, field + " is there twice", "each name once");
     const auto datatype = datatypeOf(types[i], sizes[i]);
     if (!datatype)
-      throw InputError(
-          lines.problem("field " + quoted(name) + " has SIZE " + quoted(sizes[i]) +
-                            " and TYPE " + quoted(types[i]),
-                        "SIZE 1, 2, 4 or 8 with TYPE I or U, SIZE 4 or 8 with TYPE F"));
-    const auto count = parseInteger<std::uint32_t>(counts[i]);
-    if (!count || *count == 0 || *count > most_count)
-      throw InputError(
-          lines.problem("field " + quoted(name) + " has COUNT " + quoted(counts[i]),
-                        "a whole number from 1 to " + std::to_string(most_count)));
-    pcl::PCLPointField field;
-    field.name = std::string(name);
-    field.offset = static_cast<std::uint32_t>(step);
-    field.datatype = *datatype;
-    field.count = *count;
-    cloud.blob.fields.push_back(field);
+      fail(cloud.path,
+           field + " has SIZE " + quoted(sizes[i]) + " and TYPE " + quoted(types[i]),
+           "SIZE 1, 2, 4 or 8 with TYPE I or U, SIZE 4 or 8 with TYPE F");
+    const auto count = parseValue<std::uint32_t>(counts[i]);
+    if (!count || *count == 0 || *count > max_count)
+      fail(cloud.path,
+           field + " has COUNT " + quoted(counts[i]),
+           "a whole number from 1 to " + std::to_string(max_count));
+    addField(cloud, std::string(name), *datatype);
+    cloud.blob.fields.back().count = *count;
+    cloud.blob.fields.back().offset = static_cast<std::uint32_t>(step);
     step += valueSize(*datatype) * *count;
-    if (step > most_bytes)
-      throw InputError(lines.problem("a point has more than " +
-                                         std::to_string(most_bytes) + " bytes",
-                                     "fewer fields or smaller COUNT"));
+    if (step > max_bytes)
+      fail(cloud.path,
+           "a point has more than " + std::to_string(max_bytes) + " bytes",
+           "fewer fields or smaller COUNT");
   }
   cloud.blob.point_step = static_cast<std::uint32_t>(step);
 }
@@ -390,19 +338,20 @@ readFields(const HeaderLines& lines, CloudFile& cloud)
 void
 readSize(const HeaderLines& lines, CloudFile& cloud)
 {
-  const std::uint64_t width = lines.integer("WIDTH", most_points);
+  const std::uint64_t width = lines.integer("WIDTH", max_points);
   const std::uint64_t height =
-      lines.find("HEIGHT") ? lines.integer("HEIGHT", most_points) : 1;
-  const std::uint64_t points = lines.integer("POINTS", most_points);
+      lines.find("HEIGHT") ? lines.integer("HEIGHT", max_points) : 1;
+  const std::uint64_t points = lines.integer("POINTS", max_points);
   if (width * height != points)
-    throw InputError(lines.problem("WIDTH " + std::to_string(width) + " times HEIGHT " +
-                                       std::to_string(height) + " is not POINTS " +
-                                       std::to_string(points),
-                                   "POINTS = WIDTH x HEIGHT"));
-  if (points * cloud.blob.point_step > most_bytes)
-    throw InputError(lines.problem("POINTS " + std::to_string(points) + " of " +
-                                       std::to_string(cloud.blob.point_step) + " bytes",
-                                   "less than 4 GiB: divide the cloud into tiles"));
+    fail(cloud.path,
+         "WIDTH " + std::to_string(width) + " times HEIGHT " + std::to_string(height) +
+             " is not POINTS " + std::to_string(points),
+         "POINTS = WIDTH x HEIGHT");
+  if (points * cloud.blob.point_step > max_bytes)
+    fail(cloud.path,
+         "POINTS " + std::to_string(points) + " of " +
+             std::to_string(cloud.blob.point_step) + " bytes",
+         "less than 4 GiB: divide the cloud into tiles");
   cloud.blob.width = static_cast<std::uint32_t>(width);
   cloud.blob.height = static_cast<std::uint32_t>(height);
   cloud.blob.row_step = cloud.blob.width * cloud.blob.point_step;
@@ -415,119 +364,53 @@ readViewpoint(const HeaderLines& lines, CloudFile& cloud)
     return;
   const Words& words = lines.words("VIEWPOINT", cloud.viewpoint.size());
   for (std::size_t i = 0; i < words.size(); ++i) {
-    const auto value = parseFloating<float>(words[i]);
+    const auto value = parseValue<float>(words[i]);
     if (!value || !std::isfinite(*value))
-      throw InputError(lines.problem("VIEWPOINT has the value " + quoted(words[i]),
-                                     "a finite number"));
+      fail(
+          cloud.path, "VIEWPOINT has the value " + quoted(words[i]), "a finite number");
     cloud.viewpoint[i] = *value;
   }
 }
 
 void
-requireVersion(const HeaderLines& lines)
+requireVersion(const HeaderLines& lines, const std::string& path)
 {
-  static const Words versions{"0.7", ".7", "0.6", ".6", "0.5", ".5"};
+  constexpr std::array<std::string_view, 6> versions{
+      "0.7", ".7", "0.6", ".6", "0.5", ".5"};
   if (!lines.find("VERSION"))
     return;
   const std::string_view version = lines.words("VERSION", 1).front();
-  if (std::find(versions.begin(), versions.end(), version) == versions.end())
-    throw InputError(lines.problem("VERSION is " + quoted(version), "0.5, 0.6 or 0.7"));
+  if (std::count(versions.begin(), versions.end(), version) == 0)
+    fail(path, "VERSION is " + quoted(version), "0.5, 0.6 or 0.7");
 }
 
-PCDFormat
-readFormat(const HeaderLines& lines)
+[[noreturn]] void
+failTruncated(const CloudFile& cloud, std::uint64_t expected, std::size_t found)
 {
-  const std::string_view name = lines.words("DATA", 1).front();
-  if (const auto format = formatOf(name))
-    return *format;
-  throw InputError(
-      lines.problem("DATA is " + quoted(name), "ascii, binary or binary_compressed"));
-}
-
-} // namespace
-
-PCDHeader
-parseHeader(const std::string& path, std::string_view file)
-{
-  const HeaderLines lines(path, file);
-  requireVersion(lines);
-  PCDHeader header;
-  header.cloud.path = path;
-  readFields(lines, header.cloud);
-  readSize(lines, header.cloud);
-  readViewpoint(lines, header.cloud);
-  header.format = readFormat(lines);
-  header.body = lines.end();
-  return header;
-}
-
-namespace {
-
-std::string
-badFile(const std::string& path, const std::string& what, const std::string& allowed)
-{
-  return path + ": " + what + ": allowed is " + allowed;
-}
-
-std::string
-truncated(const CloudFile& cloud, std::uint64_t expected, std::size_t found)
-{
-  return badFile(cloud.path,
-                 "truncated: the header promises " + std::to_string(cloud.size()) +
-                     " points, in at least " + std::to_string(expected) +
-                     " bytes of data, but " + std::to_string(found) + " follow",
-                 "a complete file");
-}
-
-bool
-storeValue(std::uint8_t datatype, std::string_view word, std::uint8_t* to)
-{
-  const auto store = [to](const auto& value) {
-    if (value)
-      std::memcpy(to, &*value, sizeof(*value));
-    return value.has_value();
-  };
-  switch (datatype) {
-  case pcl::PCLPointField::INT8:
-    return store(parseInteger<std::int8_t>(word));
-  case pcl::PCLPointField::UINT8:
-    return store(parseInteger<std::uint8_t>(word));
-  case pcl::PCLPointField::INT16:
-    return store(parseInteger<std::int16_t>(word));
-  case pcl::PCLPointField::UINT16:
-    return store(parseInteger<std::uint16_t>(word));
-  case pcl::PCLPointField::INT32:
-    return store(parseInteger<std::int32_t>(word));
-  case pcl::PCLPointField::UINT32:
-    return store(parseInteger<std::uint32_t>(word));
-  case pcl::PCLPointField::INT64:
-    return store(parseInteger<std::int64_t>(word));
-  case pcl::PCLPointField::UINT64:
-    return store(parseInteger<std::uint64_t>(word));
-  case pcl::PCLPointField::FLOAT32:
-    return store(parseFloating<float>(word));
-  default:
-    return store(parseFloating<double>(word));
-  }
+  fail(cloud.path,
+       "truncated: the header promises " + std::to_string(cloud.size()) +
+           " points, in at least " + std::to_string(expected) + " bytes of data, but " +
+           std::to_string(found) + " follow",
+       "a complete file");
 }
 
 void
-readRow(const CloudFile& cloud,
-        const std::vector<std::string_view>& words,
-        std::size_t row,
-        std::uint8_t* to)
+readRow(CloudFile& cloud, const Words& words, std::size_t row)
 {
+  std::uint8_t* to = cloud.blob.data.data() + row * cloud.blob.point_step;
   std::size_t word = 0;
   for (const auto& field : cloud.blob.fields)
-    for (std::uint32_t i = 0; i < field.count; ++i, ++word) {
-      if (!storeValue(field.datatype, words[word], to))
-        throw InputError(badFile(cloud.path,
-                                 "point " + std::to_string(row) + " has " +
-                                     quoted(words[word]) + " in field '" + field.name +
-                                     "'",
-                                 "a number of the field's TYPE and SIZE"));
-      to += valueSize(field.datatype);
-    }
+    for (std::uint32_t i = 0; i < field.count; ++i, ++word)
+      visitType(field.datatype, [&](auto zero) {
+        const auto value = parseValue<decltype(zero)>(words[word]);
+        if (!value)
+          fail(cloud.path,
+               "point " + std::to_string(row) + " has " + quoted(words[word]) +
+                   " in field '" + field.name + "'",
+               "a number of the field's TYPE and SIZE");
+        std::memcpy(to, &*value, sizeof(*value));
+        to += sizeof(*value);
+      });
 }
 
 /** The columns of a compressed body, one field after the other, to points. */
@@ -538,7 +421,7 @@ interleave(CloudFile& cloud, const std::vector<std::uint8_t>& columns)
   const std::uint8_t* from = columns.data();
   for (const auto& field : cloud.blob.fields) {
     const std::size_t bytes = valueSize(field.datatype) * field.count;
-    std::uint8_t* to = cloud.blob.data.data() + field.offset;
+    std::uint8_t* const to = cloud.blob.data.data() + field.offset;
     for (std::size_t i = 0; i < cloud.size(); ++i, from += bytes)
       std::memcpy(to + i * cloud.blob.point_step, from, bytes);
   }
@@ -547,32 +430,28 @@ interleave(CloudFile& cloud, const std::vector<std::uint8_t>& columns)
 void
 readCompressed(CloudFile& cloud, std::string_view body)
 {
-  constexpr std::size_t sizes = 2 * sizeof(std::uint32_t);
+  std::array<std::uint32_t, 2> sizes{}; // compressed and not
   const std::size_t expected = cloud.size() * cloud.blob.point_step;
-  if (body.size() < sizes)
-    throw InputError(truncated(cloud, sizes, body.size()));
-  std::uint32_t compressed = 0;
-  std::uint32_t uncompressed = 0;
-  std::memcpy(&compressed, body.data(), sizeof(compressed));
-  std::memcpy(&uncompressed, body.data() + sizeof(compressed), sizeof(uncompressed));
-  body.remove_prefix(sizes);
-  if (uncompressed != expected)
-    throw InputError(badFile(cloud.path,
-                             "the compressed data says that it holds " +
-                                 std::to_string(uncompressed) + " bytes",
-                             std::to_string(expected) + " by the header"));
-  if (compressed > body.size())
-    throw InputError(truncated(cloud, compressed, body.size()));
+  if (body.size() < sizeof(sizes))
+    failTruncated(cloud, sizeof(sizes), body.size());
+  std::memcpy(sizes.data(), body.data(), sizeof(sizes));
+  body.remove_prefix(sizeof(sizes));
+  if (sizes[1] != expected)
+    fail(cloud.path,
+         "the compressed data says that it holds " + std::to_string(sizes[1]) +
+             " bytes",
+         std::to_string(expected) + " by the header");
+  if (sizes[0] > body.size())
+    failTruncated(cloud, sizes[0], body.size());
   std::vector<std::uint8_t> columns;
-  if (lzfMostBytes(compressed) < expected ||
+  if (lzfMaxBytes(sizes[0]) < expected ||
       !lzfDecompress(reinterpret_cast<const std::uint8_t*>(body.data()),
-                     compressed,
+                     sizes[0],
                      expected,
                      columns))
-    throw InputError(badFile(cloud.path,
-                             "the compressed data, " + std::to_string(compressed) +
-                                 " bytes, is corrupt",
-                             "LZF data of " + std::to_string(expected) + " bytes"));
+    fail(cloud.path,
+         "the compressed data, " + std::to_string(sizes[0]) + " bytes, is corrupt",
+         "LZF data of " + std::to_string(expected) + " bytes");
   interleave(cloud, columns);
 }
 
@@ -584,30 +463,28 @@ readAsciiPoints(CloudFile& cloud, std::string_view body)
   std::size_t columns = 0;
   for (const auto& field : cloud.blob.fields)
     columns += field.count;
-  const std::uint64_t least = std::uint64_t{cloud.size()} * columns * 2 - 1;
-  if (body.size() < least)
-    throw InputError(truncated(cloud, least, body.size()));
+  const std::uint64_t min_bytes = std::uint64_t{cloud.size()} * columns * 2 - 1;
+  if (body.size() < min_bytes)
+    failTruncated(cloud, min_bytes, body.size());
   cloud.blob.data.resize(cloud.size() * cloud.blob.point_step);
   std::size_t row = 0;
   while (!body.empty()) {
-    const std::vector<std::string_view> words = splitWords(takeLine(body));
+    const Words words = splitWords(takeLine(body));
     if (words.empty())
       continue;
     if (row == cloud.size())
-      throw InputError(badFile(
-          cloud.path, "more rows than POINTS", std::to_string(cloud.size()) + " rows"));
+      fail(cloud.path, "more rows than POINTS", std::to_string(row) + " rows");
     if (words.size() != columns)
-      throw InputError(badFile(cloud.path,
-                               "point " + std::to_string(row) + " has " +
-                                   std::to_string(words.size()) + " columns",
-                               std::to_string(columns) + " by FIELDS and COUNT"));
-    readRow(cloud, words, row, cloud.blob.data.data() + row * cloud.blob.point_step);
-    ++row;
+      fail(cloud.path,
+           "point " + std::to_string(row) + " has " + std::to_string(words.size()) +
+               " columns",
+           std::to_string(columns) + " by FIELDS and COUNT");
+    readRow(cloud, words, row++);
   }
   if (row < cloud.size())
-    throw InputError(badFile(cloud.path,
-                             "truncated: " + std::to_string(row) + " rows",
-                             std::to_string(cloud.size()) + " by POINTS"));
+    fail(cloud.path,
+         "truncated: " + std::to_string(row) + " rows",
+         std::to_string(cloud.size()) + " by POINTS");
 }
 
 void
@@ -615,7 +492,7 @@ readBinaryPoints(CloudFile& cloud, std::string_view body)
 {
   const std::size_t expected = cloud.size() * cloud.blob.point_step;
   if (body.size() < expected)
-    throw InputError(truncated(cloud, expected, body.size()));
+    failTruncated(cloud, expected, body.size());
   cloud.blob.data.assign(body.begin(),
                          body.begin() + static_cast<std::ptrdiff_t>(expected));
 }
@@ -623,20 +500,25 @@ readBinaryPoints(CloudFile& cloud, std::string_view body)
 CloudFile
 decodePcd(const std::string& path, std::string_view file)
 {
-  PCDHeader header = parseHeader(path, file);
-  const std::string_view body = file.substr(header.body);
-  switch (header.format) {
-  case PCDFormat::ascii:
-    readAsciiPoints(header.cloud, body);
-    break;
-  case PCDFormat::binary:
-    readBinaryPoints(header.cloud, body);
-    break;
-  case PCDFormat::binary_compressed:
-    readCompressed(header.cloud, body);
-    break;
-  }
-  return std::move(header.cloud);
+  const HeaderLines lines(path, file);
+  CloudFile cloud;
+  cloud.path = path;
+  requireVersion(lines, path);
+  readFields(lines, cloud);
+  readSize(lines, cloud);
+  readViewpoint(lines, cloud);
+  const std::string_view word = lines.words("DATA", 1).front();
+  const auto format = formatOf(word);
+  if (!format)
+    fail(path, "DATA is " + quoted(word), "ascii, binary or binary_compressed");
+  const std::string_view body = file.substr(lines.end());
+  if (*format == PCDFormat::ascii)
+    readAsciiPoints(cloud, body);
+  else if (*format == PCDFormat::binary)
+    readBinaryPoints(cloud, body);
+  else
+    readCompressed(cloud, body);
+  return cloud;
 }
 
 CloudFile
@@ -647,20 +529,15 @@ readCloud(const std::string& path)
 
 namespace {
 
-/** Colours are bits: as a float, many are NaN, and text would lose them. */
-bool
-isColor(const pcl::PCLPointField& field)
-{
-  return (field.name == "rgb" || field.name == "rgba") &&
-         field.datatype == pcl::PCLPointField::FLOAT32;
-}
-
+/** Colors are bits: as a float, many are NaN, and text would lose them. */
 std::uint8_t
 writtenType(const pcl::PCLPointField& field, PCDFormat format)
 {
-  if (format == PCDFormat::ascii && isColor(field))
-    return pcl::PCLPointField::UINT32;
-  return field.datatype;
+  const bool is_color = (field.name == "rgb" || field.name == "rgba") &&
+                        field.datatype == pcl::PCLPointField::FLOAT32;
+  return format == PCDFormat::ascii && is_color
+             ? std::uint8_t{pcl::PCLPointField::UINT32}
+             : field.datatype;
 }
 
 std::string
@@ -686,57 +563,22 @@ encodeHeader(const CloudFile& cloud, PCDFormat format)
          std::to_string(cloud.size()) + "\nDATA " + nameOf(format) + '\n';
 }
 
-template <typename T>
-void
-appendValue(const std::uint8_t* from, std::string& text)
-{
-  T value;
-  std::memcpy(&value, from, sizeof(value));
-  if (value != value)
-    text += "nan";
-  else
-    appendNumber(value, text);
-}
-
-void
-appendValue(std::uint8_t datatype, const std::uint8_t* from, std::string& text)
-{
-  switch (datatype) {
-  case pcl::PCLPointField::INT8:
-    return appendValue<std::int8_t>(from, text);
-  case pcl::PCLPointField::UINT8:
-    return appendValue<std::uint8_t>(from, text);
-  case pcl::PCLPointField::INT16:
-    return appendValue<std::int16_t>(from, text);
-  case pcl::PCLPointField::UINT16:
-    return appendValue<std::uint16_t>(from, text);
-  case pcl::PCLPointField::INT32:
-    return appendValue<std::int32_t>(from, text);
-  case pcl::PCLPointField::UINT32:
-    return appendValue<std::uint32_t>(from, text);
-  case pcl::PCLPointField::INT64:
-    return appendValue<std::int64_t>(from, text);
-  case pcl::PCLPointField::UINT64:
-    return appendValue<std::uint64_t>(from, text);
-  case pcl::PCLPointField::FLOAT32:
-    return appendValue<float>(from, text);
-  default:
-    return appendValue<double>(from, text);
-  }
-}
-
 void
 appendAscii(const CloudFile& cloud, std::string& text)
 {
   const std::uint8_t* from = cloud.blob.data.data();
   for (std::size_t point = 0; point < cloud.size(); ++point) {
-    for (const auto& field : cloud.blob.fields) {
-      const std::uint8_t datatype = writtenType(field, PCDFormat::ascii);
-      for (std::uint32_t i = 0; i < field.count; ++i, from += valueSize(datatype)) {
-        appendValue(datatype, from, text);
-        text += ' ';
-      }
-    }
+    for (const auto& field : cloud.blob.fields)
+      for (std::uint32_t i = 0; i < field.count; ++i)
+        visitType(writtenType(field, PCDFormat::ascii), [&](auto value) {
+          std::memcpy(&value, from, sizeof(value));
+          from += sizeof(value);
+          if (value != value) // std::to_chars would keep a NaN's sign
+            text += "nan";
+          else
+            appendNumber(value, text);
+          text += ' ';
+        });
     text.back() = '\n';
   }
 }
@@ -749,9 +591,8 @@ columnsOf(const CloudFile& cloud)
   std::uint8_t* to = columns.data();
   for (const auto& field : cloud.blob.fields) {
     const std::size_t bytes = valueSize(field.datatype) * field.count;
-    const std::uint8_t* from = cloud.blob.data.data() + field.offset;
     for (std::size_t i = 0; i < cloud.size(); ++i, to += bytes)
-      std::memcpy(to, from + i * cloud.blob.point_step, bytes);
+      std::memcpy(to, cloud.at(i, field), bytes);
   }
   return columns;
 }
@@ -760,10 +601,9 @@ void
 appendCompressed(const CloudFile& cloud, std::string& text)
 {
   const std::string data = lzfCompress(columnsOf(cloud));
-  if (data.size() > std::numeric_limits<std::uint32_t>::max())
-    throw InputError(
-        cloud.path + ": " + std::to_string(data.size()) +
-        " compressed bytes: allowed is less than 4 GiB (see -format binary)");
+  if (data.size() > max_bytes)
+    throw InputError(cloud.path + ": " + std::to_string(data.size()) +
+                     " compressed bytes; must be less than 4 GiB (see -format binary)");
   for (const std::size_t size : {data.size(), cloud.blob.data.size()}) {
     const auto stored = static_cast<std::uint32_t>(size);
     text.append(reinterpret_cast<const char*>(&stored), sizeof(stored));
@@ -776,21 +616,16 @@ appendCompressed(const CloudFile& cloud, std::string& text)
 std::string
 encodeCloud(const CloudFile& cloud, PCDFormat format)
 {
-  if (cloud.blob.data.size() > std::numeric_limits<std::uint32_t>::max())
+  if (cloud.blob.data.size() > max_bytes)
     throw InputError(cloud.path + ": " + std::to_string(cloud.blob.data.size()) +
-                     " bytes with the new fields: allowed is less than 4 GiB");
+                     " bytes with the new fields; must be less than 4 GiB");
   std::string text = encodeHeader(cloud, format);
-  switch (format) {
-  case PCDFormat::ascii:
+  if (format == PCDFormat::ascii)
     appendAscii(cloud, text);
-    break;
-  case PCDFormat::binary:
+  else if (format == PCDFormat::binary)
     text.append(cloud.blob.data.begin(), cloud.blob.data.end());
-    break;
-  case PCDFormat::binary_compressed:
+  else
     appendCompressed(cloud, text);
-    break;
-  }
   return text;
 }
 

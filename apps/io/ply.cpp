@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// PLY files: vertices with any properties in, one binary element vertex out.
 
 #include "io/ply.h"
 
 #include "cli/errors.h"
 #include "io/pcd.h"
+#include "io/text.h"
 
 #include <cmath>
 #include <cstring>
-#include <map>
 #include <optional>
 
 namespace pcl::app {
@@ -17,30 +17,38 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
+struct PlyType {
+  std::uint8_t datatype;
+  const char* name; ///< that is written
+  const char* alias;
+};
+
+constexpr PlyType ply_types[] = {{pcl::PCLPointField::INT8, "char", "int8"},
+                                 {pcl::PCLPointField::UINT8, "uchar", "uint8"},
+                                 {pcl::PCLPointField::INT16, "short", "int16"},
+                                 {pcl::PCLPointField::UINT16, "ushort", "uint16"},
+                                 {pcl::PCLPointField::INT32, "int", "int32"},
+                                 {pcl::PCLPointField::UINT32, "uint", "uint32"},
+                                 {pcl::PCLPointField::FLOAT32, "float", "float32"},
+                                 {pcl::PCLPointField::FLOAT64, "double", "float64"}};
+
 std::optional<std::uint8_t>
-datatypeOfProperty(std::string_view type)
+datatypeOf(std::string_view name)
 {
-  using Field = pcl::PCLPointField;
-  static const std::map<std::string_view, std::uint8_t> types{
-      {"char", Field::INT8},
-      {"int8", Field::INT8},
-      {"uchar", Field::UINT8},
-      {"uint8", Field::UINT8},
-      {"short", Field::INT16},
-      {"int16", Field::INT16},
-      {"ushort", Field::UINT16},
-      {"uint16", Field::UINT16},
-      {"int", Field::INT32},
-      {"int32", Field::INT32},
-      {"uint", Field::UINT32},
-      {"uint32", Field::UINT32},
-      {"float", Field::FLOAT32},
-      {"float32", Field::FLOAT32},
-      {"double", Field::FLOAT64},
-      {"float64", Field::FLOAT64}};
-  const auto found = types.find(type);
-  return found == types.end() ? std::nullopt
-                              : std::optional<std::uint8_t>(found->second);
+  for (const PlyType& type : ply_types)
+    if (name == type.name || name == type.alias)
+      return type.datatype;
+  return std::nullopt;
+}
+
+/** PLY's name of a type, or nullptr. */
+const char*
+nameOf(std::uint8_t datatype)
+{
+  for (const PlyType& type : ply_types)
+    if (type.datatype == datatype)
+      return type.name;
+  return nullptr;
 }
 
 /** Reads a header line by line. */
@@ -79,9 +87,9 @@ public:
 
 private:
   [[noreturn]] void
-  fail(const std::string& what, const std::string& allowed) const
+  fail(const std::string& what, const std::string& expected) const
   {
-    throw InputError(cloud_.path + ": " + what + ": allowed is " + allowed);
+    throw InputError(cloud_.path + ": " + what + "; expected " + expected);
   }
 
   void
@@ -103,7 +111,7 @@ private:
       return;
     std::array<float, 7> viewpoint{};
     for (std::size_t i = 0; i < viewpoint.size(); ++i) {
-      const auto value = parseFloating<float>(words[i + 2]);
+      const auto value = parseValue<float>(words[i + 2]);
       if (!value || !std::isfinite(*value))
         return;
       viewpoint[i] = *value;
@@ -114,7 +122,7 @@ private:
   void
   readInfo(const Words& words)
   {
-    const auto value = words.size() == 3 ? parseInteger<std::uint32_t>(words[2])
+    const auto value = words.size() == 3 ? parseValue<std::uint32_t>(words[2])
                                          : std::optional<std::uint32_t>();
     if (value && words[1] == "num_cols")
       columns_ = *value;
@@ -141,10 +149,10 @@ Header::readElement(const Words& words)
     return;
   if (words.size() != 3 || words[1] != "vertex")
     fail("the first element is " + quoted(words.size() > 1 ? words[1] : ""), "vertex");
-  const auto points = parseInteger<std::uint64_t>(words[2]);
-  if (!points || *points == 0 || *points > most_points)
+  const auto points = parseValue<std::uint64_t>(words[2]);
+  if (!points || *points == 0 || *points > max_points)
     fail("element vertex is " + quoted(words[2]),
-         "a whole number from 1 to " + std::to_string(most_points));
+         "a whole number from 1 to " + std::to_string(max_points));
   points_ = *points;
 }
 
@@ -154,20 +162,14 @@ Header::readProperty(const Words& words)
   if (elements_ != 1)
     return;
   const auto datatype =
-      words.size() == 3 ? datatypeOfProperty(words[1]) : std::optional<std::uint8_t>();
+      words.size() == 3 ? datatypeOf(words[1]) : std::optional<std::uint8_t>();
   if (!datatype)
     fail("property " + quoted(words.back()) + " of vertex has type " +
              quoted(words.size() > 1 ? words[1] : ""),
          "char, uchar, short, ushort, int, uint, float or double");
   if (findField(cloud_, std::string(words[2])))
     fail("property " + quoted(words[2]) + " is there twice", "each name once");
-  pcl::PCLPointField field;
-  field.name = std::string(words[2]);
-  field.datatype = *datatype;
-  field.count = 1;
-  field.offset = cloud_.blob.point_step;
-  cloud_.blob.point_step += static_cast<std::uint32_t>(valueSize(*datatype));
-  cloud_.blob.fields.push_back(field);
+  addField(cloud_, std::string(words[2]), *datatype);
 }
 
 CloudFile
@@ -175,7 +177,7 @@ Header::finish()
 {
   if (!has_format_ || elements_ == 0 || cloud_.blob.fields.empty())
     fail("the header has no format, vertex or property", "a complete PLY header");
-  if (points_ * cloud_.blob.point_step > most_bytes)
+  if (points_ * cloud_.blob.point_step > max_bytes)
     fail("element vertex " + std::to_string(points_) + " of " +
              std::to_string(cloud_.blob.point_step) + " bytes",
          "less than 4 GiB: divide the cloud into tiles");
@@ -203,12 +205,12 @@ decodePly(const std::string& path, std::string_view file)
 {
   std::string_view rest = file;
   if (splitWords(takeLine(rest)) != Words{"ply"})
-    throw InputError(path + ": the first line is not 'ply': allowed is a PLY file");
+    throw InputError(path + ": the first line is not 'ply'; expected a PLY file");
   Header header(path);
   for (bool more = true; more;) {
     if (rest.empty())
-      throw InputError(path + ": the header has no end_header: allowed is a complete "
-                              "PLY header");
+      throw InputError(path + ": the header has no end_header; expected a complete PLY "
+                              "header");
     more = header.add(splitWords(takeLine(rest)));
   }
   const bool is_text = header.isText();
@@ -229,32 +231,6 @@ struct Property {
   std::size_t size;
 };
 
-/** PLY's name of a type, or nullptr. */
-const char*
-plyType(std::uint8_t datatype)
-{
-  switch (datatype) {
-  case pcl::PCLPointField::INT8:
-    return "char";
-  case pcl::PCLPointField::UINT8:
-    return "uchar";
-  case pcl::PCLPointField::INT16:
-    return "short";
-  case pcl::PCLPointField::UINT16:
-    return "ushort";
-  case pcl::PCLPointField::INT32:
-    return "int";
-  case pcl::PCLPointField::UINT32:
-    return "uint";
-  case pcl::PCLPointField::FLOAT32:
-    return "float";
-  case pcl::PCLPointField::FLOAT64:
-    return "double";
-  default:
-    return nullptr;
-  }
-}
-
 bool
 isColor(const pcl::PCLPointField& field)
 {
@@ -262,7 +238,7 @@ isColor(const pcl::PCLPointField& field)
          valueSize(field.datatype) == sizeof(std::uint32_t) && field.count == 1;
 }
 
-/** PCL packs a colour as 0xAARRGGBB. */
+/** PCL packs a color as 0xAARRGGBB. */
 void
 addColor(const pcl::PCLPointField& field, std::vector<Property>& properties)
 {
@@ -277,7 +253,7 @@ propertiesOf(const CloudFile& cloud)
 {
   std::vector<Property> properties;
   for (const auto& field : cloud.blob.fields) {
-    const char* const type = plyType(field.datatype);
+    const char* const type = nameOf(field.datatype);
     const std::size_t size = valueSize(field.datatype);
     if (field.name == padding_field || !type)
       continue;
@@ -337,7 +313,7 @@ fieldsWithoutPly(const CloudFile& cloud)
 {
   std::vector<std::string> names;
   for (const auto& field : cloud.blob.fields)
-    if (field.name != padding_field && !plyType(field.datatype))
+    if (field.name != padding_field && !nameOf(field.datatype))
       names.push_back(field.name);
   return names;
 }

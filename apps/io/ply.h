@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Reads and writes PLY files.
 
 #pragma once
 
@@ -14,13 +14,13 @@ namespace pcl::app {
 
 /** \brief The vertices of a PLY file, text or binary little-endian: one field a
  * property. What follows the vertices, such as faces, is left out.
- * \throws InputError that names the path, what is wrong, and what is allowed */
+ * \throws InputError that names the path, what is wrong, and what is expected */
 CloudFile decodePly(const std::string& path, std::string_view file);
 
 /** \brief The bytes of a binary little-endian PLY file with one element, vertex.
  *
  * A field becomes a property of the same name and type, one of several values
- * name_0, name_1 ..., and a packed colour red, green, blue (and alpha). The viewpoint
+ * name_0, name_1 ..., and a packed color red, green, blue (and alpha). The viewpoint
  * is a comment, the layout of an organized cloud obj_info, as pcl::PLYWriter's. */
 std::string encodePly(const CloudFile& cloud);
 

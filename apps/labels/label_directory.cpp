@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// A directory of labeled clouds and its manifest, which says what is done.
 
 #include "labels/label_directory.h"
 
-#include "cli/app.h"
 #include "cli/atomic_file.h"
 #include "cli/errors.h"
 #include "cli/filter_app.h"
-#include "cli/progress.h"
 #include "cli/read_file.h"
 #include "io/any_cloud.h"
 #include "io/kitti_file.h"
 #include "io/ply.h"
-#include "labels/label_manifest.h"
-#include "labels/labelled_cloud.h"
+#include "labels/labeled_cloud.h"
+
+#include <pcl/pcl_config.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <deque>
@@ -26,37 +27,28 @@ namespace fs = std::filesystem;
 namespace pcl::app {
 namespace {
 
-using Json = LabelManifest::Json;
+using Json = nlohmann::ordered_json;
 
-/** Two clouds that differ in their endings only would share an output. */
-void
-requireDistinctNames(const std::vector<std::string>& inputs)
+/** A checksum, FNV-1a of 64 bits, in hexadecimal. */
+std::string
+checksumOf(std::string_view contents)
 {
-  std::map<std::string, std::string> stems;
-  for (const std::string& input : inputs) {
-    const auto [other, is_new] = stems.emplace(fs::path(input).stem(), input);
-    if (!is_new)
-      throw InputError(other->second + " and " + input +
-                       " would have the same output: allowed are different names "
-                       "before the ending");
-  }
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char c : contents)
+    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  constexpr std::size_t digits = 16;
+  std::string text(digits, '0');
+  for (std::size_t i = digits; i-- > 0; hash >>= 4u)
+    text[i] = "0123456789abcdef"[hash & 15u];
+  return text;
 }
 
-void
-makeDirectory(const fs::path& directory)
-{
-  std::error_code error;
-  fs::create_directory(directory, error);
-  if (!fs::is_directory(directory))
-    throw InputError(directory.string() +
-                     ": cannot be made a directory: " + error.message() +
-                     "; allowed is a directory, or a new name in one");
-}
-
+/** All that the labels depend on, besides the cloud. */
 Json
-parametersOf(const Arguments& arguments, const std::string& format)
+parametersOf(const LabelSettings& settings,
+             const Arguments& arguments,
+             const std::string& format)
 {
-  const LabelSettings settings = labelSettings(arguments);
   Json parameters{
       {"confidence", settings.confidence}, {"format", format}, {"model", "default"}};
   if (settings.resolution > 0.0)
@@ -83,26 +75,207 @@ detailsOf(const Report& report,
   return details;
 }
 
+/** What is in the directory and how it was made, as manifest.json there. It is written
+ * anew after each cloud, complete or not at all. */
+class Manifest {
+public:
+  /** \param[in] classes names of the labels from 0 on */
+  Manifest(const fs::path& directory,
+           const Json& parameters,
+           const std::vector<std::string>& classes);
+
+  static fs::path
+  pathIn(const fs::path& directory)
+  {
+    return directory / "manifest.json";
+  }
+
+  /** Take over the files of the manifest that is there, if there is one.
+   * \throws InputError if it is no manifest, or one of other parameters */
+  void resume();
+
+  /** Whether a cloud was labeled and its files are still there. */
+  bool isDone(const std::string& input, std::string_view contents) const;
+
+  /** \param[in] outputs names of files in the directory */
+  void add(const std::string& input,
+           std::string_view contents,
+           const std::vector<std::string>& outputs,
+           const Json& details);
+
+  /** What went wrong in this run; failures of earlier ones are forgotten. */
+  void
+  addFailure(const std::string& input, const std::string& error)
+  {
+    failures_.push_back({{"input", input}, {"error", error}});
+  }
+
+  void save() const;
+
+  /** Points of all files by label. */
+  std::vector<std::uint64_t> totals() const;
+
+private:
+  fs::path directory_;
+  Json head_; ///< what must be the same to resume
+  std::vector<std::string> classes_;
+  Json files_ = Json::array(); ///< sorted by input
+  Json failures_ = Json::array();
+};
+
+Manifest::Manifest(const fs::path& directory,
+                   const Json& parameters,
+                   const std::vector<std::string>& classes)
+: directory_(directory)
+, head_{{"format", "pcl_shape labels"},
+        {"version", 1},
+        {"software", {{"pcl_shape", PCL_SHAPE_VERSION}, {"pcl", PCL_VERSION_PRETTY}}},
+        {"parameters", parameters}}
+, classes_(classes)
+{
+  head_["classes"] = Json::array();
+  for (std::size_t label = 0; label < classes.size(); ++label)
+    head_["classes"].push_back({{"label", label}, {"name", classes[label]}});
+}
+
+/** Throws unless the members of a file are what isDone() and totals() read. */
+void
+checkFiles(const Json& files, const std::vector<std::string>& classes)
+{
+  for (const Json& file : files) {
+    file.at("input").get_ref<const std::string&>();
+    file.at("checksum").get_ref<const std::string&>();
+    for (const Json& output : file.at("outputs")) {
+      output.at("name").get_ref<const std::string&>();
+      output.at("bytes").get<std::uint64_t>();
+    }
+    for (const std::string& name : classes)
+      file.at("counts").at(name).get<std::uint64_t>();
+  }
+}
+
+void
+Manifest::resume()
+{
+  const std::string path = pathIn(directory_);
+  if (!fs::exists(path))
+    return;
+  Json old;
+  try {
+    old = Json::parse(readFile(path, "a manifest of pcl_shape_label"));
+    checkFiles(old.at("files"), {});
+  }
+  catch (const Json::exception& error) {
+    throw InputError(path + ": is no manifest of labels: " + error.what() +
+                     "; expected one, no file, or -overwrite");
+  }
+  for (const auto& [name, value] : head_.items())
+    if (!old.contains(name) || old[name] != value)
+      throw InputError(path + ": its clouds were labeled with other " + name + ", " +
+                       (old.contains(name) ? old[name].dump() : "none") +
+                       " instead of " + value.dump() +
+                       "; expected the same, another directory, or -overwrite");
+  try {
+    checkFiles(old["files"], classes_);
+  }
+  catch (const Json::exception& error) {
+    throw InputError(path + ": " + error.what() +
+                     "; expected the counts of every class, or -overwrite");
+  }
+  files_ = old["files"];
+}
+
+bool
+Manifest::isDone(const std::string& input, std::string_view contents) const
+{
+  const auto file = std::find_if(
+      files_.begin(), files_.end(), [&](const Json& f) { return f["input"] == input; });
+  if (file == files_.end() || (*file)["checksum"] != checksumOf(contents))
+    return false;
+  const Json& outputs = (*file)["outputs"];
+  return std::all_of(outputs.begin(), outputs.end(), [&](const Json& output) {
+    std::error_code error;
+    const fs::path path = directory_ / output["name"].get<std::string>();
+    return fs::is_regular_file(path, error) &&
+           fs::file_size(path, error) == output["bytes"].get<std::uint64_t>();
+  });
+}
+
+void
+Manifest::add(const std::string& input,
+              std::string_view contents,
+              const std::vector<std::string>& outputs,
+              const Json& details)
+{
+  Json file{{"input", input},
+            {"bytes", contents.size()},
+            {"checksum", checksumOf(contents)},
+            {"outputs", Json::array()}};
+  for (const std::string& output : outputs)
+    file["outputs"].push_back(
+        {{"name", output}, {"bytes", fs::file_size(directory_ / output)}});
+  file.update(details);
+  const auto place = std::find_if(files_.begin(), files_.end(), [&](const Json& f) {
+    return f["input"].get_ref<const std::string&>() >= input;
+  });
+  if (place != files_.end() && (*place)["input"] == input)
+    *place = std::move(file);
+  else
+    files_.insert(place, std::move(file));
+}
+
+std::vector<std::uint64_t>
+Manifest::totals() const
+{
+  std::vector<std::uint64_t> totals(classes_.size(), 0);
+  for (const Json& file : files_)
+    for (std::size_t label = 0; label < classes_.size(); ++label)
+      totals[label] += file["counts"][classes_[label]].get<std::uint64_t>();
+  return totals;
+}
+
+void
+Manifest::save() const
+{
+  Json json = head_;
+  const std::vector<std::uint64_t> counts = totals();
+  for (std::size_t label = 0; label < classes_.size(); ++label)
+    json["counts"][classes_[label]] = counts[label];
+  json["files"] = files_;
+  json["failures"] = failures_;
+  AtomicFile file(pathIn(directory_));
+  file.write(dumpJson(json));
+  file.commit();
+}
+
 class DirectoryRun {
 public:
-  DirectoryRun(const Arguments& arguments, std::string input, std::string output)
+  DirectoryRun(const Arguments& arguments,
+               const std::string& input,
+               const std::string& output)
   : arguments_(arguments)
   , settings_(labelSettings(arguments))
   , names_(labelNames(settings_))
   , format_(arguments.choice("format", labelFormats()))
-  , input_(std::move(input))
-  , output_(std::move(output))
-  , inputs_(cloudsIn(input_, cloudEndings()))
-  , manifest_(output_, parametersOf(arguments, format_), names_)
+  , input_(input)
+  , output_(output)
+  , inputs_(cloudsIn(input, cloudEndings()))
+  , manifest_(output, parametersOf(settings_, arguments, format_), names_)
   {}
 
   int run();
 
 private:
+  std::vector<std::string>
+  outputsOf(const std::string& input) const
+  {
+    return outputNames(format_, fs::path(input).stem());
+  }
+
   void prepare();
 
   /** \return whether there was something to do */
-  bool label(const std::string& input);
+  bool label(const std::string& input, Report& report);
 
   void writeClasses() const;
 
@@ -110,46 +283,45 @@ private:
   LabelSettings settings_;
   std::vector<std::string> names_;
   std::string format_;
-  std::string input_, output_;
+  std::string input_;
+  fs::path output_;
   std::vector<std::string> inputs_;
-  LabelManifest manifest_;
-  std::vector<Report> reports_;
-  std::vector<Failure> failures_;
+  Manifest manifest_;
 };
 
 void
 DirectoryRun::prepare()
 {
-  requireDistinctNames(inputs_);
+  std::map<std::string, std::string> stems;
   std::vector<std::string> files = inputs_;
-  files.push_back(fs::path(output_) / LabelManifest::file_name);
-  for (const std::string& input : inputs_)
-    for (const std::string& name : outputNames(format_, fs::path(input).stem()))
-      files.push_back(fs::path(output_) / name);
+  files.push_back(Manifest::pathIn(output_));
+  for (const std::string& input : inputs_) {
+    const auto [other, is_new] = stems.emplace(fs::path(input).stem(), input);
+    if (!is_new)
+      throw InputError(other->second + " and " + input +
+                       " would have the same output; expected different names before "
+                       "the ending");
+    for (const std::string& name : outputsOf(input))
+      files.push_back(output_ / name);
+  }
   checkJsonPath(arguments_, files);
   checkOutputs(arguments_, files);
-  std::error_code error;
-  if (fs::equivalent(input_, output_, error))
-    throw UsageError("output directory '" + output_ +
-                     "' is the input directory: allowed is another directory");
-  makeDirectory(output_);
+  prepareOutputDirectory(output_, input_);
   if (!arguments_.has("overwrite"))
     manifest_.resume();
-  if (format_ == "kitti") {
-    makeDirectory(fs::path(output_) / "velodyne");
-    makeDirectory(fs::path(output_) / "labels");
-  }
+  if (format_ == "kitti")
+    for (const char* const name : {"velodyne", "labels"})
+      makeDirectory(output_ / name);
   removeOrphans(output_);
 }
 
 bool
-DirectoryRun::label(const std::string& input)
+DirectoryRun::label(const std::string& input, Report& report)
 {
   const std::string name = fs::path(input).filename();
-  const std::vector<std::string> outputs = outputNames(format_, fs::path(input).stem());
-  Report report;
+  const std::vector<std::string> outputs = outputsOf(input);
   report.setText("", "input", input);
-  report.setText("", "output", fs::path(output_) / outputs.front());
+  report.setText("", "output", output_ / outputs.front());
   const std::string contents = readFile(input, "a PCD, PLY or KITTI .bin file");
   if (manifest_.isDone(name, contents))
     return false;
@@ -158,16 +330,14 @@ DirectoryRun::label(const std::string& input)
   const std::vector<std::uint32_t> labels = labelCloud(cloud, settings_, report);
   report.time("write", [&] {
     std::deque<AtomicFile> files;
-    const auto encoded = encodeLabelled(format_, cloud, labels);
+    const auto encoded = encodeLabeled(format_, cloud, labels);
     for (std::size_t i = 0; i < outputs.size(); ++i)
-      files.emplace_back(fs::path(output_) / outputs[i]).write(encoded[i]);
+      files.emplace_back(output_ / outputs[i]).write(encoded[i]);
     for (AtomicFile& file : files)
       file.commit();
   });
   manifest_.add(name, contents, outputs, detailsOf(report, names_, cloud, format_));
   manifest_.save();
-  printSummary(input, report);
-  reports_.push_back(std::move(report));
   return true;
 }
 
@@ -182,7 +352,7 @@ DirectoryRun::writeClasses() const
   for (std::size_t label = 0; label < names_.size(); ++label)
     classes.push_back({label == 0 ? "unlabeled" : names_[label],
                        sum > 0.0 ? static_cast<double>(totals[label]) / sum : 0.0});
-  AtomicFile file(fs::path(output_) / "classes.yaml");
+  AtomicFile file(output_ / "classes.yaml");
   file.write(encodeKittiClasses(classes));
   file.commit();
 }
@@ -191,33 +361,20 @@ int
 DirectoryRun::run()
 {
   prepare();
-  std::size_t done_before = 0;
-  Progress progress(arguments_.app(), inputs_);
-  for (const std::string& input : inputs_) {
-    progress.begin(input);
+  const auto job = [this](const std::string& input, Report& report) {
     try {
-      const bool is_new = label(input);
-      done_before += is_new ? 0 : 1;
-      progress.end(input, is_new);
-    }
-    catch (const UsageError&) {
-      throw;
+      return label(input, report);
     }
     catch (const std::exception& error) {
-      failures_.push_back({input, error.what()});
       manifest_.addFailure(fs::path(input).filename(), error.what());
-      logLine(arguments_.app() + ": " + error.what());
-      progress.end(input, true);
+      throw;
     }
-  }
-  manifest_.save();
-  if (format_ == "kitti")
-    writeClasses();
-  writeJson(arguments_, toJson(arguments_.app(), reports_, failures_));
-  logLine(arguments_.app() + ": " + std::to_string(failures_.size()) + " of " +
-          std::to_string(inputs_.size()) + " files failed, " +
-          std::to_string(done_before) + " were done before");
-  return failures_.empty() ? 0 : 1;
+  };
+  return runBatch(arguments_, inputs_, job, [this] {
+    manifest_.save();
+    if (format_ == "kitti")
+      writeClasses();
+  });
 }
 
 } // namespace

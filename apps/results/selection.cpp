@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Selects points by a label and a box.
 
 #include "results/selection.h"
 
@@ -14,7 +14,7 @@
 namespace pcl::app {
 namespace {
 
-constexpr std::uint64_t most_label = 0xffffffff;
+constexpr std::uint64_t max_label = 0xffffffff;
 
 struct Box {
   std::array<double, 3> low{}, high{};
@@ -32,9 +32,9 @@ struct Box {
 std::optional<Box>
 boxOf(const Arguments& arguments)
 {
-  const std::string allowed =
-      "six numbers of metres, X1,Y1,Z1,X2,Y2,Z2, the first three below the others";
-  const auto numbers = arguments.numbers("box", 6, allowed);
+  const std::string expected =
+      "six numbers of meters, X1,Y1,Z1,X2,Y2,Z2, the first three below the others";
+  const auto numbers = arguments.numbers("box", 6, expected);
   if (!numbers)
     return std::nullopt;
   Box box;
@@ -42,7 +42,7 @@ boxOf(const Arguments& arguments)
     box.low[c] = (*numbers)[c];
     box.high[c] = (*numbers)[c + 3];
     if (!(box.low[c] < box.high[c]))
-      throw UsageError("-box '" + arguments.text("box") + "': allowed is " + allowed);
+      arguments.fail("box", expected);
   }
   return box;
 }
@@ -54,16 +54,14 @@ addSelectionOptions(CommandLine& command_line)
 {
   command_line.option("field", "F", "only the points where the field F ...")
       .option("value", "V", "... has the value V")
-      .option("box", "X1,Y1,Z1,X2,Y2,Z2", "only the points in this box, metres");
+      .option("box", "X1,Y1,Z1,X2,Y2,Z2", "only the points in this box, meters");
 }
 
 void
 checkSelection(const Arguments& arguments)
 {
-  if (arguments.has("field") != arguments.has("value"))
-    throw UsageError("-field '" + arguments.text("field") + "' and -value '" +
-                     arguments.text("value") + "': allowed is both or neither");
-  arguments.integer("value", 0, most_label);
+  arguments.hasBoth("field", "value");
+  arguments.integer("value", 0, max_label);
   boxOf(arguments);
 }
 
@@ -72,7 +70,7 @@ reportSelection(const Arguments& arguments, Report& report)
 {
   if (arguments.has("field")) {
     report.setText("parameters", "field", arguments.text("field"));
-    report.setCount("parameters", "value", *arguments.integer("value", 0, most_label));
+    report.setCount("parameters", "value", *arguments.integer("value", 0, max_label));
   }
   if (arguments.has("box"))
     report.setText("parameters", "box", arguments.text("box"));
@@ -87,7 +85,7 @@ selectedPoints(const CloudFile& file,
   std::uint64_t label = 0;
   if (arguments.has("field")) {
     labels = labelsOf(file, arguments.text("field"));
-    label = *arguments.integer("value", 0, most_label);
+    label = *arguments.integer("value", 0, max_label);
   }
   const std::optional<Box> box = boxOf(arguments);
   auto selected = pcl::make_shared<pcl::Indices>();
@@ -98,7 +96,7 @@ selectedPoints(const CloudFile& file,
   if (selected->empty())
     throw InputError(file.path + ": no finite point is selected by -field '" +
                      arguments.text("field") + "' -value '" + arguments.text("value") +
-                     "' -box '" + arguments.text("box") + "': at least one is needed");
+                     "' -box '" + arguments.text("box") + "'; expected at least one");
   return selected;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Street scenes: their options, the cloud and the report.
 
 #include "scene/lidar_scene.h"
 
@@ -17,7 +17,7 @@ namespace {
 using pcl::scene::LidarOptions;
 using pcl::scene::LidarScan;
 
-constexpr double most_noise = 0.1;
+constexpr double max_noise = 0.1; // meters: a kerb drowns in more
 
 LidarOptions
 lidarOptions(const Arguments& arguments)
@@ -33,11 +33,10 @@ lidarOptions(const Arguments& arguments)
   }
   else if (noise != "lidar") {
     const auto sigma = parseNumber(noise);
-    if (!sigma || *sigma < 0.0 || *sigma > most_noise)
-      throw UsageError(
-          "-noise '" + noise +
-          "' with -sensor lidar: allowed is lidar, none, or a number of metres from 0 "
-          "to 0.1");
+    if (!sigma || *sigma < 0.0 || *sigma > max_noise)
+      arguments.fail("noise",
+                     "lidar, none, or a number of meters from 0 to 0.1 with -sensor "
+                     "lidar");
     options.sigma = *sigma;
     options.drop_outs = false;
   }
@@ -93,7 +92,7 @@ isLidar(const Arguments& arguments)
   if (arguments.choice("sensor", {"camera", "lidar"}) == "camera") {
     if (arguments.has("beams"))
       throw UsageError("-beams '" + arguments.text("beams") +
-                       "' without a laser: allowed is -sensor lidar with it");
+                       "' without a laser; expected -sensor lidar with it");
     return false;
   }
   for (const char* camera : {"objects",
@@ -107,7 +106,7 @@ isLidar(const Arguments& arguments)
                              "faces"})
     if (arguments.has(camera))
       throw UsageError(std::string("-") + camera +
-                       " with -sensor 'lidar': allowed is it with -sensor camera");
+                       " with -sensor 'lidar'; expected only with -sensor camera");
   return true;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Table scenes: their options, the cloud and the report.
 
 #include "scene/table_scene.h"
 
@@ -10,7 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <set>
+#include <sstream>
 
 namespace pcl::app {
 namespace {
@@ -18,8 +21,52 @@ namespace {
 using pcl::scene::Scene;
 using pcl::scene::SceneOptions;
 
+constexpr std::uint64_t max_objects = 30; // more do not fit on the table
+constexpr std::uint64_t min_pixels = 16;  // fewer show no surface
+constexpr std::uint64_t max_pixels = 4096;
+constexpr double max_noise = 0.1; // meters: an object's size
+constexpr NumberRange turn_range{
+    -180.0, 180.0, false, "a number of degrees from -180 to 180"};
+
+void
+setNoise(const Arguments& arguments, SceneOptions& options)
+{
+  const std::string noise = arguments.text("noise", "kinect");
+  if (noise == "kinect")
+    options.noise = pcl::scene::Noise::Kinect;
+  else if (noise == "none")
+    options.noise = pcl::scene::Noise::None;
+  else {
+    const auto sigma = parseNumber(noise);
+    if (!sigma || *sigma < 0.0 || *sigma > max_noise)
+      arguments.fail("noise", "kinect, none, or a number of meters from 0 to 0.1");
+    options.noise = pcl::scene::Noise::White;
+    options.white_sigma = *sigma;
+  }
+}
+
+std::vector<pcl::scene::Shape>
+shapesOf(const Arguments& arguments)
+{
+  using pcl::scene::Shape;
+  std::vector<Shape> shapes;
+  std::istringstream names(arguments.text("shapes"));
+  for (std::string name; std::getline(names, name, ',');) {
+    const auto all = {
+        Shape::Box, Shape::Cylinder, Shape::Sphere, Shape::Bowl, Shape::Cone};
+    const auto* const found = std::find_if(all.begin(), all.end(), [&](Shape shape) {
+      return name == pcl::scene::name(shape);
+    });
+    if (found == all.end())
+      arguments.fail("shapes",
+                     "box, cylinder, sphere, bowl and cone, with commas between them");
+    shapes.push_back(*found);
+  }
+  return shapes;
+}
+
 constexpr NumberRange spacing_range{
-    0.0005, 0.02, false, "a number of metres from 0.0005 to 0.02"};
+    0.0005, 0.02, false, "a number of meters from 0.0005 to 0.02"};
 
 /** Points all over the surfaces instead of a camera's. */
 Scene
@@ -33,17 +80,10 @@ sampledScene(const Arguments& arguments, const SceneOptions& options)
   samples.shapes = options.shapes;
   samples.spacing = *arguments.number("sampling", spacing_range);
   if (arguments.has("noise") && options.noise == pcl::scene::Noise::Kinect)
-    throw UsageError("-noise 'kinect' with -sampling: allowed is none, or a number of "
-                     "metres from 0 to 0.1");
+    throw UsageError("-noise 'kinect' with -sampling; expected none, or a number of "
+                     "meters from 0 to 0.1");
   samples.sigma = options.white_sigma;
   return pcl::scene::sampleScene(samples);
-}
-
-Scene
-makeScene(const Arguments& arguments, const SceneOptions& options)
-{
-  return arguments.has("sampling") ? sampledScene(arguments, options)
-                                   : pcl::scene::generateScene(options);
 }
 
 /** The pixels of an image that have depth, or all. */
@@ -126,10 +166,9 @@ reportScene(const Scene& scene, const CloudFile& cloud, Report& report)
 void
 reportSensor(const Arguments& arguments, const SceneOptions& options, Report& report)
 {
-  if (arguments.has("sampling")) {
+  if (arguments.has("sampling"))
     report.setNumber(
         "parameters", "sampling", *arguments.number("sampling", spacing_range));
-  }
   else {
     report.setCount("parameters", "width", options.width);
     report.setCount("parameters", "height", options.height);
@@ -141,11 +180,33 @@ reportSensor(const Arguments& arguments, const SceneOptions& options, Report& re
 
 } // namespace
 
+SceneOptions
+tableOptions(const Arguments& arguments)
+{
+  SceneOptions options;
+  options.seed = arguments.integer("seed", 0, std::numeric_limits<std::uint64_t>::max())
+                     .value_or(options.seed);
+  const auto small = [&](const char* name, std::uint64_t min, std::uint64_t max) {
+    const auto value = arguments.integer(name, min, max);
+    return value ? std::optional<unsigned>(static_cast<unsigned>(*value))
+                 : std::nullopt;
+  };
+  options.objects = small("objects", 0, max_objects).value_or(options.objects);
+  options.shapes = shapesOf(arguments);
+  options.width = small("width", min_pixels, max_pixels).value_or(options.width);
+  options.height = small("height", min_pixels, max_pixels).value_or(options.height);
+  options.turn = arguments.number("turn", turn_range).value_or(options.turn);
+  setNoise(arguments, options);
+  return options;
+}
+
 CloudFile
 tableCloud(const Arguments& arguments, const SceneOptions& options, Report& report)
 {
-  const Scene scene =
-      report.time("generate", [&] { return makeScene(arguments, options); });
+  const Scene scene = report.time("generate", [&] {
+    return arguments.has("sampling") ? sampledScene(arguments, options)
+                                     : pcl::scene::generateScene(options);
+  });
   CloudFile cloud = toCloud(scene, arguments);
   reportScene(scene, cloud, report);
   report.setCount("parameters", "seed", options.seed);

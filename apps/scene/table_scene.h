@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Scenes of objects on a table, from their options.
 
 #pragma once
 
@@ -10,6 +10,11 @@
 #include "scene/scene.h"
 
 namespace pcl::app {
+
+/** \brief What the options of a table scene say: -seed, -objects, -shapes, -width,
+ * -height, -turn and -noise. \throws UsageError that names the option and what is
+ * expected */
+pcl::scene::SceneOptions tableOptions(const Arguments& arguments);
 
 /** \brief Make a random table scene: as a depth camera sees it, or with -sampling
  * points all over its surfaces. The fields are x, y, z, the normals if -normals is

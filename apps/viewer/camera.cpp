@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Places the camera so that all points are seen, and reads and writes -camera.
 
 #include "viewer/camera.h"
 
 #include "cli/arguments.h"
 #include "cli/errors.h"
-#include "io/pcd.h"
+#include "io/text.h"
 
 #include <pcl/common/common.h>
 #include <pcl/common/point_tests.h>
@@ -106,7 +106,7 @@ isInFront(const Cloud& points, const Eigen::AlignedBox3f& box)
 std::size_t
 hideStrays(Cloud& points)
 {
-  constexpr double most = 0.95;     // of the points ...
+  constexpr double usual_share = 0.95; // of the points ...
   constexpr double farthest = 10.0; // ... are no further than a tenth of what is shown
   std::vector<float> coordinates[3];
   for (const pcl::PointXYZ& point : points)
@@ -122,7 +122,7 @@ hideStrays(Cloud& points)
   for (const pcl::PointXYZ& point : points)
     if (pcl::isXYZFinite(point))
       distances.push_back(static_cast<float>(distanceOf(point)));
-  const double usual = quantile(std::move(distances), most);
+  const double usual = quantile(std::move(distances), usual_share);
   std::size_t hidden = 0;
   for (pcl::PointXYZ& point : points)
     if (usual > 0.0 && pcl::isXYZFinite(point) &&
@@ -153,28 +153,28 @@ defaultCamera(const Cloud& points, float aspect)
 Camera
 parseCamera(const std::string& text)
 {
-  constexpr const char* allowed =
-      ": allowed is x,y,z of the position, of the focus (another point) and of up (not "
+  constexpr const char* expected =
+      ": expected x,y,z of the position, of the focus (another point) and of up (not "
       "along the view), and perhaps the angle of view, above 0 and below 180 degrees";
   std::vector<float> values;
   std::istringstream words(text);
   for (std::string word; std::getline(words, word, ',');) {
     const auto value = parseNumber(word);
     if (!value)
-      throw UsageError("-camera '" + text + "'" + allowed);
+      throw UsageError("-camera '" + text + "'" + expected);
     values.push_back(static_cast<float>(*value));
   }
   if (values.size() == 9)
     values.push_back(usual_angle);
   if (values.size() != 10 || !(values[9] > 0.0f && values[9] < 180.0f))
-    throw UsageError("-camera '" + text + "'" + allowed);
+    throw UsageError("-camera '" + text + "'" + expected);
   const Camera camera{Eigen::Vector3f(values.data()),
                       Eigen::Vector3f(values.data() + 3),
                       Eigen::Vector3f(values.data() + 6),
                       values[9]};
   const Eigen::Vector3f view = camera.focus - camera.position;
   if (!(view.cross(camera.up).norm() > 1e-6f * view.norm() * camera.up.norm()))
-    throw UsageError("-camera '" + text + "'" + allowed);
+    throw UsageError("-camera '" + text + "'" + expected);
   return camera;
 }
 

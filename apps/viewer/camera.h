@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Where a cloud is seen from.
 
 #pragma once
 
@@ -13,7 +13,7 @@ namespace pcl::app {
 
 /** \brief Where the scene is seen from. */
 struct Camera {
-  Eigen::Vector3f position; ///< metres
+  Eigen::Vector3f position; ///< meters
   Eigen::Vector3f focus;    ///< the point in the middle of the picture
   Eigen::Vector3f up;
   float angle; ///< of view from bottom to top, degrees

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Viridis for numbers, Glasbey's colors for labels.
 
 #include "viewer/color.h"
 

@@ -1,31 +1,253 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Colors points by numbers, by labels, or by their own colors.
 
 #include "viewer/field_view.h"
 
 #include "cli/errors.h"
-#include "viewer/label_view.h"
-#include "viewer/number_view.h"
+#include "io/text.h"
+
+#include <pcl/common/point_tests.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <iterator>
+#include <set>
+#include <sstream>
 
 namespace pcl::app {
 namespace {
 
-bool
-isColor(const std::string& field)
+constexpr double degrees_per_radian = 180.0 / 3.14159265358979323846;
+
+/** What the applications write. */
+struct Quantity {
+  std::string unit;
+  double factor = 1.0; ///< from the file to this unit
+  std::optional<ValueRange> range;
+};
+
+Quantity
+quantityOf(const std::string& field)
 {
-  return field == "rgb" || field == "rgba";
+  if (field == "mu" || field == "sigma")
+    return {"degrees", degrees_per_radian, {}};
+  if (field == "x" || field == "y" || field == "z")
+    return {"m", 1.0, {}};
+  if (field == "crease_mm")
+    return {"mm", 1.0, {}};
+  if (field.find("likelihood") != std::string::npos || field == "confidence")
+    return {"", 1.0, ValueRange{0.0, 1.0}};
+  if (field == "normal_x" || field == "normal_y" || field == "normal_z")
+    return {"", 1.0, ValueRange{-1.0, 1.0}};
+  return {};
 }
 
-FieldView
-plainView(const CloudFile& cloud)
+/** Infinite values are left out like NaN. */
+ValueRange
+rangeOf(const std::vector<double>& values)
 {
+  std::vector<double> finite;
+  std::copy_if(values.begin(), values.end(), std::back_inserter(finite), [](double v) {
+    return std::isfinite(v);
+  });
+  if (finite.empty())
+    return {0.0, 1.0};
+  const auto percentile = [&finite](std::size_t percent) {
+    const auto place = finite.begin() +
+                       static_cast<std::ptrdiff_t>((finite.size() - 1) * percent / 100);
+    std::nth_element(finite.begin(), place, finite.end());
+    return *place;
+  };
+  const ValueRange range{percentile(1), percentile(99)};
+  const double min_width = std::max(1e-6 * std::abs(range.min), 1e-12);
+  return {range.min, std::max(range.max, range.min + min_width)};
+}
+
+/** Numbers in Viridis. Angles are shown in degrees, what is a probability from 0 to 1,
+ * anything else from the first to the 99th percentile; what is beyond has the color of
+ * the end. */
+FieldView
+numberView(const std::string& field, std::vector<double> values)
+{
+  const Quantity quantity = quantityOf(field);
+  for (double& value : values)
+    value *= quantity.factor;
   FieldView view;
-  view.colors.assign(cloud.size(), colors::plain);
+  view.title = quantity.unit.empty() ? field : field + ", " + quantity.unit;
+  view.range = quantity.range ? *quantity.range : rangeOf(values);
+  const double width = view.range->max - view.range->min;
+  view.colors.reserve(values.size());
+  for (const double value : values) {
+    const bool known = !std::isnan(value);
+    view.unknown += !known;
+    view.colors.push_back(known ? viridis((value - view.range->min) / width)
+                                : colors::unknown);
+  }
+  return view;
+}
+
+/** What a label is called and drawn with. */
+struct LabelStyle {
+  std::string name;
+  Color color;
+};
+
+using LabelStyles = std::map<std::int64_t, LabelStyle>;
+
+const std::map<std::string, LabelStyles>&
+knownStyles()
+{
+  using namespace colors;
+  static const std::map<std::string, LabelStyles> styles{
+      {"surface",
+       {{0, {"unknown", unknown}},
+        {1, {"planar", blue}},
+        {2, {"curved", orange}},
+        {3, {"near a crease", crimson}}}},
+      {"edge",
+       {{0, {"no edge", plain}}, {1, {"edge", crimson}}, {255, {"left out", dark}}}},
+      {"edge_type",
+       {{0, {"no edge", plain}},
+        {1, {"crease", crimson}},
+        {2, {"corner", violet}},
+        {3, {"open boundary", green}}}},
+      {"ground", {{0, {"not ground", unknown}}, {1, {"ground", green}}}},
+      {"instance", {{0, {"none", plain}}}},
+      {"label", {{0, {"none", plain}}}},
+      {"label beside confidence",
+       {{0, {"void", unknown}},
+        {1, {"planar", blue}},
+        {2, {"curved", orange}},
+        {3, {"edge", crimson}}}},
+      {"outcome",
+       {{0, {"left out", unknown}},
+        {1, {"rightly not", plain}},
+        {2, {"hit", green}},
+        {3, {"miss", crimson}},
+        {4, {"false alarm", violet}}}}};
+  return styles;
+}
+
+/** The names of the model's classes, of several: of the fields likelihood_<name>. */
+std::vector<std::string>
+classNames(const CloudFile& cloud)
+{
+  const std::string prefix = "likelihood_";
+  std::vector<std::string> names;
+  for (const auto& field : cloud.blob.fields)
+    if (field.name.compare(0, prefix.size(), prefix) == 0)
+      names.push_back(field.name.substr(prefix.size()));
+  return names;
+}
+
+/** The styles of a model with other classes than planar and curved. */
+LabelStyles
+stylesOfModel(const std::vector<std::string>& names, const LabelStyles& known)
+{
+  const auto isKnown = [&known](std::size_t label, const std::string& name) {
+    const auto style = known.find(static_cast<std::int64_t>(label));
+    return style != known.end() && style->second.name == name;
+  };
+  LabelStyles styles{{0, known.at(0)}};
+  bool all_known = true;
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    all_known = all_known && isKnown(c + 1, names[c]);
+    styles[static_cast<std::int64_t>(c + 1)] = {names[c], distinctColor(c)};
+  }
+  return all_known ? known : styles;
+}
+
+/** What is known of the labels of this field: those that the applications write, with
+ * the names of the model's classes if the cloud has their likelihoods. */
+LabelStyles
+stylesOf(const CloudFile& cloud, const std::string& field)
+{
+  const bool is_training = field == "label" && findField(cloud, "confidence");
+  const auto known =
+      knownStyles().find(is_training ? "label beside confidence" : field);
+  if (known == knownStyles().end())
+    return {};
+  return field == "surface" ? stylesOfModel(classNames(cloud), known->second)
+                            : known->second;
+}
+
+constexpr std::size_t max_labels = 4096; // beyond, whole numbers are just numbers
+
+bool
+isWhole(double value)
+{
+  constexpr double largest_exact = 9007199254740992.0; // 2^53
+  return std::abs(value) <= largest_exact && value == std::floor(value);
+}
+
+/** Of what has no color of its own: positive numbers in turn, then the others. */
+Color
+colorOf(std::int64_t label)
+{
+  const auto size = static_cast<std::size_t>(std::abs(label));
+  return distinctColor(label > 0 ? size - 1 : max_labels + size);
+}
+
+LabelStyle
+styleOf(std::int64_t label,
+        const LabelStyles& known,
+        const std::map<std::int64_t, std::string>& names)
+{
+  const auto style = known.find(label);
+  LabelStyle result = style != known.end()
+                          ? style->second
+                          : LabelStyle{std::to_string(label), colorOf(label)};
+  if (const auto name = names.find(label); name != names.end())
+    result.name = name->second;
+  return result;
+}
+
+/** Whether the field is a label: known as one, or of whole numbers, not too many
+ * different ones. */
+bool
+hasLabels(const CloudFile& cloud,
+          const std::string& field,
+          const std::vector<double>& values)
+{
+  if (knownStyles().count(field) != 0)
+    return true;
+  const std::uint8_t type = findField(cloud, field)->datatype;
+  if (type == pcl::PCLPointField::FLOAT32 || type == pcl::PCLPointField::FLOAT64)
+    return false;
+  const std::set<double> different(values.begin(), values.end());
+  return different.size() <= max_labels;
+}
+
+/** Throws an InputError if a value is not a whole number. */
+FieldView
+labelView(const CloudFile& cloud,
+          const std::string& field,
+          const std::vector<double>& values,
+          const std::map<std::int64_t, std::string>& names)
+{
+  const auto points = pointsOf(cloud);
+  const LabelStyles known = stylesOf(cloud, field);
+  std::map<std::int64_t, LegendEntry> entries;
+  FieldView view;
+  view.colors.reserve(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!isWhole(values[i]))
+      throw InputError(cloud.path + ": field '" + field + "' of point " +
+                       std::to_string(i) + " is " + std::to_string(values[i]) +
+                       ", expected a whole number, as it holds labels");
+    const auto label = static_cast<std::int64_t>(values[i]);
+    auto entry = entries.find(label);
+    if (entry == entries.end()) {
+      const LabelStyle style = styleOf(label, known, names);
+      entry = entries.emplace(label, LegendEntry{style.name, style.color, 0}).first;
+    }
+    view.colors.push_back(entry->second.color);
+    entry->second.points += pcl::isXYZFinite((*points)[i]);
+  }
+  for (const auto& entry : entries)
+    if (entry.second.points > 0)
+      view.legend.push_back(entry.second);
   return view;
 }
 
@@ -33,33 +255,18 @@ plainView(const CloudFile& cloud)
 FieldView
 colorView(const CloudFile& cloud, const std::string& field)
 {
-  numbersOf(cloud, field);
+  numbersOf(cloud, field); // throws unless it is one number a point
   const pcl::PCLPointField& source = *findField(cloud, field);
   if (valueSize(source.datatype) != 4)
     throw InputError(cloud.path + ": field '" + field + "' has SIZE " +
-                     std::to_string(valueSize(source.datatype)) + ": allowed is 4");
+                     std::to_string(valueSize(source.datatype)) + ", expected 4");
   FieldView view;
   view.colors.resize(cloud.size());
   for (std::size_t i = 0; i < view.colors.size(); ++i) {
-    std::uint8_t bytes[4];
-    std::memcpy(bytes,
-                cloud.blob.data.data() + i * cloud.blob.point_step + source.offset,
-                sizeof bytes);
+    const std::uint8_t* const bytes = cloud.at(i, source);
     view.colors[i] = {bytes[2], bytes[1], bytes[0]};
   }
   return view;
-}
-
-FieldView
-makeView(const CloudFile& cloud,
-         const std::string& field,
-         const std::map<std::int64_t, std::string>& names)
-{
-  if (isColor(field))
-    return colorView(cloud, field);
-  const std::vector<double> values = numbersOf(cloud, field);
-  return hasLabels(cloud, field, values) ? labelView(cloud, field, values, names)
-                                         : numberView(field, values);
 }
 
 } // namespace
@@ -70,11 +277,36 @@ viewOf(const CloudFile& cloud,
        const std::map<std::int64_t, std::string>& names)
 {
   const bool plain = field == "plain" && !findField(cloud, field);
-  FieldView view = plain ? plainView(cloud) : makeView(cloud, field, names);
+  FieldView view;
+  if (plain)
+    view.colors.assign(cloud.size(), colors::plain);
+  else if (field == "rgb" || field == "rgba")
+    view = colorView(cloud, field);
+  else {
+    const std::vector<double> values = numbersOf(cloud, field);
+    view = hasLabels(cloud, field, values) ? labelView(cloud, field, values, names)
+                                           : numberView(field, values);
+  }
   view.field = field;
   if (view.title.empty() && !plain)
     view.title = field;
   return view;
+}
+
+std::map<std::int64_t, std::string>
+parseLabelNames(const std::string& text)
+{
+  std::map<std::int64_t, std::string> names;
+  std::istringstream entries(text);
+  for (std::string entry; std::getline(entries, entry, ',');) {
+    const std::size_t equals = entry.find('=');
+    const auto value = parseValue<std::int64_t>(entry.substr(0, equals));
+    if (equals == std::string::npos || equals + 1 == entry.size() || !value)
+      throw UsageError("-names '" + text + "', at '" + entry +
+                       "': expected something like 1=flat,2=corrugated");
+    names[*value] = entry.substr(equals + 1);
+  }
+  return names;
 }
 
 std::string
@@ -101,15 +333,16 @@ defaultField(const CloudFile& cloud)
 void
 shade(const CloudFile& cloud, FieldView& view)
 {
-  constexpr float least = 0.3f, unknown_light = 0.6f;
+  constexpr float min_light = 0.3f, unknown_light = 0.6f;
   const auto normals = normalsOf(cloud);
-  const Eigen::Vector3f light = pointsOf(cloud)->sensor_orientation_ *
+  const auto& v = cloud.viewpoint;
+  const Eigen::Vector3f light = Eigen::Quaternionf(v[3], v[4], v[5], v[6]) *
                                 Eigen::Vector3f(-0.3f, -0.46f, -0.84f); // unit
   for (std::size_t i = 0; i < view.colors.size(); ++i) {
     const float cosine = std::abs(light.dot((*normals)[i].getNormalVector3fMap()));
-    const float brightness = std::isfinite(cosine)
-                                 ? least + (1.0f - least) * std::min(1.0f, cosine)
-                                 : unknown_light;
+    const float brightness =
+        std::isfinite(cosine) ? min_light + (1.0f - min_light) * std::min(1.0f, cosine)
+                              : unknown_light;
     for (std::uint8_t* const channel :
          {&view.colors[i].r, &view.colors[i].g, &view.colors[i].b})
       *channel = static_cast<std::uint8_t>(

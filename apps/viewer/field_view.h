@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The colors of the points by one field, with their legend or scale.
 
 #pragma once
 
 #include "io/cloud_file.h"
 #include "viewer/color.h"
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,8 +17,8 @@ namespace pcl::app {
 
 /** \brief The values at the ends of the scale bar. */
 struct ValueRange {
-  double least;
-  double most;
+  double min;
+  double max;
 };
 
 struct LegendEntry {
@@ -43,6 +44,10 @@ struct FieldView {
 FieldView viewOf(const CloudFile& cloud,
                  const std::string& field,
                  const std::map<std::int64_t, std::string>& names);
+
+/** \brief The value of -names: "1=flat,2=corrugated".
+ * \throws UsageError if it is something else */
+std::map<std::int64_t, std::string> parseLabelNames(const std::string& text);
 
 /** \brief The field that says most about the cloud. */
 std::string defaultField(const CloudFile& cloud);

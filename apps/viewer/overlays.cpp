@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Tubes, boxes, names and arrows of VTK.
 
 #include "viewer/overlays.h"
 
@@ -99,9 +99,9 @@ nameOf(const InstanceBox& instance)
   constexpr double channel = 0.6 / 255.0; // darker, to be read
   const auto name = vtkSmartPointer<vtkBillboardTextActor3D>::New();
   name->SetInput(instance.name.c_str());
-  name->SetPosition((instance.least[0] + instance.most[0]) / 2.0,
-                    (instance.least[1] + instance.most[1]) / 2.0,
-                    (instance.least[2] + instance.most[2]) / 2.0);
+  name->SetPosition((instance.min[0] + instance.max[0]) / 2.0,
+                    (instance.min[1] + instance.max[1]) / 2.0,
+                    (instance.min[2] + instance.max[2]) / 2.0);
   vtkTextProperty& property = *name->GetTextProperty();
   property.SetFontSize(14);
   property.BoldOn();
@@ -133,12 +133,12 @@ instancesOf(const std::vector<InstanceBox>& instances)
   Props props;
   for (const InstanceBox& instance : instances) {
     vtkNew<vtkOutlineSource> box;
-    box->SetBounds(instance.least[0],
-                   instance.most[0],
-                   instance.least[1],
-                   instance.most[1],
-                   instance.least[2],
-                   instance.most[2]);
+    box->SetBounds(instance.min[0],
+                   instance.max[0],
+                   instance.min[1],
+                   instance.max[1],
+                   instance.min[2],
+                   instance.max[2]);
     const auto actor = actorOf(box->GetOutputPort(), instance.color);
     actor->GetProperty()->SetLineWidth(2.0f);
     actor->GetProperty()->LightingOff();
@@ -180,9 +180,9 @@ normalsOf(const pcl::PointCloud<pcl::PointXYZ>& points,
           const pcl::PointCloud<pcl::Normal>& normals,
           float length)
 {
-  constexpr std::size_t most = 1200;
+  constexpr std::size_t max_arrows = 1200;            // more hide the cloud
   constexpr double golden_ratio = 0.6180339887498949; // no two points in a row
-  const std::size_t count = std::min(points.size(), most);
+  const std::size_t count = std::min(points.size(), max_arrows);
   Arrows arrows;
   for (std::size_t a = 0; a < count; ++a) {
     const double share = std::fmod(golden_ratio * static_cast<double>(a), 1.0);

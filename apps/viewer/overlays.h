@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// What is drawn over the cloud: lines, boxes, grasps, normals.
 
 #pragma once
 
@@ -25,7 +25,7 @@ Props instancesOf(const std::vector<InstanceBox>& instances);
 Props graspsOf(const Grasps& grasps);
 
 /** \brief Arrows at some thousand of the points.
- * \param[in] length metres */
+ * \param[in] length meters */
 Props normalsOf(const pcl::PointCloud<pcl::PointXYZ>& points,
                 const pcl::PointCloud<pcl::Normal>& normals,
                 float length);

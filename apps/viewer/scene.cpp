@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The layout of views, the boxes of instances, the size of points.
 
 #include "viewer/scene.h"
 
@@ -40,10 +40,17 @@ toVector(const Eigen::Vector3f& vector)
 int
 columnsOf(std::size_t views)
 {
-  constexpr int most_in_one_row = 3;
+  constexpr int max_in_one_row = 3;
   const auto count = static_cast<int>(views);
-  return count <= most_in_one_row ? count
-                                  : static_cast<int>(std::ceil(std::sqrt(count)));
+  return count <= max_in_one_row ? count
+                                 : static_cast<int>(std::ceil(std::sqrt(count)));
+}
+
+int
+rowsOf(std::size_t views)
+{
+  const int columns = columnsOf(views);
+  return (static_cast<int>(views) + columns - 1) / columns;
 }
 
 std::vector<InstanceBox>
@@ -58,8 +65,8 @@ boxesOf(const std::vector<Instance>& instances, const CloudFile& cloud)
                     instance.centroid,
                     instance.centroid};
     if (const auto found = boxes.find(instance.id); found != boxes.end()) {
-      box.least = toVector(found->second.min());
-      box.most = toVector(found->second.max());
+      box.min = toVector(found->second.min());
+      box.max = toVector(found->second.max());
     }
     result.push_back(box);
   }

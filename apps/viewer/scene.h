@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// All that is drawn, before anything is.
 
 #pragma once
 
@@ -17,8 +17,8 @@ namespace pcl::app {
 struct InstanceBox {
   std::string name;
   Color color;
-  Vector least; ///< corner, metres; both corners are the centroid without points
-  Vector most;
+  Vector min; ///< corner, meters; both corners are the centroid without points
+  Vector max;
 };
 
 /** \brief All that is drawn: the cloud once for each view, side by side, from one
@@ -40,6 +40,8 @@ struct Scene {
 
 /** \brief How many views are beside each other. */
 int columnsOf(std::size_t views);
+
+int rowsOf(std::size_t views);
 
 /** \brief The boxes of the instances, by the cloud's field "instance" if it has one. */
 std::vector<InstanceBox> boxesOf(const std::vector<Instance>& instances,

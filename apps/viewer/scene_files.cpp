@@ -1,164 +1,155 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Reads lines, instances and grasps, and says where a file is not as expected.
 
 #include "viewer/scene_files.h"
 
 #include "cli/errors.h"
-#include "io/pcd.h"
+#include "cli/read_file.h"
+#include "io/text.h"
 
 #include <Eigen/Core>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 
 namespace pcl::app {
-
-JsonValue
-JsonValue::read(const std::string& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream.is_open() || stream.bad())
-    throw InputError(path + ": cannot be read: allowed is a JSON file");
-  auto value = nlohmann::json::parse(text, nullptr, false);
-  if (!value.is_object())
-    throw InputError(path + ": is no JSON object: allowed is a file that one of the "
-                            "applications wrote");
-  return {path, "", std::move(value)};
-}
-
-void
-JsonValue::fail(const std::string& allowed) const
-{
-  using Handler = nlohmann::json::error_handler_t;
-  throw InputError(path_ + ": '" + place_ + "' is " +
-                   app::quoted(value_.dump(-1, ' ', true, Handler::replace)) +
-                   ": allowed is " + allowed);
-}
-
-bool
-JsonValue::has(const std::string& member) const
-{
-  return value_.is_object() && value_.contains(member);
-}
-
-JsonValue
-JsonValue::at(const std::string& member) const
-{
-  if (!has(member))
-    throw InputError(path_ + ": '" + (place_.empty() ? "" : place_ + '.') + member +
-                     "' is missing");
-  return {path_, place_.empty() ? member : place_ + '.' + member, value_[member]};
-}
-
-std::vector<JsonValue>
-JsonValue::array() const
-{
-  if (!value_.is_array())
-    fail("an array");
-  std::vector<JsonValue> values;
-  values.reserve(value_.size());
-  for (std::size_t i = 0; i < value_.size(); ++i)
-    values.push_back({path_, place_ + '[' + std::to_string(i) + ']', value_[i]});
-  return values;
-}
-
-std::string
-JsonValue::text() const
-{
-  if (!value_.is_string())
-    fail("a text");
-  return value_.get<std::string>();
-}
-
-bool
-JsonValue::flag() const
-{
-  if (!value_.is_boolean())
-    fail("true or false");
-  return value_.get<bool>();
-}
-
-float
-JsonValue::number() const
-{
-  const bool is_number = value_.is_number();
-  if (!is_number || !std::isfinite(value_.get<float>()))
-    fail("a finite number");
-  return value_.get<float>();
-}
-
-std::uint32_t
-JsonValue::count() const
-{
-  if (!value_.is_number_unsigned() ||
-      value_.get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
-    fail("a whole number from 0 to 4294967295");
-  return value_.get<std::uint32_t>();
-}
-
-std::array<float, 3>
-JsonValue::vector() const
-{
-  if (!value_.is_array() || value_.size() != 3)
-    fail("three finite numbers");
-  const std::vector<JsonValue> values = array();
-  return {values[0].number(), values[1].number(), values[2].number()};
-}
-
 namespace {
 
-constexpr float default_cup_radius = 0.02f; // metres
+using Json = nlohmann::ordered_json;
+
+/** A value of a file and its place there, such as lines[0].spacing. */
+struct Value {
+  const std::string& path;
+  std::string place;
+  const Json& json;
+
+  [[noreturn]] void
+  fail(const std::string& expected) const
+  {
+    throw InputError(path + ": '" + place + "' is " +
+                     quoted(json.dump(-1, ' ', true, Json::error_handler_t::replace)) +
+                     "; expected " + expected);
+  }
+
+  void
+  require(bool condition, const std::string& expected) const
+  {
+    if (!condition)
+      fail(expected);
+  }
+
+  bool
+  has(const std::string& member) const
+  {
+    return json.is_object() && json.contains(member);
+  }
+
+  Value
+  at(const std::string& member) const
+  {
+    const std::string inside = (place.empty() ? "" : place + '.') + member;
+    if (!has(member))
+      throw InputError(path + ": expected '" + inside + "', which is missing");
+    return {path, inside, json[member]};
+  }
+
+  std::vector<Value>
+  array() const
+  {
+    require(json.is_array(), "an array");
+    std::vector<Value> values;
+    for (std::size_t i = 0; i < json.size(); ++i)
+      values.push_back({path, place + '[' + std::to_string(i) + ']', json[i]});
+    return values;
+  }
+
+  std::string
+  text() const
+  {
+    require(json.is_string(), "a text");
+    return json.get<std::string>();
+  }
+
+  float
+  number() const
+  {
+    require(json.is_number() && std::isfinite(json.get<float>()), "a finite number");
+    return json.get<float>();
+  }
+
+  float
+  length() const
+  {
+    require(number() > 0.0f, "a positive length");
+    return number();
+  }
+
+  Vector
+  vector() const
+  {
+    require(json.is_array() && json.size() == 3, "three finite numbers");
+    const std::vector<Value> values = array();
+    return {values[0].number(), values[1].number(), values[2].number()};
+  }
+};
+
+Json
+readJson(const std::string& path)
+{
+  Json json = Json::parse(readFile(path, "a JSON file"), nullptr, false);
+  if (!json.is_object())
+    throw InputError(path + ": is no JSON object; expected a file that one of the "
+                            "applications wrote");
+  return json;
+}
 
 Line
-lineOf(const JsonValue& value)
+lineOf(const Value& value)
 {
-  Line line{{}, value.at("spacing").number()};
-  for (const JsonValue& point : value.at("points").array())
+  Line line{{}, value.at("spacing").length()};
+  for (const Value& point : value.at("points").array())
     line.points.push_back(point.vector());
-  if (line.points.size() < 2)
-    value.at("points").fail("two points or more");
-  if (!(line.spacing > 0.0f))
-    value.at("spacing").fail("a positive length");
+  value.at("points").require(line.points.size() >= 2, "two points or more");
   return line;
 }
 
-std::string
-nameOf(const JsonValue& instance)
+Instance
+instanceOf(const Value& value)
 {
-  std::string name = instance.at("class").text();
-  if (instance.has("primitive") && instance.at("primitive").has("type"))
-    name += ", " + instance.at("primitive").at("type").text();
-  return name;
+  const Value id = value.at("id");
+  constexpr std::uint64_t max_id = std::numeric_limits<std::uint32_t>::max();
+  id.require(id.json.is_number_unsigned() && id.json.get<std::uint64_t>() <= max_id,
+             "a whole number from 0 to 4294967295");
+  std::string name = value.at("class").text();
+  if (value.has("primitive") && value.at("primitive").has("type"))
+    name += ", " + value.at("primitive").at("type").text();
+  return {id.json.get<std::uint32_t>(), name, value.at("centroid").vector()};
 }
 
 Grasp
-graspOf(const JsonValue& value)
+graspOf(const Value& value)
 {
-  Grasp grasp{value.at("position").vector(),
-              value.at("approach").vector(),
-              value.at("seals").flag()};
+  const Value seals = value.at("seals");
+  seals.require(seals.json.is_boolean(), "true or false");
+  const Grasp grasp{value.at("position").vector(),
+                    value.at("approach").vector(),
+                    seals.json.get<bool>()};
   const float length = Eigen::Map<const Eigen::Vector3f>(grasp.approach.data()).norm();
-  if (!(std::abs(length - 1.0f) < 0.01f))
-    value.at("approach").fail("a vector of length 1");
+  value.at("approach").require(std::abs(length - 1.0f) < 0.01f, "a vector of length 1");
   return grasp;
 }
 
 /** The member of the file, or of its "parameters". */
 float
-cupRadiusOf(const JsonValue& file)
+cupRadiusOf(const Value& file)
 {
-  const JsonValue& parameters = file.has("parameters") ? file.at("parameters") : file;
-  for (const JsonValue& place : {file, parameters})
-    if (place.has("cup_radius")) {
-      const float radius = place.at("cup_radius").number();
-      if (!(radius > 0.0f))
-        place.at("cup_radius").fail("a positive length");
-      return radius;
-    }
+  constexpr float default_cup_radius = 0.02f; // meters, as pcl_shape_grasp's
+  if (file.has("cup_radius"))
+    return file.at("cup_radius").length();
+  if (file.has("parameters") && file.at("parameters").has("cup_radius"))
+    return file.at("parameters").at("cup_radius").length();
   return default_cup_radius;
 }
 
@@ -167,13 +158,13 @@ cupRadiusOf(const JsonValue& file)
 std::vector<Line>
 readLines(const std::string& path)
 {
-  const JsonValue file = JsonValue::read(path);
-  if (file.at("format").text() != "pcl_shape lines")
-    file.at("format").fail("'pcl_shape lines'");
-  if (file.at("version").number() != 1.0f)
-    file.at("version").fail("1");
+  const Json json = readJson(path);
+  const Value file{path, "", json};
+  file.at("format").require(file.at("format").text() == "pcl_shape lines",
+                            "'pcl_shape lines'");
+  file.at("version").require(file.at("version").number() == 1.0f, "1");
   std::vector<Line> lines;
-  for (const JsonValue& line : file.at("lines").array())
+  for (const Value& line : file.at("lines").array())
     lines.push_back(lineOf(line));
   return lines;
 }
@@ -181,19 +172,20 @@ readLines(const std::string& path)
 std::vector<Instance>
 readInstances(const std::string& path)
 {
+  const Json json = readJson(path);
   std::vector<Instance> instances;
-  for (const JsonValue& value : JsonValue::read(path).at("instances").array())
-    instances.push_back(
-        {value.at("id").count(), nameOf(value), value.at("centroid").vector()});
+  for (const Value& value : Value{path, "", json}.at("instances").array())
+    instances.push_back(instanceOf(value));
   return instances;
 }
 
 Grasps
 readGrasps(const std::string& path)
 {
-  const JsonValue file = JsonValue::read(path);
+  const Json json = readJson(path);
+  const Value file{path, "", json};
   Grasps grasps{{}, cupRadiusOf(file)};
-  for (const JsonValue& grasp : file.at("grasps").array())
+  for (const Value& grasp : file.at("grasps").array())
     grasps.grasps.push_back(graspOf(grasp));
   return grasps;
 }

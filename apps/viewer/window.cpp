@@ -1,27 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// PCL's visualizer with legends, overlays and keys; off-screen for pictures.
 
 #include "viewer/window.h"
 
 #include "cli/errors.h"
-#include "viewer/annotations.h"
 #include "viewer/overlays.h"
 
 #include <pcl/common/point_tests.h>
 #include <pcl/visualization/pcl_visualizer.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <vtkCellData.h>
+#include <vtkLegendBoxActor.h>
+#include <vtkLookupTable.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
+#include <vtkPlaneSource.h>
+#include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
+#include <vtkScalarBarActor.h>
+#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <X11/Xlib.h>
+#include <vtkProperty2D.h>
 
 namespace pcl::app {
 namespace {
@@ -37,6 +46,163 @@ constexpr const char* key_help = "drag: turn    shift+drag: move    wheel: neare
                                  "j      save a picture\n"
                                  "h      these keys on, off\n"
                                  "q      quit";
+
+constexpr int font_size = 15; // pixels
+constexpr double background_opacity = 0.75;
+constexpr double channel = 1.0 / 255.0;
+constexpr double radians_per_degree = 0.017453292519943295;
+
+void
+makePlain(vtkTextProperty& property)
+{
+  property.SetFontFamilyToArial();
+  property.SetFontSize(font_size);
+  property.SetColor(0.0, 0.0, 0.0);
+  property.BoldOff();
+  property.ItalicOff();
+  property.ShadowOff();
+}
+
+vtkSmartPointer<vtkLookupTable>
+viridisTable(const ValueRange& range)
+{
+  constexpr int steps = 256;
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(steps);
+  table->SetRange(range.min, range.max);
+  for (int i = 0; i < steps; ++i) {
+    const Color color = viridis(static_cast<double>(i) / (steps - 1));
+    table->SetTableValue(i, color.r * channel, color.g * channel, color.b * channel);
+  }
+  table->SetNanColor(colors::unknown.r * channel,
+                     colors::unknown.g * channel,
+                     colors::unknown.b * channel,
+                     1.0);
+  return table;
+}
+
+void
+addScaleBar(const FieldView& view, int width, int height, vtkRenderer& renderer)
+{
+  constexpr double pixels_wide = 90.0, pixels_high = 260.0;
+  vtkNew<vtkScalarBarActor> bar;
+  bar->SetLookupTable(viridisTable(*view.range));
+  bar->SetTitle(view.title.c_str());
+  bar->SetNumberOfLabels(5);
+  bar->SetLabelFormat("%.3g");
+  bar->UnconstrainedFontSizeOn();
+  bar->SetVerticalTitleSeparation(8);
+  bar->SetBarRatio(0.25);
+  if (view.unknown > 0) {
+    bar->DrawNanAnnotationOn();
+    bar->SetNanAnnotation("unknown");
+  }
+  bar->DrawBackgroundOn();
+  bar->GetBackgroundProperty()->SetColor(1.0, 1.0, 1.0);
+  bar->GetBackgroundProperty()->SetOpacity(background_opacity);
+  makePlain(*bar->GetTitleTextProperty());
+  makePlain(*bar->GetLabelTextProperty());
+  makePlain(*bar->GetAnnotationTextProperty());
+  const double share_wide = std::min(0.4, pixels_wide / width);
+  const double share_high = std::min(0.8, pixels_high / height);
+  bar->SetPosition(0.98 - share_wide, 0.03);
+  bar->SetPosition2(share_wide, share_high);
+  renderer.AddActor2D(bar);
+}
+
+/** Of many labels those with most points, in the order of the values. */
+std::vector<LegendEntry>
+mostImportant(const std::vector<LegendEntry>& legend)
+{
+  constexpr std::size_t max_entries = 12; // fit beside the picture
+  if (legend.size() <= max_entries)
+    return legend;
+  std::vector<std::size_t> sizes;
+  for (const LegendEntry& entry : legend)
+    sizes.push_back(entry.points);
+  std::sort(sizes.rbegin(), sizes.rend());
+  std::vector<LegendEntry> shown;
+  for (const LegendEntry& entry : legend)
+    if (entry.points >= sizes[max_entries - 1] && shown.size() < max_entries)
+      shown.push_back(entry);
+  shown.push_back({"and " + std::to_string(legend.size() - shown.size()) + " more",
+                   {255, 255, 255},
+                   0});
+  return shown;
+}
+
+/** A square with a color of its own: that of a legend's entry is its text's. */
+vtkSmartPointer<vtkPolyData>
+swatchOf(const Color& color)
+{
+  vtkNew<vtkPlaneSource> square;
+  square->Update();
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  const std::uint8_t channels[3] = {color.r, color.g, color.b};
+  colors->InsertNextTypedTuple(channels);
+  vtkSmartPointer<vtkPolyData> swatch = square->GetOutput();
+  swatch->GetCellData()->SetScalars(colors);
+  return swatch;
+}
+
+void
+addLegend(const FieldView& view, int width, int height, vtkRenderer& renderer)
+{
+  const std::vector<LegendEntry> entries = mostImportant(view.legend);
+  vtkNew<vtkLegendBoxActor> legend;
+  legend->SetNumberOfEntries(static_cast<int>(entries.size()));
+  std::size_t longest = 0;
+  for (std::size_t e = 0; e < entries.size(); ++e) {
+    double black[3] = {0.0, 0.0, 0.0};
+    const auto place = static_cast<int>(e);
+    const auto swatch = swatchOf(entries[e].color);
+    legend->SetEntry(place, swatch, entries[e].name.c_str(), black);
+    longest = std::max(longest, entries[e].name.size());
+  }
+  makePlain(*legend->GetEntryTextProperty());
+  legend->BorderOff();
+  legend->UseBackgroundOn();
+  double white[3] = {1.0, 1.0, 1.0};
+  legend->SetBackgroundColor(white);
+  legend->SetBackgroundOpacity(background_opacity);
+  const double line = 1.5 * font_size;
+  const double share_wide = std::min(
+      0.6, (3.0 * line + 0.6 * font_size * static_cast<double>(longest)) / width);
+  const double share_high =
+      std::min(0.9, line * static_cast<double>(entries.size()) / height);
+  legend->SetPosition(0.98 - share_wide, 0.03);
+  legend->SetPosition2(share_wide, share_high);
+  renderer.AddActor2D(legend);
+}
+
+/** A text at a place of the picture, 0 to 1 each way. */
+vtkSmartPointer<vtkTextActor>
+makeText(const std::string& text, double x, double y, int size)
+{
+  auto actor = vtkSmartPointer<vtkTextActor>::New();
+  actor->SetInput(text.c_str());
+  makePlain(*actor->GetTextProperty());
+  actor->GetTextProperty()->SetFontSize(size);
+  actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  actor->SetPosition(x, y);
+  return actor;
+}
+
+/** The name of the field and, in `height` pixels, its legend or scale bar. */
+void
+addAnnotations(const FieldView& view, int width, int height, vtkRenderer& renderer)
+{
+  const auto title = makeText(view.title, 0.015, 0.985, font_size + 3);
+  title->GetTextProperty()->SetVerticalJustificationToTop();
+  title->GetTextProperty()->SetBackgroundColor(1.0, 1.0, 1.0);
+  title->GetTextProperty()->SetBackgroundOpacity(background_opacity);
+  renderer.AddActor2D(title);
+  if (view.range)
+    addScaleBar(view, width, height, renderer);
+  else if (!view.legend.empty())
+    addLegend(view, width, height, renderer);
+}
 
 pcl::PointCloud<pcl::PointXYZRGB>::Ptr
 coloredPoints(const Scene& scene, const FieldView& view)
@@ -60,9 +226,10 @@ overlaysOf(const Scene& scene)
     props.insert(props.end(), more.begin(), more.end());
   if (scene.normals) {
     constexpr float share = 0.02f; // of the distance
-    const float length = share * (scene.camera.focus - scene.camera.position).norm() *
-                         std::tan(0.5f * scene.camera.angle * 0.0174532925f) /
-                         std::tan(0.26f);
+    const float length =
+        share * (scene.camera.focus - scene.camera.position).norm() *
+        std::tan(0.5f * scene.camera.angle * static_cast<float>(radians_per_degree)) /
+        std::tan(0.26f);
     const Props normals = normalsOf(*scene.points, *scene.normals, length);
     props.insert(props.end(), normals.begin(), normals.end());
   }
@@ -77,7 +244,7 @@ makeViewports(Visualizer& visualizer, std::size_t views)
   if (views == 1)
     return {0};
   const int columns = columnsOf(views);
-  const int rows = (static_cast<int>(views) + columns - 1) / columns;
+  const int rows = rowsOf(views);
   std::vector<int> viewports;
   for (int v = 0; v < static_cast<int>(views); ++v) {
     const double x = v % columns;
@@ -106,7 +273,7 @@ fill(Visualizer& visualizer, const Scene& scene)
   visualizer.setShowFPS(false);
   const Props overlays = overlaysOf(scene);
   const int columns = columnsOf(scene.views.size());
-  const int rows = (static_cast<int>(scene.views.size()) + columns - 1) / columns;
+  const int rows = rowsOf(scene.views.size());
   for (std::size_t v = 0; v < scene.views.size(); ++v) {
     const auto cloud = coloredPoints(scene, scene.views[v]);
     const std::string id = "view " + std::to_string(v);
@@ -124,7 +291,6 @@ fill(Visualizer& visualizer, const Scene& scene)
 void
 setCamera(Visualizer& visualizer, const Camera& camera)
 {
-  constexpr double radians_per_degree = 0.017453292519943295;
   visualizer.setCameraPosition(camera.position.x(),
                                camera.position.y(),
                                camera.position.z(),
@@ -149,7 +315,7 @@ cameraOf(Visualizer& visualizer)
   return {vector(camera.pos),
           vector(camera.focal),
           vector(camera.view),
-          static_cast<float>(camera.fovy / 0.017453292519943295)};
+          static_cast<float>(camera.fovy / radians_per_degree)};
 }
 
 vtkSmartPointer<vtkTextActor>
@@ -182,7 +348,7 @@ encode(vtkRenderWindow& window)
   writer->Write();
   vtkUnsignedCharArray* const bytes = writer->GetResult();
   if (!bytes || bytes->GetNumberOfValues() == 0)
-    throw InputError("the picture cannot be drawn: allowed is a display with OpenGL");
+    throw InputError("the picture cannot be drawn; expected a display with OpenGL");
   return {reinterpret_cast<const char*>(bytes->GetPointer(0)),
           static_cast<std::size_t>(bytes->GetNumberOfValues())};
 }
@@ -198,7 +364,7 @@ requireDisplay()
       XOpenDisplay(nullptr), XCloseDisplay);
   if (!display)
     throw InputError("no X server at DISPLAY '" + std::string(name ? name : "") +
-                     "': allowed is one that can be reached; without a screen, "
+                     "'; expected one that can be reached; without a screen, "
                      "'xvfb-run -a pcl_shape_viewer ... -screenshot out.png' draws "
                      "pictures");
 }

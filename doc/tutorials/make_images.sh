@@ -2,7 +2,7 @@
 # Make the pictures of the tutorials, content/images/*.png, and print what their programs print: on a
 # generated scene, with the programs of the build directory.
 # Usage: doc/tutorials/make_images.sh BUILD_DIR [OUTPUT_DIR]
-# Needs xvfb-run without a display, and python3-pil.
+# Needs xvfb-run without a display, python3-matplotlib and python3-pil.
 set -euo pipefail
 [[ -n ${DISPLAY:-} ]] || exec xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$0" "$@"
 
@@ -44,8 +44,9 @@ run tutorial_shape_model
 picture shape_model sheets.pcd -field label -names 0=unknown,1=flat,2=corrugated -size 960x400 \
   -camera 0.55,-0.8,-0.3,0.55,0.15,1.02,0,-1,0,19
 for sheet in flat corrugated; do
-  run pcl_shape_histogram $sheet.pcd model.json -radius 0.025 -bins 60 -name $sheet \
-    -png "$images/shape_model_$sheet.png"
+  run pcl_shape_histogram $sheet.pcd model.json -radius 0.025 -bins 60 -name $sheet
+  "${PYTHON:-python3}" "$here"/../../scripts/draw_histogram.py model.json \
+    "$images/shape_model_$sheet.png" $sheet
 done
 
 run tutorial_normal_estimation_sweep scene.pcd

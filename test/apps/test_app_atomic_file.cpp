@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Output files that are complete or not there at all.
 
 #include "app_test.h"
 #include "cli/atomic_file.h"

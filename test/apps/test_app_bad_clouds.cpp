@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Damaged clouds and bad paths are refused, and leave no output.
 
 #include "app_test.h"
 
@@ -163,7 +163,7 @@ protected:
   {
     Words words = GetParam().words;
     words.push_back(cloud);
-    words.emplace_back("allowed");
+    words.emplace_back("expected");
     for (const char* output : {"new", "old"}) {
       Words arguments{cloud, path(output), "-json", path("json")};
       arguments.insert(arguments.end(), options.begin(), options.end());
@@ -188,7 +188,7 @@ TEST_P(BadClouds, AreRefusedAsSamplesAndAsPredictions)
   const std::string cloud = file("bad.pcd", GetParam().contents);
   Words words = GetParam().words;
   words.push_back(cloud);
-  words.emplace_back("allowed");
+  words.emplace_back("expected");
   expectRefused(
       runApp("pcl_shape_histogram", {cloud, path("new.json"), "-radius", "0.02"}),
       1,
@@ -216,17 +216,17 @@ protected:
 
 TEST_F(BadPaths, MissingFile)
 {
-  expectRefusedInput(path("missing.pcd"), {"missing.pcd", "No such file", "allowed"});
+  expectRefusedInput(path("missing.pcd"), {"missing.pcd", "No such file", "expected"});
 }
 
 TEST_F(BadPaths, Directory)
 {
-  expectRefusedInput(path(""), {path(""), "is a directory", "allowed"});
+  expectRefusedInput(path(""), {path(""), "is a directory", "expected"});
 }
 
 TEST_F(BadPaths, Device)
 {
-  expectRefusedInput("/dev/null", {"/dev/null", "not a regular file", "allowed"});
+  expectRefusedInput("/dev/null", {"/dev/null", "not a regular file", "expected"});
 }
 
 TEST_F(BadPaths, UnreadableFile)
@@ -235,7 +235,7 @@ TEST_F(BadPaths, UnreadableFile)
     GTEST_SKIP() << "root may read everything";
   const std::string cloud = file("a.pcd", asciiCloud("x y z", "F F F", {"1 2 3"}));
   ASSERT_EQ(chmod(cloud.c_str(), 0), 0);
-  expectRefusedInput(cloud, {cloud, "Permission denied", "allowed"});
+  expectRefusedInput(cloud, {cloud, "Permission denied", "expected"});
 }
 
 TEST_F(BadPaths, LineBreaksInNamesStayOnOneLine)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Damaged model files, and models that disagree with the options.
 
 #include "app_test.h"
 
@@ -164,12 +164,12 @@ TEST_F(Models, ExtendingKeepsParametersAndBins)
   const std::string before = readFile(model);
   expectRefused(runApp(histogram, {fold, model, "-radius", "0.03", "-name", "fold"}),
                 1,
-                {model, "radius", "0.03", "0.02", "allowed"});
+                {model, "radius", "0.03", "0.02", "expected"});
   expectRefused(
       runApp(histogram,
              {fold, model, "-radius", "0.02", "-bins", "20", "-name", "fold"}),
       1,
-      {model, "20 x 20", "10 x 10", "allowed"});
+      {model, "20 x 20", "10 x 10", "expected"});
   EXPECT_EQ(readFile(model), before);
 
   expectSuccess(runApp(
@@ -199,7 +199,7 @@ TEST_F(Models, EdgesNeedOneClass)
   expectRefused(
       runApp("pcl_shape_edge_detection", {fold, path("out.pcd"), "-model", model}),
       1,
-      {model, "2 classes", "allowed is one"});
+      {model, "2 classes", "expected one"});
 }
 
 TEST_F(Models, SamplesWithoutACountedPointAreRefused)
@@ -211,7 +211,7 @@ TEST_F(Models, SamplesWithoutACountedPointAreRefused)
   Words other = part;
   other.insert(other.end(), {"-value", "2"});
   expectRefused(
-      runApp(histogram, other), 1, {empty, "'surface'", "value 2", "allowed"});
+      runApp(histogram, other), 1, {empty, "'surface'", "value 2", "expected"});
   EXPECT_FALSE(exists(path("new.json")));
   Words right = part;
   right.insert(right.end(), {"-value", "1"});
@@ -222,7 +222,7 @@ TEST_F(Models, BadOutputPathsAreRefused)
 {
   expectRefused(runApp(histogram, {plane, path("missing/m.json"), "-radius", "0.02"}),
                 1,
-                {path("missing/m.json"), "cannot be written", "allowed"});
+                {path("missing/m.json"), "cannot be written", "expected"});
 }
 
 } // namespace

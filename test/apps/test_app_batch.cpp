@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Directories of clouds: all are processed, failures are counted.
 
 #include "app_test.h"
 
@@ -82,15 +82,15 @@ TEST_F(Batch, BadDirectoriesAreRefused)
   const auto refused = [&](const std::string& in, const std::string& out) {
     return runApp(edges, {"-input_dir", in, "-output_dir", out});
   };
-  expectRefused(refused(path("missing"), output), 1, {path("missing"), "allowed"});
-  expectRefused(refused(file, output), 1, {file, "allowed"});
-  expectRefused(refused(path("empty"), output), 1, {path("empty"), ".pcd", "allowed"});
-  expectRefused(refused(input, file), 1, {file, "directory", "allowed"});
-  expectRefused(refused(input, path("a/b")), 1, {path("a/b"), "directory", "allowed"});
-  expectRefused(refused(input, input), 2, {"-output_dir", input, "allowed"});
+  expectRefused(refused(path("missing"), output), 1, {path("missing"), "expected"});
+  expectRefused(refused(file, output), 1, {file, "expected"});
+  expectRefused(refused(path("empty"), output), 1, {path("empty"), ".pcd", "expected"});
+  expectRefused(refused(input, file), 1, {file, "directory", "expected"});
+  expectRefused(refused(input, path("a/b")), 1, {path("a/b"), "directory", "expected"});
+  expectRefused(refused(input, input), 2, {"-output_dir", input, "expected"});
   expectRefused(runApp(edges, {"-input_dir", input, "-output_dir", output, "a.pcd"}),
                 2,
-                {"'a.pcd'", "allowed"});
+                {"'a.pcd'", "expected"});
   EXPECT_FALSE(exists(output));
 }
 

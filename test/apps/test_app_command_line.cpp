@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Help, version, and values of options that are refused.
 
 #include "app_test.h"
 
@@ -71,7 +71,7 @@ PrintTo(const BadValue& bad, std::ostream* stream)
 
 class BadValues : public ::testing::TestWithParam<BadValue> {};
 
-TEST_P(BadValues, AreRefusedWithWhatIsAllowed)
+TEST_P(BadValues, AreRefusedWithWhatIsExpected)
 {
   Words arguments{"no.pcd", "out"};
   if (GetParam().app == "pcl_shape_scene")
@@ -79,7 +79,7 @@ TEST_P(BadValues, AreRefusedWithWhatIsAllowed)
   arguments.insert(
       arguments.end(), GetParam().options.begin(), GetParam().options.end());
   Words words = GetParam().words;
-  words.emplace_back("allowed");
+  words.emplace_back("expected");
   expectRefused(runApp(GetParam().app, arguments), 2, words);
   EXPECT_FALSE(exists("out"));
 }
@@ -105,8 +105,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadValue{inad, {"-radius", "nan"}, {"-radius", "'nan'", "finite"}},
         BadValue{inad, {"-radius", "inf"}, {"-radius", "'inf'", "finite"}},
         BadValue{inad, {"-radius", "1e999"}, {"-radius", "'1e999'", "finite"}},
-        BadValue{inad, {"-radius", "2cm"}, {"-radius", "'2cm'", "metres"}},
-        BadValue{inad, {"-radius", ""}, {"-radius", "''", "metres"}},
+        BadValue{inad, {"-radius", "2cm"}, {"-radius", "'2cm'", "meters"}},
+        BadValue{inad, {"-radius", ""}, {"-radius", "''", "meters"}},
         BadValue{inad, {"-radius=0"}, {"-radius", "'0'"}},
         BadValue{inad, {"--radius", "0"}, {"-radius", "'0'"}},
         BadValue{inad, {"-k", "0"}, {"-k", "'0'", "from 1"}},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Precision, recall and IoU of labels and instances.
 
 #include "app_test.h"
 #include "cli/errors.h"
@@ -199,10 +199,10 @@ TEST_F(Tasks, NothingToEvaluateIsRefused)
   const std::string truth =
       file("t.pcd", asciiCloud("x y z edge", "F F F U", {"0 0 1 255"}));
   expectRefused(
-      runApp("pcl_shape_evaluate", {truth, truth}), 1, {truth, "'edge'", "allowed"});
+      runApp("pcl_shape_evaluate", {truth, truth}), 1, {truth, "'edge'", "expected"});
   expectRefused(runApp("pcl_shape_evaluate", {truth, truth, "-task", "planar"}),
                 1,
-                {truth, "'surface'", "allowed"});
+                {truth, "'surface'", "expected"});
 }
 
 TEST_F(Tasks, TheAppPrintsATable)

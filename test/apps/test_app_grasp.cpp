@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
-
-// pcl_shape_grasp
+// pcl_shape_grasp: its JSON, selections, refusals.
 
 #include "app_test.h"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
-
-// pcl_shape_ground, and the streets of pcl_shape_scene -sensor lidar.
+// pcl_shape_ground, and streets of pcl_shape_scene.
 
 #include "app_test.h"
 
@@ -118,12 +116,13 @@ TEST_F(AppGround, BadOptionsAreRefused)
   const std::string in = file("plane.pcd", asciiCloud("x y z", "F F F", planeRows(10)));
   const std::string out = path("out.pcd");
   for (const std::string up : {"0,0,0", "1,2", "1,2,3,4", "a,b,c", "0,0,nan", "0,0,1,"})
-    expectRefused(runApp(app, {in, out, "-up", up}), 2, {"-up", up, "allowed"});
+    expectRefused(runApp(app, {in, out, "-up", up}), 2, {"-up", up, "expected"});
   for (const std::string slope : {"0", "90", "x"})
     expectRefused(
-        runApp(app, {in, out, "-max_slope", slope}), 2, {"max_slope", "allowed"});
-  expectRefused(runApp(app, {in, out, "-max_step", "0"}), 2, {"max_step", "allowed"});
-  expectRefused(runApp(app, {in, out, "-threshold", "2"}), 2, {"threshold", "allowed"});
+        runApp(app, {in, out, "-max_slope", slope}), 2, {"max_slope", "expected"});
+  expectRefused(runApp(app, {in, out, "-max_step", "0"}), 2, {"max_step", "expected"});
+  expectRefused(
+      runApp(app, {in, out, "-threshold", "2"}), 2, {"threshold", "expected"});
   expectRefused(runApp(app, {in, out, "-radius", "1"}), 2, {"radius"});
   EXPECT_EQ(files(), Words{"plane.pcd"});
 }
@@ -195,7 +194,7 @@ TEST_F(AppGround, OptionsOfOtherSensorsAreRefused)
                               Words{"-organized"}}) {
     Words arguments{out, "-sensor", "lidar"};
     arguments.insert(arguments.end(), camera.begin(), camera.end());
-    expectRefused(runApp(scene, arguments), 2, {camera.front(), "lidar", "allowed"});
+    expectRefused(runApp(scene, arguments), 2, {camera.front(), "lidar", "expected"});
   }
   expectRefused(runApp(scene, {out, "-beams", "16"}), 2, {"-beams", "-sensor lidar"});
   expectRefused(
@@ -204,7 +203,7 @@ TEST_F(AppGround, OptionsOfOtherSensorsAreRefused)
   for (const std::string noise : {"kinect", "-1", "0.2"})
     expectRefused(runApp(scene, {out, "-sensor", "lidar", "-noise", noise}),
                   2,
-                  {"-noise", noise, "allowed"});
+                  {"-noise", noise, "expected"});
   EXPECT_TRUE(files().empty());
 }
 

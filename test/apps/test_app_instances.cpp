@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
-
-// pcl_shape_instances, and pcl_shape_scene -shapes
+// pcl_shape_instances, and pcl_shape_scene -shapes.
 
 #include "app_test.h"
 #include "io/cloud_file.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// pcl_shape_label: single files, directories, resuming.
 
 #include "app_test.h"
 
@@ -124,7 +124,7 @@ TEST_F(Label, ASecondRunDoesWhatIsMissing)
   EXPECT_TRUE(exists(output + "/b.pcd"));
 }
 
-TEST_F(Label, AChangedCloudIsLabelledAgain)
+TEST_F(Label, AChangedCloudIsLabeledAgain)
 {
   ASSERT_EQ(label().status, 0);
   writeFile(input + "/a.pcd", asciiCloud("x y z", "F F F", foldRows(12)));
@@ -149,14 +149,14 @@ TEST_F(Label, ABadManifestIsRefused)
   fs::create_directory(output);
   for (const char* bad : {"", "{", "[]", "{\"files\": [3]}", "{\"files\": [{}]}"}) {
     writeFile(output + "/manifest.json", bad);
-    expectRefused(label(), 1, {output + "/manifest.json", "allowed"});
+    expectRefused(label(), 1, {output + "/manifest.json", "expected"});
     EXPECT_EQ(outputs(), Words{"manifest.json"});
   }
   EXPECT_EQ(label({"-overwrite"}).status, 0);
   Json json = manifest();
   json["files"][0].erase("counts");
   writeFile(output + "/manifest.json", json.dump());
-  expectRefused(label(), 1, {output + "/manifest.json", "counts", "allowed"});
+  expectRefused(label(), 1, {output + "/manifest.json", "counts", "expected"});
 }
 
 TEST_F(Label, FailuresAreListedAndDoNotStopTheOthers)
@@ -214,19 +214,20 @@ TEST_F(Label, BadRequestsAreRefused)
   const std::string cloud = input + "/a.pcd";
   const std::string out = path("o.pcd");
   expectRefused(runApp(app, {cloud, out, "-confidence", "1.1"}), 2, {"1.1", "0 to 1"});
-  expectRefused(runApp(app, {cloud, out, "-format", "las"}), 2, {"las", "allowed"});
-  expectRefused(runApp(app, {cloud, out, "-format", "kitti"}), 2, {"kitti", "allowed"});
-  expectRefused(runApp(app, {cloud, out, "-overwrite"}), 2, {"-overwrite", "allowed"});
-  expectRefused(runApp(app, {cloud}), 2, {"allowed"});
-  expectRefused(runApp(app, {"-input_dir", input}), 2, {"-output_dir", "allowed"});
-  expectRefused(runApp(app, {path("no.pcd"), out}), 1, {path("no.pcd"), "allowed"});
-  expectRefused(runApp(app, {input, input}), 2, {input, "allowed"});
-  expectRefused(runApp(app, {input, cloud}), 1, {cloud, "directory", "allowed"});
+  expectRefused(runApp(app, {cloud, out, "-format", "las"}), 2, {"las", "expected"});
+  expectRefused(
+      runApp(app, {cloud, out, "-format", "kitti"}), 2, {"kitti", "expected"});
+  expectRefused(runApp(app, {cloud, out, "-overwrite"}), 2, {"-overwrite", "expected"});
+  expectRefused(runApp(app, {cloud}), 2, {"expected"});
+  expectRefused(runApp(app, {"-input_dir", input}), 2, {"-output_dir", "expected"});
+  expectRefused(runApp(app, {path("no.pcd"), out}), 1, {path("no.pcd"), "expected"});
+  expectRefused(runApp(app, {input, input}), 2, {input, "expected"});
+  expectRefused(runApp(app, {input, cloud}), 1, {cloud, "directory", "expected"});
   fs::create_directory(path("empty"));
   expectRefused(
-      runApp(app, {path("empty"), output}), 1, {".pcd or .ply or .bin", "allowed"});
+      runApp(app, {path("empty"), output}), 1, {".pcd or .ply or .bin", "expected"});
   writeFile(input + "/a.ply", "ply");
-  expectRefused(label(), 1, {"a.pcd", "a.ply", "allowed"});
+  expectRefused(label(), 1, {"a.pcd", "a.ply", "expected"});
   EXPECT_FALSE(exists(output));
   EXPECT_FALSE(exists(out));
 }
@@ -245,7 +246,7 @@ TEST_F(Label, ModelsOfOneClassOrAnotherScaleAreRefused)
       options.insert(options.end(), scale.begin(), scale.end());
       learn(cloud, options);
       if (std::string(name) == "planar")
-        expectRefused(label({"-model", model}), 1, {model, "1 class", "allowed"});
+        expectRefused(label({"-model", model}), 1, {model, "1 class", "expected"});
     }
   };
   const std::string metres = path("metres.json"), spacings = path("spacings.json");

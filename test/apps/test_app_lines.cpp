@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
-
-// pcl_shape_edge_detection -lines
+// pcl_shape_edge_detection -lines.
 
 #include "app_test.h"
 
@@ -103,10 +101,10 @@ TEST_F(AppLines, NeedTheDefaultModeAndOneCloudAndAFileOfTheirOwn)
   const std::string out = path("out.pcd"), lines = path("lines.json");
   expectRefused(runApp(app, {cloud, out, "-lines", lines, "-radius", "0.01"}),
                 2,
-                {"-lines", "radii", "allowed"});
+                {"-lines", "radii", "use the default mode"});
   expectRefused(runApp(app, {cloud, out, "-lines", lines, "-mode", "paper"}),
                 2,
-                {"-lines", "-mode paper", "allowed"});
+                {"-lines", "-mode paper", "use the default mode"});
   expectRefused(
       runApp(app, {"-input_dir", path("."), "-output_dir", path("d"), "-lines", lines}),
       2,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
-
-// pcl_shape_evaluate -out
+// pcl_shape_evaluate -out.
 
 #include "app_test.h"
 #include "io/pcd.h"
@@ -64,7 +62,7 @@ TEST_F(Outcomes, AreRefusedWithoutOneClassOrAFileOfTheirOwn)
   for (const char* const task : {"instance", "label"})
     expectRefused(runApp(app, {in, in, "-task", task, "-out", out}),
                   2,
-                  {"-out", task, "allowed"});
+                  {"-out", task, "expected"});
   const std::string edges = cloud("edge.pcd", "edge", {"1", "0"});
   expectRefused(runApp(app, {edges, edges, "-out", edges}), 2, {"-out", "another"});
   expectRefused(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Output files: refused paths, fields and formats that are kept.
 
 #include "app_test.h"
 #include "io/pcd.h"
@@ -32,7 +32,7 @@ TEST_F(Outputs, BadOnesAreRefusedBeforeTheCloudIsRead)
        {path("missing/out.pcd"), path(""), std::string("/proc/out.pcd")})
     expectRefused(runApp(inad, {path("missing.pcd"), output, "-radius", "0.02"}),
                   1,
-                  {output, "cannot be written", "allowed"});
+                  {output, "cannot be written", "expected"});
   EXPECT_TRUE(files().empty());
 }
 
@@ -45,7 +45,7 @@ TEST_F(Outputs, UnwritableDirectory)
   const std::string output = path("locked/out.pcd");
   expectRefused(runApp(inad, {cloud, output, "-radius", "0.02"}),
                 1,
-                {output, "Permission denied", "allowed"});
+                {output, "Permission denied", "expected"});
 }
 
 TEST_F(Outputs, UnwritableFileStays)
@@ -56,7 +56,7 @@ TEST_F(Outputs, UnwritableFileStays)
   ASSERT_EQ(chmod(output.c_str(), 0400), 0);
   expectRefused(runApp(inad, {plane(), output, "-radius", "0.02"}),
                 1,
-                {output, "Permission denied", "allowed"});
+                {output, "Permission denied", "expected"});
   EXPECT_EQ(readFile(output), "as it was");
 }
 
@@ -70,7 +70,7 @@ TEST_F(Outputs, BadJsonPathLeavesNoOutput)
       {path("missing/f"), "cannot be written"});
   expectRefused(runApp(inad, {cloud, output, "-radius", "0.02", "-json", output}),
                 2,
-                {"-json", output, "allowed"});
+                {"-json", output, "expected"});
   EXPECT_EQ(files(), Words{"in.pcd"});
 }
 
@@ -101,7 +101,7 @@ TEST_F(Outputs, TheInputMayBeTheOutput)
   EXPECT_EQ(files(), Words{"in.pcd"});
 }
 
-/** An organized cloud with gaps, a colour, labels, several values in a field, a
+/** An organized cloud with gaps, a color, labels, several values in a field, a
  * viewpoint. */
 std::string
 richCloud()
@@ -213,7 +213,7 @@ TEST_F(Outputs, AModelIsNotOverwritten)
   for (const char* app : {"pcl_shape_back_projection", "pcl_shape_label"}) {
     const auto refuse = [&](Words arguments, const std::string& what) {
       arguments.insert(arguments.end(), using_it.begin(), using_it.end());
-      expectRefused(runApp(app, arguments), 2, {what, model, "allowed"});
+      expectRefused(runApp(app, arguments), 2, {what, model, "expected"});
     };
     refuse({cloud, out, "-json", model}, "-json");
     refuse({cloud, model}, "output");
@@ -222,16 +222,15 @@ TEST_F(Outputs, AModelIsNotOverwritten)
   EXPECT_FALSE(exists(out));
 }
 
-TEST_F(Outputs, APictureOverwritesNothingElse)
+TEST_F(Outputs, ASummaryOverwritesNoSampleAndNoModel)
 {
-  const std::string cloud = plane(), model = path("m.json"), json = path("r.json");
+  const std::string cloud = plane(), model = path("m.json");
   const std::string before = readFile(cloud);
-  for (const std::string& picture : {cloud, model, json})
+  for (const std::string& json : {cloud, model})
     expectRefused(
-        runApp("pcl_shape_histogram",
-               {cloud, model, "-radius", "0.02", "-json", json, "-png", picture}),
+        runApp("pcl_shape_histogram", {cloud, model, "-radius", "0.02", "-json", json}),
         2,
-        {"-png", picture, "allowed"});
+        {"-json", json, "expected"});
   EXPECT_EQ(before, readFile(cloud));
   EXPECT_EQ(files(), (Words{"in.pcd"}));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// PCD files; the reader and writer of PCL are the reference.
 
 #include "app_test.h"
 #include "cli/errors.h"
@@ -20,7 +20,7 @@ using namespace pcl_shape_test;
 
 class PCDTest : public AppTest {};
 
-/** Every type, several values in a field, a colour whose bits are a NaN, viewpoint. */
+/** Every type, several values in a field, a color whose bits are a NaN, viewpoint. */
 CloudFile
 richCloud(std::uint32_t width, std::uint32_t height)
 {
@@ -156,7 +156,7 @@ TEST(LZF, RoundTrips)
       std::vector<std::uint8_t> output;
       ASSERT_TRUE(lzfDecompress(compressed.data(), compressed.size(), size, output));
       EXPECT_EQ(output, input);
-      EXPECT_LE(size, lzfMostBytes(compressed.size()));
+      EXPECT_LE(size, lzfMaxBytes(compressed.size()));
     }
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
-
-// Points in the colors of their fields.
+// Colors, legends and scales of fields in pictures.
 
 #include "viewer_test.h"
 
@@ -64,7 +62,7 @@ TEST_F(ViewerFields, AnglesAreViridisInDegreesAndUnknownIsGrey)
   const Picture picture = pictureOf({cloud, "-json", path("json")});
   const Pixel violet{68, 1, 84}, yellow{253, 231, 37}; // the ends of Viridis
   EXPECT_GT(picture.share(violet, {0.16, 0.1, 0.4, 0.9}), 0.9);
-  EXPECT_GT(picture.share(grey, {0.45, 0.1, 0.55, 0.9}), 0.9);
+  EXPECT_GT(picture.share(gray, {0.45, 0.1, 0.55, 0.9}), 0.9);
   EXPECT_GT(picture.share(yellow, {0.6, 0.1, 0.84, 0.5}), 0.9);
   const Json view = Json::parse(readFile(path("json")))["views"]["mu"];
   EXPECT_NEAR(view["least"], 0.0, 1e-9);
@@ -118,9 +116,9 @@ TEST_F(ViewerFields, SeveralFieldsAreSideBySide)
   EXPECT_GT(picture.share(blue, first), 0.5);
   EXPECT_EQ(picture.count(crimson, first), 0u);
   EXPECT_GT(picture.share(crimson, second), 0.25);
-  EXPECT_GT(picture.share(light_grey, second), 0.25);
+  EXPECT_GT(picture.share(light_gray, second), 0.25);
   EXPECT_EQ(picture.count(blue, second), 0u);
-  EXPECT_GT(picture.share(light_grey, third), 0.5);
+  EXPECT_GT(picture.share(light_gray, third), 0.5);
 }
 
 TEST_F(ViewerFields, PointsWithoutCoordinatesAreLeftOut)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
-
-// Lines, instances, grasps, normals and keys over the points.
+// Lines, instances, grasps and normals in pictures.
 
 #include "viewer_test.h"
 
@@ -26,7 +24,7 @@ std::size_t
 countOthers(const Picture& picture, const Part& part = {})
 {
   return picture.size(part) - picture.count(white, part) -
-         picture.count(light_grey, part);
+         picture.count(light_gray, part);
 }
 
 TEST_F(ViewerOverlays, LinesAreTubes)

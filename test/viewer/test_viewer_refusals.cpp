@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
-
 // What the viewer refuses. Nothing is drawn: these need no display.
 
 #include "viewer_test.h"
@@ -25,7 +23,7 @@ protected:
                 const Words& words) const
   {
     const std::string bad = file("bad.json", content);
-    Words all{bad, "allowed"};
+    Words all{bad, "expected"};
     all.insert(all.end(), words.begin(), words.end());
     expectRefused(
         runApp(app, {cloud(), option, bad, "-screenshot", path("p.png")}), 1, all);
@@ -55,9 +53,9 @@ TEST_F(ViewerRefuses, AFieldThatIsMissing)
 {
   expectRefused(runApp(app, {cloud(), "-field", "surfaces"}),
                 1,
-                {"square.pcd", "'surfaces'", "allowed", "x y z surface"});
-  expectRefused(runApp(app, {cloud(), "-normals"}), 1, {"normal_x", "allowed"});
-  expectRefused(runApp(app, {cloud(), "-shade"}), 1, {"normal_x", "allowed"});
+                {"square.pcd", "'surfaces'", "expected", "x y z surface"});
+  expectRefused(runApp(app, {cloud(), "-normals"}), 1, {"normal_x", "expected"});
+  expectRefused(runApp(app, {cloud(), "-shade"}), 1, {"normal_x", "expected"});
 }
 
 TEST_F(ViewerRefuses, LabelsThatAreNot)
@@ -70,16 +68,16 @@ TEST_F(ViewerRefuses, LabelsThatAreNot)
 TEST_F(ViewerRefuses, OptionsThatItCannotRead)
 {
   const std::string in = cloud();
-  expectRefused(runApp(app, {in, "-field", ","}), 2, {"-field", "allowed"});
+  expectRefused(runApp(app, {in, "-field", ","}), 2, {"-field", "expected"});
   for (const char* const size : {"640", "640x", "x480", "10x480", "1e9x2", "axb"})
-    expectRefused(runApp(app, {in, "-size", size}), 2, {"-size", size, "allowed"});
+    expectRefused(runApp(app, {in, "-size", size}), 2, {"-size", size, "expected"});
   for (const char* const camera :
        {"1,2,3", "0,0,0,0,0,0,0,1,0", "0,0,0,0,0,1,0,0,2", "0,0,0,0,0,1,0,1,0,180"})
     expectRefused(
-        runApp(app, {in, "-camera", camera}), 2, {"-camera", camera, "allowed"});
+        runApp(app, {in, "-camera", camera}), 2, {"-camera", camera, "expected"});
   for (const char* const names : {"flat", "1=", "x=flat"})
-    expectRefused(runApp(app, {in, "-names", names}), 2, {"-names", names, "allowed"});
-  expectRefused(runApp(app, {in, "-point_size", "0"}), 2, {"-point_size", "allowed"});
+    expectRefused(runApp(app, {in, "-names", names}), 2, {"-names", names, "expected"});
+  expectRefused(runApp(app, {in, "-point_size", "0"}), 2, {"-point_size", "expected"});
   expectRefused(runApp(app, {in, "-screenshoot", "a"}), 2, {"-screenshoot"});
   expectRefused(runApp(app, {}), 2, {"in.pcd"});
 }

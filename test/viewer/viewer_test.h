@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Runs the viewer under xvfb-run.
 
 #pragma once
 
@@ -17,8 +17,8 @@ constexpr Pixel blue{70, 120, 205};
 constexpr Pixel orange{240, 140, 30};
 constexpr Pixel crimson{205, 20, 55};
 constexpr Pixel green{35, 155, 75};
-constexpr Pixel grey{150, 150, 150};
-constexpr Pixel light_grey{205, 205, 205};
+constexpr Pixel gray{150, 150, 150};
+constexpr Pixel light_gray{205, 205, 205};
 
 /** \brief Pictures of the viewer, drawn under xvfb-run. */
 class ViewerTest : public AppTest {

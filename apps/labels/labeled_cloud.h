@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Labels one cloud for training, in the formats that trainers read.
 
 #pragma once
 
@@ -9,7 +9,7 @@
 #include "io/cloud_file.h"
 
 #include <pcl/features/shape_model.h>
-#include <pcl/segmentation/label_confidence.h>
+#include <pcl/segmentation/shape_labeling.h>
 
 #include <optional>
 #include <string>
@@ -17,10 +17,10 @@
 
 namespace pcl::app {
 
-/** \brief How clouds are labelled. */
+/** \brief How clouds are labeled. */
 struct LabelSettings {
-  double confidence = pcl::detail::usual_confidence;
-  double resolution = 0.0; ///< metres, 0 the cloud's own
+  double confidence = pcl::ShapeLabeling<pcl::PointXYZ>::default_confidence;
+  double resolution = 0.0; ///< meters, 0 the cloud's own
   std::optional<pcl::ShapeModel> model;
   unsigned threads = 0;
 };
@@ -45,8 +45,8 @@ std::vector<std::string> outputNames(const std::string& format,
                                      const std::string& stem);
 
 /** \brief The contents of the files that outputNames() names. */
-std::vector<std::string> encodeLabelled(const std::string& format,
-                                        const CloudFile& cloud,
-                                        const std::vector<std::uint32_t>& labels);
+std::vector<std::string> encodeLabeled(const std::string& format,
+                                       const CloudFile& cloud,
+                                       const std::vector<std::uint32_t>& labels);
 
 } // namespace pcl::app

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// From -confidence, -model and -resolution to labels and their files.
 
-#include "labels/labelled_cloud.h"
+#include "labels/labeled_cloud.h"
 
 #include "cli/errors.h"
 #include "cli/filter_app.h"
+#include "cli/pcl_errors.h"
 #include "detection/inad_options.h"
 #include "detection/model_file.h"
 #include "detection/resolution.h"
@@ -54,7 +55,7 @@ reportLabels(const PointLabels& labels,
 bool
 isKey(const std::string& name)
 {
-  return name != "void" && name != pcl::detail::edge_class &&
+  return name != "void" && name != "edge" &&
          std::all_of(name.begin(), name.end(), [](unsigned char c) {
            return c > ' ' && c <= '~' && c != '"' && c != '\\';
          });
@@ -69,7 +70,7 @@ requireNames(const pcl::ShapeModel& model, const std::string& path)
       classes.begin(), classes.end(), [](const auto& of) { return !isKey(of.name); });
   if (bad != classes.end())
     throw InputError(path + ": class '" + bad->name +
-                     "': allowed are names in ASCII without blanks and quotes, other "
+                     "': expected a name in ASCII without blanks and quotes, other "
                      "than void and edge");
 }
 
@@ -88,15 +89,15 @@ labelSettings(const Arguments& arguments)
   const std::string path = arguments.text("model");
   settings.model = loadModel(path);
   requireNames(*settings.model, path);
-  const std::string allowed =
-      ": allowed is a model of several classes, made with -scale density";
+  const std::string expected =
+      "; expected a model of several classes, made with -scale density";
   if (settings.model->classes().size() < 2)
     throw InputError(path + ": has " +
                      std::to_string(settings.model->classes().size()) + " class" +
-                     allowed);
+                     expected);
   const auto mode = settings.model->parameters().radius_mode;
   if (mode != AdaptiveRadius::DENSITY)
-    throw InputError(path + ": is of -scale " + nameOfScale(mode) + allowed);
+    throw InputError(path + ": is of -scale " + nameOfScale(mode) + expected);
   return settings;
 }
 
@@ -120,9 +121,10 @@ labelCloud(CloudFile& cloud, const LabelSettings& settings, Report& report)
   Labeling labeling = labelingOf(settings);
   labeling.setInputCloud(points);
   PointLabels labels;
-  report.time("label", [&] { labeling.label(labels); });
-  if (labels.labels.size() != cloud.size())
-    throw InputError(cloud.path + ": refused for the reason given above");
+  withPclErrors(cloud.path, [&] {
+    report.time("label", [&] { labeling.label(labels); });
+    return labels.labels.size() == cloud.size();
+  });
   reportLabels(labels, labelNames(settings), report);
   setField(cloud, "label", labels.labels);
   setField(cloud, "confidence", labels.confidence);
@@ -145,9 +147,9 @@ outputNames(const std::string& format, const std::string& stem)
 }
 
 std::vector<std::string>
-encodeLabelled(const std::string& format,
-               const CloudFile& cloud,
-               const std::vector<std::uint32_t>& labels)
+encodeLabeled(const std::string& format,
+              const CloudFile& cloud,
+              const std::vector<std::uint32_t>& labels)
 {
   if (format == "kitti")
     return {encodeVelodyne(cloud), encodeLabels(labels)};
