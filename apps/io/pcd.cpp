@@ -262,7 +262,7 @@ HeaderLines::add(std::string_view line, std::size_t number)
   const std::string where = "header line " + std::to_string(number) + " ";
   if (std::count(keywords.begin(), keywords.end(), keyword) == 0)
     fail(path_,
-         where + "begins with " + quoted(keyword),
+         where + "begins with " + inQuotes(keyword),
          "VERSION, FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, VIEWPOINT, POINTS or "
          "DATA");
   words.erase(words.begin());
@@ -290,7 +290,7 @@ HeaderLines::integer(const std::string& keyword, std::uint64_t max) const
   const auto value = parseValue<std::uint64_t>(word);
   if (!value || *value == 0 || *value > max)
     fail(path_,
-         keyword + " is " + quoted(word),
+         keyword + " is " + inQuotes(word),
          "a whole number from 1 to " + std::to_string(max));
   return *value;
 }
@@ -310,18 +310,19 @@ readFields(const HeaderLines& lines, CloudFile& cloud)
   std::uint64_t step = 0;
   for (std::size_t i = 0; i < names->size(); ++i) {
     const std::string_view name = (*names)[i];
-    const std::string field = "field " + quoted(name);
+    const std::string field = "field " + inQuotes(name);
     if (name != padding_field && std::count(names->begin(), names->end(), name) > 1)
       fail(cloud.path, field + " is there twice", "each name once");
     const auto datatype = datatypeOf(types[i], sizes[i]);
     if (!datatype)
       fail(cloud.path,
-           field + " has SIZE " + quoted(sizes[i]) + " and TYPE " + quoted(types[i]),
+           field + " has SIZE " + inQuotes(sizes[i]) + " and TYPE " +
+               inQuotes(types[i]),
            "SIZE 1, 2, 4 or 8 with TYPE I or U, SIZE 4 or 8 with TYPE F");
     const auto count = parseValue<std::uint32_t>(counts[i]);
     if (!count || *count == 0 || *count > max_count)
       fail(cloud.path,
-           field + " has COUNT " + quoted(counts[i]),
+           field + " has COUNT " + inQuotes(counts[i]),
            "a whole number from 1 to " + std::to_string(max_count));
     addField(cloud, std::string(name), *datatype);
     cloud.blob.fields.back().count = *count;
@@ -366,8 +367,9 @@ readViewpoint(const HeaderLines& lines, CloudFile& cloud)
   for (std::size_t i = 0; i < words.size(); ++i) {
     const auto value = parseValue<float>(words[i]);
     if (!value || !std::isfinite(*value))
-      fail(
-          cloud.path, "VIEWPOINT has the value " + quoted(words[i]), "a finite number");
+      fail(cloud.path,
+           "VIEWPOINT has the value " + inQuotes(words[i]),
+           "a finite number");
     cloud.viewpoint[i] = *value;
   }
 }
@@ -381,7 +383,7 @@ requireVersion(const HeaderLines& lines, const std::string& path)
     return;
   const std::string_view version = lines.words("VERSION", 1).front();
   if (std::count(versions.begin(), versions.end(), version) == 0)
-    fail(path, "VERSION is " + quoted(version), "0.5, 0.6 or 0.7");
+    fail(path, "VERSION is " + inQuotes(version), "0.5, 0.6 or 0.7");
 }
 
 [[noreturn]] void
@@ -405,7 +407,7 @@ readRow(CloudFile& cloud, const Words& words, std::size_t row)
         const auto value = parseValue<decltype(zero)>(words[word]);
         if (!value)
           fail(cloud.path,
-               "point " + std::to_string(row) + " has " + quoted(words[word]) +
+               "point " + std::to_string(row) + " has " + inQuotes(words[word]) +
                    " in field '" + field.name + "'",
                "a number of the field's TYPE and SIZE");
         std::memcpy(to, &*value, sizeof(*value));
@@ -510,7 +512,7 @@ decodePcd(const std::string& path, std::string_view file)
   const std::string_view word = lines.words("DATA", 1).front();
   const auto format = formatOf(word);
   if (!format)
-    fail(path, "DATA is " + quoted(word), "ascii, binary or binary_compressed");
+    fail(path, "DATA is " + inQuotes(word), "ascii, binary or binary_compressed");
   const std::string_view body = file.substr(lines.end());
   if (*format == PCDFormat::ascii)
     readAsciiPoints(cloud, body);

@@ -71,7 +71,7 @@ public:
     else if (words[0] == "property")
       readProperty(words);
     else if (words[0] != "end_header")
-      fail("the header has a line " + quoted(words[0]),
+      fail("the header has a line " + inQuotes(words[0]),
            "format, comment, obj_info, element, property or end_header");
     return words.empty() || words[0] != "end_header";
   }
@@ -97,7 +97,7 @@ private:
   {
     if (words.size() != 3 ||
         (words[1] != "ascii" && words[1] != "binary_little_endian"))
-      fail("format " + quoted(words.size() > 1 ? words[1] : ""),
+      fail("format " + inQuotes(words.size() > 1 ? words[1] : ""),
            "ascii 1.0 or binary_little_endian 1.0");
     has_format_ = true;
     is_text_ = words[1] == "ascii";
@@ -148,10 +148,11 @@ Header::readElement(const Words& words)
   if (elements_ > 1)
     return;
   if (words.size() != 3 || words[1] != "vertex")
-    fail("the first element is " + quoted(words.size() > 1 ? words[1] : ""), "vertex");
+    fail("the first element is " + inQuotes(words.size() > 1 ? words[1] : ""),
+         "vertex");
   const auto points = parseValue<std::uint64_t>(words[2]);
   if (!points || *points == 0 || *points > max_points)
-    fail("element vertex is " + quoted(words[2]),
+    fail("element vertex is " + inQuotes(words[2]),
          "a whole number from 1 to " + std::to_string(max_points));
   points_ = *points;
 }
@@ -164,11 +165,11 @@ Header::readProperty(const Words& words)
   const auto datatype =
       words.size() == 3 ? datatypeOf(words[1]) : std::optional<std::uint8_t>();
   if (!datatype)
-    fail("property " + quoted(words.back()) + " of vertex has type " +
-             quoted(words.size() > 1 ? words[1] : ""),
+    fail("property " + inQuotes(words.back()) + " of vertex has type " +
+             inQuotes(words.size() > 1 ? words[1] : ""),
          "char, uchar, short, ushort, int, uint, float or double");
   if (findField(cloud_, std::string(words[2])))
-    fail("property " + quoted(words[2]) + " is there twice", "each name once");
+    fail("property " + inQuotes(words[2]) + " is there twice", "each name once");
   addField(cloud_, std::string(words[2]), *datatype);
 }
 

@@ -9,7 +9,7 @@
 namespace pcl::app {
 
 std::string
-quoted(std::string_view word)
+inQuotes(std::string_view word)
 {
   constexpr std::size_t max_length = 40; // a message stays on one line
   std::string text(word.substr(0, max_length));

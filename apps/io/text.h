@@ -47,7 +47,7 @@ appendNumber(T value, std::string& text)
 }
 
 /** \brief A word of a file for a message: printable and short. */
-std::string quoted(std::string_view word);
+std::string inQuotes(std::string_view word);
 
 /** \brief The words of a line. */
 std::vector<std::string_view> splitWords(std::string_view line);

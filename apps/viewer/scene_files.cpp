@@ -28,9 +28,10 @@ struct Value {
   [[noreturn]] void
   fail(const std::string& expected) const
   {
-    throw InputError(path + ": '" + place + "' is " +
-                     quoted(json.dump(-1, ' ', true, Json::error_handler_t::replace)) +
-                     "; expected " + expected);
+    throw InputError(
+        path + ": '" + place + "' is " +
+        inQuotes(json.dump(-1, ' ', true, Json::error_handler_t::replace)) +
+        "; expected " + expected);
   }
 
   void
