@@ -183,7 +183,7 @@ TEST_F(BadGround, Indices)
 {
   ground_.setInputCloud(cloud_);
   ground_.setIndices(make_shared<pcl::Indices>(1, 30000));
-  expectRefused("index 30000: 0 to 29999 is allowed");
+  expectRefused("index 30000 is out of range: the cloud has 30000 points");
 }
 
 } // namespace
