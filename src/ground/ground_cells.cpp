@@ -80,42 +80,6 @@ pointsOf(const detail::GroundQuery& query, const Eigen::Vector3f& up)
   return points;
 }
 
-/** How many finite points have each key. */
-class KeyCounts {
-public:
-  explicit KeyCounts(const Points& points) : counts_(keys, 0)
-  {
-    for (const std::uint32_t key : points.cells) {
-      if (key != no_cell) {
-        ++counts_[key];
-        ++sum_;
-      }
-    }
-  }
-
-  std::uint64_t
-  sum() const
-  {
-    return sum_;
-  }
-
-  /** The key that a share of the points does not exceed. */
-  std::uint32_t
-  keyAt(double share) const
-  {
-    std::uint64_t below = 0;
-    std::uint32_t key = 0;
-    while (key + 1 < keys && static_cast<double>(below += counts_[key]) <
-                                 share * static_cast<double>(sum_))
-      ++key;
-    return key;
-  }
-
-private:
-  std::vector<std::uint32_t> counts_;
-  std::uint64_t sum_ = 0;
-};
-
 struct Layout {
   std::uint32_t lines, bins; ///< bins in a line
 };
@@ -148,45 +112,32 @@ assignSectors(Points& points, unsigned threads, std::uint32_t last_key)
   return {sectors, ring_bins};
 }
 
-/** The bounds of a coordinate, within a limit. */
-struct Bounds {
-  float low = std::numeric_limits<float>::infinity();
-  float high = -std::numeric_limits<float>::infinity();
-
-  Bounds(const std::vector<float>& values, const Points& points, float limit)
-  {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (points.cells[i] != no_cell) {
-        const float value = std::clamp(values[i], -limit, limit);
-        low = std::min(low, value);
-        high = std::max(high, value);
-      }
-    }
-  }
-};
-
 Layout
 assignSquares(Points& points, unsigned threads, std::uint64_t count, float limit)
 {
-  const Bounds x(points.x, points, limit), y(points.y, points, limit);
-  const double width = double{x.high} - x.low, height = double{y.high} - y.low;
+  Eigen::AlignedBox2f box;
+  for (std::size_t i = 0; i < points.cells.size(); ++i)
+    if (points.cells[i] != no_cell)
+      box.extend(Eigen::Vector2f(std::clamp(points.x[i], -limit, limit),
+                                 std::clamp(points.y[i], -limit, limit)));
+  const Eigen::Vector2f low = box.min();
+  const Eigen::Vector2d size = box.max().cast<double>() - low.cast<double>();
   const double edge = std::max(
-      {std::sqrt(points_per_square * width * height / static_cast<double>(count)),
-       std::max(width, height) / max_squares,
+      {std::sqrt(points_per_square * size.x() * size.y() / static_cast<double>(count)),
+       size.maxCoeff() / max_squares,
        double{std::numeric_limits<float>::min()}});
   const auto squares = [&](double length) {
     return static_cast<std::uint32_t>(std::min<double>(length / edge, max_squares)) + 1;
   };
-  const Layout layout{squares(height), squares(width)};
+  const Layout layout{squares(size.y()), squares(size.x())};
   const auto squares_per_meter = static_cast<float>(1.0 / edge);
-  const auto square = [=](float value, float low, std::uint32_t size) {
-    const float at = std::clamp(
-        (value - low) * squares_per_meter, 0.0f, static_cast<float>(size - 1));
-    return static_cast<std::uint32_t>(at);
+  const auto square = [=](float from_low, std::uint32_t count) {
+    return static_cast<std::uint32_t>(
+        std::clamp(from_low * squares_per_meter, 0.0f, static_cast<float>(count - 1)));
   };
-  assignCells(points, threads, [=](float px, float py, std::uint32_t) {
-    return square(py, y.low, layout.lines) * layout.bins +
-           square(px, x.low, layout.bins);
+  assignCells(points, threads, [=](float x, float y, std::uint32_t) {
+    return square(y - low.y(), layout.lines) * layout.bins +
+           square(x - low.x(), layout.bins);
   });
   return layout;
 }
@@ -234,16 +185,30 @@ GroundCells
 groundCells(const detail::GroundQuery& query, const Eigen::Vector3f& up)
 {
   Points points = pointsOf(query, up);
-  const KeyCounts counts(points);
-  const std::uint32_t last_key = counts.keyAt(0.999); // without the few farthest
+  std::vector<std::uint32_t> counts(keys, 0);
+  std::uint64_t finite = 0;
+  for (const std::uint32_t key : points.cells) {
+    if (key != no_cell) {
+      ++counts[key];
+      ++finite;
+    }
+  }
+  const auto keyAt = [&](double share) { // that a share of the points does not exceed
+    std::uint64_t below = 0;
+    std::uint32_t key = 0;
+    while (key + 1 < keys && static_cast<double>(below += counts[key]) <
+                                 share * static_cast<double>(finite))
+      ++key;
+    return key;
+  };
+  const std::uint32_t last_key = keyAt(0.999); // without the few farthest
   GroundCells cells;
   cells.extent = rangeOf(std::min(last_key + 1, keys - keys_per_octave - 1));
-  cells.around =
-      rangeOf(counts.keyAt(0.5)) < max_laser_ratio * rangeOf(counts.keyAt(0.95));
+  cells.around = rangeOf(keyAt(0.5)) < max_laser_ratio * rangeOf(keyAt(0.95));
   sortIntoCells(points,
                 cells.around
                     ? assignSectors(points, query.threads, last_key)
-                    : assignSquares(points, query.threads, counts.sum(), cells.extent),
+                    : assignSquares(points, query.threads, finite, cells.extent),
                 cells);
   return cells;
 }

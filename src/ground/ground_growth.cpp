@@ -8,7 +8,6 @@
 
 #include <Eigen/Dense>
 
-#include <optional>
 #include <utility>
 
 namespace pcl::segmentation {
@@ -40,30 +39,6 @@ nextMarked(const std::vector<PatchNeighbors>& neighbors,
   return at;
 }
 
-/** The marked patch of a line that is nearest to a bin, within reach. */
-std::uint32_t
-markedInLine(const GroundCells& cells,
-             const std::vector<char>& marks,
-             std::size_t line,
-             std::uint32_t bin)
-{
-  const auto first = cells.bins.begin() + cells.lines[line];
-  const auto last = cells.bins.begin() + cells.lines[line + 1];
-  std::uint32_t best = no_patch, min_apart = max_bins_apart + 1;
-  for (auto at = std::lower_bound(
-           first, last, std::max(bin, max_bins_apart) - max_bins_apart);
-       at != last && *at <= bin + max_bins_apart;
-       ++at) {
-    const auto i = static_cast<std::uint32_t>(at - cells.bins.begin());
-    const std::uint32_t apart = *at < bin ? bin - *at : *at - bin;
-    if (marks[i] && apart < min_apart) {
-      min_apart = apart;
-      best = i;
-    }
-  }
-  return best;
-}
-
 /** The nearest marked patch on lines to one side. */
 std::uint32_t
 markedAside(const GroundCells& cells,
@@ -78,7 +53,7 @@ markedAside(const GroundCells& cells,
       break;
     line = (line + (side == Left ? 1 : lines - 1)) % lines;
     const std::uint32_t found =
-        markedInLine(cells, marks, line, cells.bins[from.patch]);
+        nearestInLine(cells, marks, line, cells.bins[from.patch], max_bins_apart);
     if (found != no_patch)
       return found;
   }
@@ -121,92 +96,34 @@ connectedSets(const GroundPatches& all, const std::vector<char>& level, float ma
   return set_of;
 }
 
-/** The ground around a laser in the large: a plane for each octave of the range, fitted
- * to patches that are ground, most of them. */
-class CoarseGround {
-public:
-  CoarseGround(const GroundCells& cells,
-               const GroundPatches& all,
-               const std::vector<char>& is_level,
-               float max_step)
-  : cells_(cells)
-  , all_(all)
-  , max_step_(max_step)
-  {
-    std::vector<std::vector<std::size_t>> patches;
-    for (std::size_t i = 0; i < is_level.size(); ++i) {
-      const std::size_t octave = octaveOf(i);
-      patches.resize(std::max(patches.size(), octave + 1));
-      if (is_level[i])
-        patches[octave].push_back(i);
-    }
-    const auto size = [](const auto& one, const auto& other) {
-      return one.size() < other.size();
-    };
-    // Ground surrounds what is nearer than most of it; there may be more of cars there.
-    const auto surest = std::max_element(patches.begin(), patches.end(), size);
-    constexpr int rounds = 3; // each with the patches near the last plane
-    Plane plane;              // what heights are measured from
-    for (auto of_octave = surest; of_octave != patches.end(); ++of_octave) {
-      for (int round = 0; round < rounds; ++round)
-        refit(*of_octave, plane);
-      planes_.resize(static_cast<std::size_t>(of_octave - patches.begin()) + 1, plane);
-    }
-  }
-
-  /** Whether a patch is at the height of the ground there. */
-  bool
-  isNear(std::size_t patch) const
-  {
-    return isNear(planes_[octaveOf(patch)], patch);
-  }
-
-  /** How much higher a patch is than another one, along the ground. */
-  double
-  rise(std::size_t from, std::size_t to) const
-  {
-    const Plane& plane = planes_[octaveOf(from)];
-    return above(plane, to) - above(plane, from);
-  }
-
-private:
-  struct Plane {
-    double z = 0.0, slope_x = 0.0, slope_y = 0.0;
-  };
-
-  std::size_t
-  octaveOf(std::size_t patch) const
-  {
-    return cells_.bins[patch] / bins_per_octave;
-  }
+/** The ground around a laser in the large, within an octave of the range. */
+struct CoarsePlane {
+  double z = 0.0, slope_x = 0.0, slope_y = 0.0;
 
   double
-  above(const Plane& plane, std::size_t patch) const
+  above(const GroundPatch& p) const
   {
-    const GroundPatch& p = all_.patches[patch];
-    return p.low - (plane.z + plane.slope_x * p.x + plane.slope_y * p.y);
+    return p.low - (z + slope_x * p.x + slope_y * p.y);
   }
 
   bool
-  isNear(const Plane& plane, std::size_t patch) const
+  isNear(const GroundPatch& p, float max_step) const
   {
-    const GroundPatch& p = all_.patches[patch];
     const double range = std::sqrt(double{p.x} * p.x + double{p.y} * p.y);
-    return std::abs(above(plane, patch)) <= max_step_ + ground_bend * range;
+    return std::abs(above(p)) <= max_step + ground_bend * range;
   }
 
   /** To the patches near it, if they are enough. */
   void
-  refit(const std::vector<std::size_t>& patches, Plane& plane) const
+  refit(const std::vector<GroundPatch>& patches, float max_step)
   {
     constexpr std::size_t min_patches = 12; // four times the unknowns
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
     Eigen::Vector3d products = Eigen::Vector3d::Zero();
     std::size_t count = 0;
-    for (const std::size_t i : patches) {
-      if (!isNear(plane, i))
+    for (const GroundPatch& p : patches) {
+      if (!isNear(p, max_step))
         continue;
-      const GroundPatch& p = all_.patches[i];
       const Eigen::Vector3d row(1.0, p.x, p.y);
       squares += row * row.transpose();
       products += row * double{p.low};
@@ -216,23 +133,49 @@ private:
       return;
     const Eigen::Vector3d solution = squares.ldlt().solve(products);
     if (solution.allFinite())
-      plane = {solution[0], solution[1], solution[2]};
+      *this = {solution[0], solution[1], solution[2]};
   }
-
-  const GroundCells& cells_;
-  const GroundPatches& all_;
-  float max_step_;
-  std::vector<Plane> planes_; ///< from the inside outwards
 };
+
+/** A plane for each octave of the range, from the inside outwards, fitted to patches
+ * that are ground, most of them. */
+std::vector<CoarsePlane>
+coarseGround(const GroundCells& cells,
+             const GroundPatches& all,
+             const std::vector<char>& level,
+             float max_step)
+{
+  std::vector<std::vector<GroundPatch>> patches;
+  for (std::size_t i = 0; i < level.size(); ++i) {
+    const std::size_t octave = cells.bins[i] / bins_per_octave;
+    patches.resize(std::max(patches.size(), octave + 1));
+    if (level[i])
+      patches[octave].push_back(all.patches[i]);
+  }
+  // Ground surrounds what is nearer than most of it; there may be more of cars there.
+  const auto surest = std::max_element(
+      patches.begin(), patches.end(), [](const auto& a, const auto& b) {
+        return a.size() < b.size();
+      });
+  constexpr int rounds = 3; // each with the patches near the last plane
+  std::vector<CoarsePlane> planes;
+  CoarsePlane plane; // what heights are measured from
+  for (auto of_octave = surest; of_octave != patches.end(); ++of_octave) {
+    for (int round = 0; round < rounds; ++round)
+      plane.refit(*of_octave, max_step);
+    planes.resize(static_cast<std::size_t>(of_octave - patches.begin()) + 1, plane);
+  }
+  return planes;
+}
 
 /** Moves the sets that are at the height of the ground nearest to them from the
  * candidates to the ground, by vote.
- * \param[in] coarse heights along the ground; without, the planes of patches say
+ * \param[in] coarse tells heights along the ground; without, the planes of patches do
  * \return whether there were any */
 bool
 addLowSets(const GroundCells& cells,
            const GroundPatches& all,
-           const std::optional<CoarseGround>& coarse,
+           const std::vector<CoarsePlane>& coarse,
            float max_step,
            std::vector<Candidate>& candidates,
            std::vector<char>& ground)
@@ -242,8 +185,10 @@ addLowSets(const GroundCells& cells,
   };
   const auto isLow = [&](std::size_t base, std::size_t patch) {
     const GroundPatch &a = all.patches[base], &b = all.patches[patch];
-    return coarse ? std::abs(coarse->rise(base, patch)) <= a.maxRise(b.x, b.y, max_step)
-                  : a.continuesTo(b, max_step);
+    if (coarse.empty())
+      return a.continuesTo(b, max_step);
+    const CoarsePlane& plane = coarse[cells.bins[base] / bins_per_octave];
+    return std::abs(plane.above(b) - plane.above(a)) <= a.maxRise(b.x, b.y, max_step);
   };
   std::vector<Votes> votes(ground.size());
   for (const Candidate& c : candidates) {
@@ -312,15 +257,16 @@ connectedGround(const GroundCells& cells,
   std::vector<char> ground(size, 0);
   if (*largest < min_set_patches)
     return ground;
-  std::optional<CoarseGround> coarse;
+  std::vector<CoarsePlane> coarse;
   if (cells.around)
-    coarse.emplace(cells, all, level, max_step);
+    coarse = coarseGround(cells, all, level, max_step);
   std::vector<Candidate> candidates;
   for (std::size_t line = 0; line < cells.lineCount(); ++line) {
     for (std::size_t i = cells.lines[line]; i < cells.lines[line + 1]; ++i) {
       // A ring climbs the side of a car as gently as ground rises, and one ring alone
       // does not tell: what is not near the ground in the large is left out.
-      if (!level[i] || (coarse && !coarse->isNear(i)))
+      if (!level[i] || (cells.around && !coarse[cells.bins[i] / bins_per_octave].isNear(
+                                            all.patches[i], max_step)))
         continue;
       if (set_of[i] == static_cast<std::size_t>(largest - sizes.begin()))
         ground[i] = 1;

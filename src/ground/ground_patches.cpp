@@ -5,9 +5,33 @@
 #include "ground/ground_patches.h"
 
 #include <optional>
-#include <utility>
 
 namespace pcl::segmentation {
+
+std::uint32_t
+nearestInLine(const GroundCells& cells,
+              const std::vector<char>& marks,
+              std::size_t line,
+              std::uint32_t bin,
+              std::uint32_t max_bins)
+{
+  const std::uint32_t end = cells.lines[line + 1];
+  const auto first = std::lower_bound(cells.bins.begin() + cells.lines[line],
+                                      cells.bins.begin() + end,
+                                      std::max(bin, max_bins) - max_bins);
+  std::uint32_t best = no_patch, min_apart = max_bins + 1;
+  for (auto i = static_cast<std::uint32_t>(first - cells.bins.begin());
+       i < end && cells.bins[i] <= bin + max_bins;
+       ++i) {
+    const std::uint32_t apart =
+        std::max(cells.bins[i], bin) - std::min(cells.bins[i], bin);
+    if (marks[i] && apart < min_apart) {
+      min_apart = apart;
+      best = i;
+    }
+  }
+  return best;
+}
 
 void
 PlaneFit::add(const GroundPatch& other)
@@ -46,96 +70,40 @@ namespace {
 constexpr std::uint32_t max_bins_beside = 4;
 constexpr float paper_bin = 0.157f; // 9 degrees: of 10 bins over 90
 
-/** The cells that have a surface, line by line. */
-struct Surfaces {
-  std::vector<std::uint32_t> cells;
-  std::vector<std::size_t> lines; ///< the first one of each line, and end
-
-  Surfaces(const GroundCells& all, const std::vector<char>& has_surface)
-  {
-    for (std::size_t line = 0; line < all.lineCount(); ++line) {
-      lines.push_back(cells.size());
-      for (std::uint32_t i = all.lines[line]; i < all.lines[line + 1]; ++i)
-        if (has_surface[i])
-          cells.push_back(i);
-    }
-    lines.push_back(cells.size());
-  }
-};
-
-/** Finds the neighbors of cells, whether or not these have a surface themselves. */
-class NeighborSearch {
-public:
-  NeighborSearch(const GroundCells& cells, const std::vector<char>& has_surface)
-  : cells_(cells)
-  , surfaces_(cells, has_surface)
-  , neighbors_(cells.size())
-  {
-    for (PatchNeighbors& none : neighbors_)
-      none.fill(no_patch);
-  }
-
-  std::vector<PatchNeighbors>
-  run(unsigned threads)
-  {
-    const std::size_t lines = cells_.lineCount();
-    kernels::parallelFor(lines, threads, [&](std::size_t line) {
-      findInLine(line);
-      if (line > 0 || cells_.around)
-        findBeside(line, (line + lines - 1) % lines, Right);
-      if (line + 1 < lines || cells_.around)
-        findBeside(line, (line + 1) % lines, Left);
-    });
-    return std::move(neighbors_);
-  }
-
-private:
-  std::uint32_t
-  binsApart(std::size_t surface, std::size_t cell) const
-  {
-    const std::uint32_t a = cells_.bins[surfaces_.cells[surface]],
-                        b = cells_.bins[cell];
-    return a < b ? b - a : a - b;
-  }
-
-  void
-  findInLine(std::size_t line)
-  {
-    const auto link = [&](std::size_t cell, std::size_t surface, PatchSide side) {
-      if (binsApart(surface, cell) <= max_bins_apart)
-        neighbors_[cell][side] = surfaces_.cells[surface];
-    };
-    const std::size_t begin = surfaces_.lines[line], end = surfaces_.lines[line + 1];
-    std::size_t next = begin; // the first surface behind the cell
-    for (std::size_t i = cells_.lines[line]; i < cells_.lines[line + 1]; ++i) {
-      if (next > begin)
-        link(i, next - 1, Inner);
-      if (next < end && surfaces_.cells[next] == i)
-        ++next;
-      if (next < end)
-        link(i, next, Outer);
-    }
-  }
-
-  /** For each cell of a line the nearest surface of another line, if it is near. */
-  void
-  findBeside(std::size_t line, std::size_t other, PatchSide side)
-  {
-    const std::size_t end = surfaces_.lines[other + 1];
-    std::size_t at = surfaces_.lines[other];
-    for (std::size_t i = cells_.lines[line]; i < cells_.lines[line + 1] && at < end;
-         ++i) {
-      while (at + 1 < end && binsApart(at + 1, i) < binsApart(at, i))
-        ++at;
-      if (binsApart(at, i) <= max_bins_beside)
-        neighbors_[i][side] = surfaces_.cells[at];
-    }
-  }
-
-  const GroundCells& cells_;
-  const Surfaces surfaces_;
-  std::vector<PatchNeighbors> neighbors_;
-};
+/** The neighbors of the cells of a line, whether or not these have a surface. */
+void
+findNeighbors(const GroundCells& cells,
+              const std::vector<char>& has_surface,
+              std::size_t line,
+              std::vector<PatchNeighbors>& neighbors)
+{
+  const std::uint32_t begin = cells.lines[line], end = cells.lines[line + 1];
+  std::uint32_t nearest = no_patch;
+  const auto link = [&](std::uint32_t i, PatchSide side) {
+    const bool is_near =
+        nearest != no_patch && std::max(cells.bins[i], cells.bins[nearest]) -
+                                       std::min(cells.bins[i], cells.bins[nearest]) <=
+                                   max_bins_apart;
+    neighbors[i][side] = is_near ? nearest : no_patch;
+    if (has_surface[i])
+      nearest = i;
+  };
+  for (std::uint32_t i = begin; i < end; ++i)
+    link(i, Inner);
+  nearest = no_patch;
+  for (std::uint32_t i = end; i > begin; --i)
+    link(i - 1, Outer);
+  const std::size_t lines = cells.lineCount();
+  const auto linkBeside = [&](std::size_t other, PatchSide side) {
+    for (std::uint32_t i = begin; i < end; ++i)
+      neighbors[i][side] =
+          nearestInLine(cells, has_surface, other, cells.bins[i], max_bins_beside);
+  };
+  if (line > 0 || cells.around)
+    linkBeside((line + lines - 1) % lines, Right);
+  if (line + 1 < lines || cells.around)
+    linkBeside((line + 1) % lines, Left);
+}
 
 /** The mean of the points near the lowest one that carries nothing, if there is one not
  * far above the bottom of the cell. Sums are of whole numbers: the order of the points
@@ -238,11 +206,7 @@ fitRobustly(const std::vector<GroundPatch>& low,
   return true;
 }
 
-struct Normal {
-  float x, y, z;
-};
-
-Normal
+std::array<float, 3>
 normalOf(const GroundPatch& patch)
 {
   const float z = 1.0f / std::sqrt(1.0f + patch.slope_x * patch.slope_x +
@@ -258,16 +222,15 @@ planarLikelihood(const GroundPatches& all,
                  const std::vector<char>& has_plane,
                  std::size_t patch)
 {
-  const Normal n = normalOf(all.patches[patch]);
+  const auto [nx, ny, nz] = normalOf(all.patches[patch]);
   float smallest = std::numeric_limits<float>::infinity(), second = smallest;
   int count = 0;
   for (const std::uint32_t other : all.neighbors[patch]) {
     if (other == no_patch || !has_plane[other])
       continue;
-    const Normal m = normalOf(all.patches[other]);
-    const float angle =
-        std::sqrt((n.x - m.x) * (n.x - m.x) + (n.y - m.y) * (n.y - m.y) +
-                  (n.z - m.z) * (n.z - m.z));
+    const auto [mx, my, mz] = normalOf(all.patches[other]);
+    const float angle = std::sqrt((nx - mx) * (nx - mx) + (ny - my) * (ny - my) +
+                                  (nz - mz) * (nz - mz));
     second = std::min(second, std::max(smallest, angle));
     smallest = std::min(smallest, angle);
     ++count;
@@ -294,7 +257,12 @@ groundPatches(const GroundCells& cells,
     has_surface[i] = found.has_value();
     low[i] = found.value_or(GroundPatch());
   });
-  GroundPatches all{low, NeighborSearch(cells, has_surface).run(threads)};
+  PatchNeighbors none;
+  none.fill(no_patch);
+  GroundPatches all{low, std::vector<PatchNeighbors>(cells.size(), none)};
+  kernels::parallelFor(cells.lineCount(), threads, [&](std::size_t line) {
+    findNeighbors(cells, has_surface, line, all.neighbors);
+  });
   forEachCell(cells, threads, [&](std::size_t i) {
     has_plane[i] =
         has_surface[i] &&

@@ -88,6 +88,13 @@ using PatchNeighbors = std::array<std::uint32_t, 4>;
 
 enum PatchSide : std::size_t { Inner = 0, Outer = 1, Right = 2, Left = 3 };
 
+/** \brief The nearest marked cell of a line to a bin, or no_patch. */
+std::uint32_t nearestInLine(const GroundCells& cells,
+                            const std::vector<char>& marks,
+                            std::size_t line,
+                            std::uint32_t bin,
+                            std::uint32_t max_bins);
+
 struct GroundPatches {
   std::vector<GroundPatch> patches;      ///< one per cell; not planar where none is
   std::vector<PatchNeighbors> neighbors; ///< of each cell

@@ -16,18 +16,6 @@ constexpr float max_aside = 0.3f;  // 6 cm: straight above, but for noise
 constexpr float min_above = 0.5f;  // less than two rings on the side of a car are apart
 constexpr float max_above = 10.0f; // what is higher may hang over the ground
 
-struct Span {
-  float low, high;
-};
-
-Span
-heightsOf(const GroundCells& cells, std::size_t cell)
-{
-  const auto [low, high] = std::minmax_element(
-      cells.z.begin() + cells.begins[cell], cells.z.begin() + cells.begins[cell + 1]);
-  return {*low, *high};
-}
-
 /** A cell and those directly beside it in its line, from first to last. */
 struct Column {
   std::size_t first, last;
@@ -77,15 +65,20 @@ isBeneath(const GroundCells& cells, std::size_t point, const Column& column, flo
 std::vector<char>
 feetOf(const GroundCells& cells, float max_step, unsigned threads)
 {
-  std::vector<Span> heights(cells.size());
-  forEachCell(cells, threads, [&](std::size_t i) { heights[i] = heightsOf(cells, i); });
+  std::vector<float> lowest(cells.size()), highest(cells.size());
+  forEachCell(cells, threads, [&](std::size_t i) {
+    const auto [low, high] = std::minmax_element(cells.z.begin() + cells.begins[i],
+                                                 cells.z.begin() + cells.begins[i + 1]);
+    lowest[i] = *low;
+    highest[i] = *high;
+  });
   std::vector<char> feet(cells.positions.size(), 0);
   forEachCell(cells, threads, [&](std::size_t cell) {
     const Column column = columnOf(cells, cell);
-    float high = heights[cell].high;
-    for (std::size_t i = column.first; i <= column.last; ++i)
-      high = std::max(high, heights[i].high);
-    const float low = heights[cell].low;
+    const float low = lowest[cell];
+    const float high = *std::max_element(
+        highest.begin() + static_cast<std::ptrdiff_t>(column.first),
+        highest.begin() + static_cast<std::ptrdiff_t>(column.last) + 1);
     if (high - low <= min_above * max_step)
       return;
     for (std::size_t i = cells.begins[cell]; i < cells.begins[cell + 1]; ++i)
