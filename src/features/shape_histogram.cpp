@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace pcl {
 namespace {
@@ -48,22 +49,6 @@ private:
   double mu_bins_, sigma_bins_, mu_range_, sigma_range_;
 };
 
-void
-checkBins(const std::string& name, std::size_t bins)
-{
-  if (bins < 1 || bins > max_bins)
-    throw BadArgumentException(name + " is " + std::to_string(bins) +
-                               ": it must be 1 to " + std::to_string(max_bins));
-}
-
-void
-checkRange(const std::string& name, double range)
-{
-  if (!(range > 0.0) || !std::isfinite(range))
-    throw BadArgumentException(name + " is " + numberText(range) +
-                               " rad: it must be positive and finite");
-}
-
 std::string
 sizeText(const ShapeHistogram& histogram)
 {
@@ -88,10 +73,16 @@ ShapeHistogram::ShapeHistogram(std::size_t mu_bins,
 , mu_range_(mu_range)
 , sigma_range_(sigma_range)
 {
-  checkBins("mu_bins", mu_bins);
-  checkBins("sigma_bins", sigma_bins);
-  checkRange("mu_range", mu_range);
-  checkRange("sigma_range", sigma_range);
+  for (const auto& [name, bins] :
+       {std::pair("mu_bins", mu_bins), std::pair("sigma_bins", sigma_bins)})
+    if (bins < 1 || bins > max_bins)
+      throw BadArgumentException(std::string(name) + " is " + std::to_string(bins) +
+                                 ": it must be 1 to " + std::to_string(max_bins));
+  for (const auto& [name, range] :
+       {std::pair("mu_range", mu_range), std::pair("sigma_range", sigma_range)})
+    if (!(range > 0.0) || !std::isfinite(range))
+      throw BadArgumentException(std::string(name) + " is " + numberText(range) +
+                                 " rad: it must be positive and finite");
   counts_.resize(mu_bins * sigma_bins);
 }
 
@@ -101,12 +92,10 @@ ShapeHistogram::add(const INAD& inad)
   if (isNaN(inad))
     return;
   const std::size_t bin = Binning(*this)(inad);
-  if (bin == counts_.size()) {
+  if (bin == counts_.size())
     ++outside_;
-    return;
-  }
-  peak_ = std::max(peak_, ++counts_[bin]);
-  ++total_;
+  else
+    add(bin / sigma_bins_, bin % sigma_bins_, 1);
 }
 
 void
@@ -139,7 +128,7 @@ ShapeHistogram::addRange(const PointCloud<INAD>& cloud,
   std::uint64_t added = 0, peak = peak_;
   for (std::size_t i = begin; i < end; ++i) {
     const INAD& inad = cloud[i];
-    const auto bin = binning(inad);
+    const std::size_t bin = binning(inad);
     if (bin == beyond) {
       outside_ += isNaN(inad) ? 0 : 1;
       continue;
@@ -210,7 +199,7 @@ ShapeHistogram::backProject(const PointCloud<INAD>& cloud, unsigned threads) con
   kernels::parallelForRanges(
       cloud.size(), threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-          const auto bin = binning(cloud[i]);
+          const std::size_t bin = binning(cloud[i]);
           const float known = has_few_bins ? of_bins[bin] : likelihoodOfBin(bin);
           likelihoods[i] =
               isNaN(cloud[i]) ? std::numeric_limits<float>::quiet_NaN() : known;

@@ -17,6 +17,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -63,32 +64,18 @@ public:
     return json_[key];
   }
 
-  double
-  number(const char* key) const
+  template <typename T>
+  T
+  get(const char* key) const
   {
-    check(key, json_[key].is_number(), "a number");
-    return json_[key].get<double>();
-  }
-
-  std::uint64_t
-  count(const char* key) const
-  {
-    check(key, json_[key].is_number_unsigned(), "a whole number, not negative");
-    return json_[key].get<std::uint64_t>();
-  }
-
-  std::string
-  text(const char* key) const
-  {
-    check(key, json_[key].is_string(), "a string");
-    return json_[key].get<std::string>();
-  }
-
-  const Json&
-  array(const char* key) const
-  {
-    check(key, json_[key].is_array(), "an array");
-    return json_[key];
+    const Json& value = json_[key];
+    if constexpr (std::is_same_v<T, double>)
+      check(key, value.is_number(), "a number");
+    else if constexpr (std::is_same_v<T, std::uint64_t>)
+      check(key, value.is_number_unsigned(), "a whole number, not negative");
+    else
+      check(key, value.is_string(), "a string");
+    return value.get<T>();
   }
 
   void
@@ -119,50 +106,41 @@ withParametersOf(const Json& json)
     keys.insert(keys.end(),
                 {"scale", "normal_radius_noise", "radius_noise", "smoothing"});
   const Object object(json, "'parameters'", keys);
-  const std::uint64_t k = object.count("k");
+  const std::uint64_t k = object.get<std::uint64_t>("k");
   object.check("k", k <= std::numeric_limits<int>::max(), "at most 2^31 - 1");
   INADParameters parameters;
-  parameters.normal_radius = object.number("normal_radius");
-  parameters.radius = object.number("radius");
+  parameters.normal_radius = object.get<double>("normal_radius");
+  parameters.radius = object.get<double>("radius");
   parameters.k = static_cast<int>(k);
-  parameters.outlier_rate = object.number("outlier_rate");
+  parameters.outlier_rate = object.get<double>("outlier_rate");
   if (!has_scale)
     return ShapeModel(parameters);
-  const auto scale =
-      std::find(std::begin(scale_names), std::end(scale_names), object.text("scale"));
+  const auto scale = std::find(
+      std::begin(scale_names), std::end(scale_names), object.get<std::string>("scale"));
   object.check(
       "scale", scale != std::end(scale_names), "one of fixed, depth and density");
   parameters.radius_mode =
       static_cast<AdaptiveRadius::RadiusMode>(scale - std::begin(scale_names));
-  parameters.normal_radius_noise = object.number("normal_radius_noise");
-  parameters.radius_noise = object.number("radius_noise");
+  parameters.normal_radius_noise = object.get<double>("normal_radius_noise");
+  parameters.radius_noise = object.get<double>("radius_noise");
   ShapeModel model(parameters);
-  model.setSmoothing(object.number("smoothing"));
+  model.setSmoothing(object.get<double>("smoothing"));
   return model;
-}
-
-ShapeHistogram
-emptyHistogramOf(const Json& json)
-{
-  const Object bins(json, "'bins'", {"mu", "sigma", "mu_range", "sigma_range"});
-  return ShapeHistogram(bins.count("mu"),
-                        bins.count("sigma"),
-                        bins.number("mu_range"),
-                        bins.number("sigma_range"));
 }
 
 void
 addClass(const Json& json, ShapeHistogram histogram, ShapeModel& model)
 {
   const Object object(json, "a class", {"name", "prior", "counts"});
-  const std::string name = object.text("name");
+  const std::string name = object.get<std::string>("name");
   for (const ShapeModel::Class& known : model.classes())
     if (known.name == name)
       object.fail("'" + name + "' occurs twice");
   const auto fail = [&](const std::string& problem) {
     throw BadArgumentException("'counts' of class '" + name + "' " + problem);
   };
-  const Json& rows = object.array("counts");
+  const Json& rows = object["counts"];
+  object.check("counts", rows.is_array(), "an array");
   if (rows.size() != histogram.muBins())
     fail("must have " + std::to_string(histogram.muBins()) +
          " rows, as 'bins' says, not " + std::to_string(rows.size()));
@@ -180,11 +158,11 @@ addClass(const Json& json, ShapeHistogram histogram, ShapeModel& model)
       histogram.add(i, j, row[j].get<std::uint64_t>());
     }
   }
-  model.add(name, histogram, object.number("prior"));
+  model.add(name, histogram, object.get<double>("prior"));
 }
 
 ShapeModel
-modelOf(const Json& json)
+fromJson(const Json& json)
 {
   if (!json.is_object() || !json.contains("format") || json["format"] != format_name)
     throw BadArgumentException(std::string("it is not a shape model: \"format\": \"") +
@@ -199,9 +177,15 @@ modelOf(const Json& json)
                       "the model",
                       {"format", "version", "parameters", "bins", "floor", "classes"});
   ShapeModel model = withParametersOf(object["parameters"]);
-  model.setFloor(object.number("floor"));
-  const ShapeHistogram empty = emptyHistogramOf(object["bins"]);
-  for (const Json& c : object.array("classes"))
+  model.setFloor(object.get<double>("floor"));
+  const Object bins(
+      object["bins"], "'bins'", {"mu", "sigma", "mu_range", "sigma_range"});
+  const ShapeHistogram empty(bins.get<std::uint64_t>("mu"),
+                             bins.get<std::uint64_t>("sigma"),
+                             bins.get<double>("mu_range"),
+                             bins.get<double>("sigma_range"));
+  object.check("classes", object["classes"].is_array(), "an array");
+  for (const Json& c : object["classes"])
     addClass(c, empty, model);
   if (model.classes().empty())
     object.fail("has no class: at least one is needed");
@@ -209,21 +193,7 @@ modelOf(const Json& json)
 }
 
 Json
-jsonOf(const ShapeModel::Class& c)
-{
-  const ShapeHistogram& histogram = c.histogram;
-  Json rows = Json::array();
-  for (std::size_t i = 0; i < histogram.muBins(); ++i) {
-    Json row = Json::array();
-    for (std::size_t j = 0; j < histogram.sigmaBins(); ++j)
-      row.push_back(histogram.count(i, j));
-    rows.push_back(row);
-  }
-  return {{"name", c.name}, {"prior", c.prior}, {"counts", rows}};
-}
-
-Json
-jsonOf(const ShapeModel& model)
+toJson(const ShapeModel& model)
 {
   const INADParameters& p = model.parameters();
   Json parameters = {{"normal_radius", p.normal_radius},
@@ -237,9 +207,16 @@ jsonOf(const ShapeModel& model)
     parameters["smoothing"] = model.smoothing();
   }
   Json classes = Json::array();
-  for (const ShapeModel::Class& c : model.classes())
-    classes.push_back(jsonOf(c));
   const ShapeHistogram& bins = model.classes().front().histogram;
+  for (const ShapeModel::Class& c : model.classes()) {
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < bins.muBins(); ++i) {
+      Json& row = rows.emplace_back(Json::array());
+      for (std::size_t j = 0; j < bins.sigmaBins(); ++j)
+        row.push_back(c.histogram.count(i, j));
+    }
+    classes.push_back({{"name", c.name}, {"prior", c.prior}, {"counts", rows}});
+  }
   return {{"format", format_name},
           {"version", format_version},
           {"parameters", parameters},
@@ -286,7 +263,7 @@ ShapeModel
 ShapeModel::parse(const std::string& text, const std::string& file_name)
 {
   try {
-    return modelOf(Json::parse(text));
+    return fromJson(Json::parse(text));
   }
   catch (const Json::exception& e) {
     throw IOException(file_name + ": is not a complete JSON file: " + e.what());
@@ -302,7 +279,7 @@ ShapeModel::save(const std::string& file_name) const
 {
   if (classes_.empty())
     throw BadArgumentException("a model without a class cannot be saved: add() one");
-  writeWhole(file_name, jsonOf(*this).dump(1) + "\n");
+  writeWhole(file_name, toJson(*this).dump(1) + "\n");
 }
 
 } // namespace pcl
