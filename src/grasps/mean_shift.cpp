@@ -21,7 +21,7 @@ using Eigen::Vector3f;
 // In smallest bandwidths, the cup's radius, unless something else is said.
 constexpr float max_bandwidth = 3.0f;    // sees one cup beside the cup, not far ends
 constexpr float start_cell = 2.0f;       // every face of twice the cup has a start
-constexpr float start_bandwidth = 2.0f;  // of these cells' size
+constexpr float start_bandwidth = 2.0f;  // the size of these cells
 constexpr float same_mode = 0.5f;        // nearer modes are one
 constexpr float still_move = 0.05f;      // less is noise: no gripper is placed better
 constexpr float still_bandwidth = 0.02f; // of the bandwidth, likewise

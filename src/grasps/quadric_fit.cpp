@@ -76,7 +76,7 @@ frameOf(const Vector3f& normal)
 }
 
 /** Sums over the points near a surface that face its way.
- * \param[in] band how near, metres */
+ * \param[in] band how near, meters */
 Sums
 sumsOf(const TargetSurface& surface, const SurfaceFit& near, float radius, float band)
 {
