@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The point types that the classes are compiled for.
 
 #pragma once
 
 #include <pcl/point_types.h>
 
-// The point types that the classes are compiled for; others: define PCL_NO_PRECOMPILE.
+// Others need PCL_NO_PRECOMPILE.
 // clang-format off
 #define PCL_SHAPE_POINT_TYPES \
   (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZRGB)(pcl::PointXYZRGBA)(pcl::PointXYZL) \

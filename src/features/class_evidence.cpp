@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Log densities of a shape model's classes, smoothed and interpolated.
 
 #include "features/class_evidence.h"
 
@@ -12,36 +12,32 @@ namespace pcl::detail {
 namespace {
 
 /** Where no floor is set: less than the density of one point in any real sample. */
-constexpr double least_density = 1e-12;
+constexpr double min_density = 1e-12;
 
-/** One pass of a Gaussian along one axis. What falls off the ends is not lost: weights
- * are divided by the sum of those inside. */
+/** One pass of a Gaussian along an axis with so many bins, so far apart. What falls off
+ * the ends is not lost: weights are divided by the sum of those inside. */
 std::vector<double>
 smoothed(const std::vector<double>& values,
-         std::size_t rows,
-         std::size_t columns,
-         bool along_rows,
+         std::size_t bins,
+         std::size_t stride,
          double deviation)
 {
   const auto reach = static_cast<std::ptrdiff_t>(std::ceil(3.0 * deviation));
-  const auto count = static_cast<std::ptrdiff_t>(along_rows ? rows : columns);
-  std::vector<double> result(values.size());
-  for (std::size_t i = 0; i < rows; ++i) {
-    for (std::size_t j = 0; j < columns; ++j) {
-      const auto position = static_cast<std::ptrdiff_t>(along_rows ? i : j);
-      double sum = 0.0, weights = 0.0;
-      for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
-        if (position + k < 0 || position + k >= count)
-          continue;
-        const auto at = static_cast<std::size_t>(position + k);
-        const double offset = static_cast<double>(k) / deviation;
-        const double weight = std::exp(-0.5 * offset * offset);
-        sum +=
-            weight * (along_rows ? values[at * columns + j] : values[i * columns + at]);
-        weights += weight;
-      }
-      result[i * columns + j] = sum / weights;
+  std::vector<double> result;
+  result.reserve(values.size());
+  for (std::size_t at = 0; at < values.size(); ++at) {
+    const std::size_t position = at / stride % bins;
+    double sum = 0.0, weights = 0.0;
+    for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
+      const auto steps = static_cast<std::size_t>(k); // wraps around below 0
+      if (position + steps >= bins)
+        continue;
+      const double offset = static_cast<double>(k) / deviation;
+      const double weight = std::exp(-0.5 * offset * offset);
+      sum += weight * values[at + steps * stride];
+      weights += weight;
     }
+    result.push_back(sum / weights);
   }
   return result;
 }
@@ -56,8 +52,8 @@ tableOf(const ShapeHistogram& histogram, double smoothing, double floor)
     for (std::size_t j = 0; j < columns; ++j)
       counts.push_back(static_cast<double>(histogram.count(i, j)));
   if (smoothing > 0.0) {
-    counts = smoothed(counts, rows, columns, true, smoothing);
-    counts = smoothed(counts, rows, columns, false, smoothing);
+    counts = smoothed(counts, rows, columns, smoothing);
+    counts = smoothed(counts, columns, 1, smoothing);
   }
   double sum = 0.0;
   for (const double count : counts)
@@ -68,7 +64,7 @@ tableOf(const ShapeHistogram& histogram, double smoothing, double floor)
   logs.reserve(counts.size());
   for (const double count : counts)
     logs.push_back(static_cast<float>(
-        std::log(count / (sum * area) + std::max(floor, least_density))));
+        std::log(count / (sum * area) + std::max(floor, min_density))));
   return logs;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Two-dimensional histograms over (mu, sigma), counted and back-projected.
 
-#include "common/errors.h"
+#include "common/number_text.h"
 #include "common/parallel.h"
 
+#include <pcl/exceptions.h>
 #include <pcl/features/shape_histogram.h>
 
 #include <algorithm>
@@ -12,10 +13,16 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace pcl {
+namespace {
 
-/** \brief The bins of many pairs: numbers that a loop keeps in registers. */
+using detail::numberText;
+
+constexpr std::size_t max_bins = 4096; // 16 million bins, 128 MB
+
+/** The bins of many pairs: numbers that a loop keeps in registers. */
 class Binning {
 public:
   explicit Binning(const ShapeHistogram& histogram)
@@ -25,8 +32,8 @@ public:
   , sigma_range_(histogram.sigmaRange())
   {}
 
-  /** \brief Position of the pair's bin, or the number of bins beyond the ranges. */
-  std::int32_t
+  /** Position of the pair's bin, or the number of bins beyond the ranges. */
+  std::size_t
   operator()(const INAD& inad) const
   {
     const double i = inad.mu * mu_bins_ / mu_range_;
@@ -34,33 +41,19 @@ public:
     const bool is_inside = i >= 0.0 && i < mu_bins_ && j >= 0.0 && j < sigma_bins_;
     const auto row = static_cast<std::int32_t>(is_inside ? i : mu_bins_);
     const auto column = static_cast<std::int32_t>(is_inside ? j : 0.0);
-    return row * static_cast<std::int32_t>(sigma_bins_) + column;
+    return static_cast<std::size_t>(row * static_cast<std::int32_t>(sigma_bins_) +
+                                    column);
   }
 
 private:
   double mu_bins_, sigma_bins_, mu_range_, sigma_range_;
 };
 
-namespace {
-
-constexpr std::size_t most_bins = 4096;
-
-void
-checkBins(const char* name, std::size_t bins)
+std::string
+sizeText(const ShapeHistogram& histogram)
 {
-  if (bins < 1 || bins > most_bins) {
-    raise<BadArgumentException>(
-        textOf(name, " is ", bins, ": 1 to ", most_bins, " are allowed"));
-  }
-}
-
-void
-checkRange(const char* name, double range)
-{
-  if (!(range > 0.0) || !std::isfinite(range)) {
-    raise<BadArgumentException>(
-        textOf(name, " is ", range, " rad: it must be positive and finite"));
-  }
+  return std::to_string(histogram.muBins()) + " x " +
+         std::to_string(histogram.sigmaBins()) + " bins";
 }
 
 bool
@@ -80,17 +73,17 @@ ShapeHistogram::ShapeHistogram(std::size_t mu_bins,
 , mu_range_(mu_range)
 , sigma_range_(sigma_range)
 {
-  checkBins("mu_bins", mu_bins);
-  checkBins("sigma_bins", sigma_bins);
-  checkRange("mu_range", mu_range);
-  checkRange("sigma_range", sigma_range);
+  for (const auto& [name, bins] :
+       {std::pair("mu_bins", mu_bins), std::pair("sigma_bins", sigma_bins)})
+    if (bins < 1 || bins > max_bins)
+      throw BadArgumentException(std::string(name) + " is " + std::to_string(bins) +
+                                 ": it must be 1 to " + std::to_string(max_bins));
+  for (const auto& [name, range] :
+       {std::pair("mu_range", mu_range), std::pair("sigma_range", sigma_range)})
+    if (!(range > 0.0) || !std::isfinite(range))
+      throw BadArgumentException(std::string(name) + " is " + numberText(range) +
+                                 " rad: it must be positive and finite");
   counts_.resize(mu_bins * sigma_bins);
-}
-
-std::size_t
-ShapeHistogram::binOf(const INAD& inad) const
-{
-  return static_cast<std::size_t>(Binning(*this)(inad));
 }
 
 void
@@ -98,13 +91,11 @@ ShapeHistogram::add(const INAD& inad)
 {
   if (isNaN(inad))
     return;
-  const std::size_t bin = binOf(inad);
-  if (bin == counts_.size()) {
+  const std::size_t bin = Binning(*this)(inad);
+  if (bin == counts_.size())
     ++outside_;
-    return;
-  }
-  peak_ = std::max(peak_, ++counts_[bin]);
-  ++total_;
+  else
+    add(bin / sigma_bins_, bin % sigma_bins_, 1);
 }
 
 void
@@ -137,7 +128,7 @@ ShapeHistogram::addRange(const PointCloud<INAD>& cloud,
   std::uint64_t added = 0, peak = peak_;
   for (std::size_t i = begin; i < end; ++i) {
     const INAD& inad = cloud[i];
-    const auto bin = static_cast<std::size_t>(binning(inad));
+    const std::size_t bin = binning(inad);
     if (bin == beyond) {
       outside_ += isNaN(inad) ? 0 : 1;
       continue;
@@ -152,27 +143,14 @@ ShapeHistogram::addRange(const PointCloud<INAD>& cloud,
 void
 ShapeHistogram::add(std::size_t mu_bin, std::size_t sigma_bin, std::uint64_t count)
 {
-  if (mu_bin >= mu_bins_ || sigma_bin >= sigma_bins_) {
-    raise<BadArgumentException>(textOf("bin (",
-                                       mu_bin,
-                                       ", ",
-                                       sigma_bin,
-                                       ") of a histogram of ",
-                                       mu_bins_,
-                                       " x ",
-                                       sigma_bins_,
-                                       " bins"));
-  }
-  if (count > std::numeric_limits<std::uint64_t>::max() - total_) {
-    raise<BadArgumentException>(
-        textOf("count ",
-               count,
-               " of bin (",
-               mu_bin,
-               ", ",
-               sigma_bin,
-               "): the sum of all counts must stay below 2^64"));
-  }
+  const auto name = [&] {
+    return "bin (" + std::to_string(mu_bin) + ", " + std::to_string(sigma_bin) + ")";
+  };
+  if (mu_bin >= mu_bins_ || sigma_bin >= sigma_bins_)
+    throw BadArgumentException(name() + " of a histogram of " + sizeText(*this));
+  if (count > std::numeric_limits<std::uint64_t>::max() - total_)
+    throw BadArgumentException("count " + std::to_string(count) + " of " + name() +
+                               ": the sum of all counts must stay below 2^64");
   std::uint64_t& bin = counts_[mu_bin * sigma_bins_ + sigma_bin];
   bin += count;
   total_ += count;
@@ -182,17 +160,10 @@ ShapeHistogram::add(std::size_t mu_bin, std::size_t sigma_bin, std::uint64_t cou
 void
 ShapeHistogram::merge(const ShapeHistogram& other)
 {
-  if (!sameBins(other)) {
-    raise<BadArgumentException>(textOf("histograms of ",
-                                       mu_bins_,
-                                       " x ",
-                                       sigma_bins_,
-                                       " and ",
-                                       other.mu_bins_,
-                                       " x ",
-                                       other.sigma_bins_,
-                                       " bins, or of other ranges, cannot be merged"));
-  }
+  if (!sameBins(other))
+    throw BadArgumentException("histograms of " + sizeText(*this) + " and " +
+                               sizeText(other) +
+                               ", or of other ranges, cannot be merged");
   for (std::size_t i = 0; i < mu_bins_; ++i)
     for (std::size_t j = 0; j < sigma_bins_; ++j)
       add(i, j, other.count(i, j));
@@ -200,7 +171,7 @@ ShapeHistogram::merge(const ShapeHistogram& other)
 }
 
 float
-ShapeHistogram::likelihoodOf(std::size_t bin) const
+ShapeHistogram::likelihoodOfBin(std::size_t bin) const
 {
   if (bin == counts_.size() || peak_ == 0)
     return 0.0f;
@@ -213,7 +184,7 @@ ShapeHistogram::likelihood(const INAD& inad) const
 {
   if (isNaN(inad))
     return std::numeric_limits<float>::quiet_NaN();
-  return likelihoodOf(binOf(inad));
+  return likelihoodOfBin(Binning(*this)(inad));
 }
 
 std::vector<float>
@@ -222,14 +193,14 @@ ShapeHistogram::backProject(const PointCloud<INAD>& cloud, unsigned threads) con
   const bool has_few_bins = counts_.size() < cloud.size();
   std::vector<float> of_bins(has_few_bins ? counts_.size() + 1 : 0);
   for (std::size_t bin = 0; bin < of_bins.size(); ++bin)
-    of_bins[bin] = likelihoodOf(bin);
+    of_bins[bin] = likelihoodOfBin(bin);
   std::vector<float> likelihoods(cloud.size());
   const Binning binning(*this);
   kernels::parallelForRanges(
       cloud.size(), threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-          const auto bin = static_cast<std::size_t>(binning(cloud[i]));
-          const float known = has_few_bins ? of_bins[bin] : likelihoodOf(bin);
+          const std::size_t bin = binning(cloud[i]);
+          const float known = has_few_bins ? of_bins[bin] : likelihoodOfBin(bin);
           likelihoods[i] =
               isNaN(cloud[i]) ? std::numeric_limits<float>::quiet_NaN() : known;
         }
@@ -242,7 +213,7 @@ ShapeHistogram::density(const INAD& inad) const
 {
   if (isNaN(inad))
     return std::numeric_limits<double>::quiet_NaN();
-  const std::size_t bin = binOf(inad);
+  const std::size_t bin = Binning(*this)(inad);
   if (bin == counts_.size() || total_ == 0)
     return 0.0;
   const double area = mu_range_ * sigma_range_ / static_cast<double>(counts_.size());

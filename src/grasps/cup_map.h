@@ -1,19 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// What a suction cup would touch at a place: borders, edges and obstacles around it.
 
 #pragma once
 
 #include "grasps/quadric_fit.h"
 
+#include <algorithm>
+#include <optional>
+#include <vector>
+
 namespace pcl::segmentation {
 
-/** \brief Distances to what a cup must not touch, metres, at most two cup radii
+/** \brief Distances to what a cup must not touch, meters, at most two cup radii
  * and the margin. */
 struct Clearance {
   float border = 0.0f, edge = 0.0f, obstacle = 0.0f;
 
-  float least(float margin) const;
+  /** \param[in] margin beside the cup that must be free of borders and obstacles */
+  float
+  smallest(float margin) const
+  {
+    return std::min({border - margin, edge, obstacle - margin});
+  }
 };
 
 /** \brief What is around a place on a surface, seen along the approach: a square image
@@ -22,7 +31,7 @@ class CupMap {
 public:
   CupMap(const TargetSurface& surface, const SurfaceFit& fit, float radius);
 
-  /** \brief Beside the cup that must be free as well, metres. */
+  /** \brief Beside the cup that must be free as well, meters. */
   float
   margin() const
   {
@@ -39,10 +48,14 @@ public:
   float covered(float radius) const;
 
 private:
-  void mark(const TargetSurface& surface, const SurfaceFit& fit);
+  struct Marks {
+    std::vector<char> surface, edge, obstacle;
+  };
 
-  /** True if the place is on the image. */
-  bool cellOf(float x, float y, std::size_t& cell) const;
+  Marks marksOf(const TargetSurface& surface, const SurfaceFit& fit) const;
+
+  /** The cell of a place, or nothing if it is not on the image. */
+  std::optional<std::size_t> cellOf(float x, float y) const;
 
   float
   center(int column) const
@@ -50,12 +63,9 @@ private:
     return static_cast<float>(column - half_) * cell_;
   }
 
-  void measure();
-
-  float radius_, margin_, cell_, hole_, band_;
-  int half_, side_;
-  std::vector<char> is_surface_, is_edge_, is_obstacle_;
-  std::vector<float> border_, edge_, obstacle_; ///< distances, metres
+  float radius_, margin_, cell_;
+  int half_, side_;                             ///< cells
+  std::vector<float> border_, edge_, obstacle_; ///< distances, meters
 };
 
 } // namespace pcl::segmentation

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The plane or quadric under a suction cup.
 
 #include "grasps/quadric_fit.h"
 
@@ -15,14 +15,16 @@ using Eigen::Vector3f;
 using Moments = Eigen::Matrix<double, 6, 6>;
 using Terms = Eigen::Matrix<double, 6, 1>;
 
-// doc/grasps.md has the reason of each number.
-constexpr float fit_radius = 1.5f;        // in cup radii
-constexpr float same_direction = 0.7071f; // cosine of 45 degrees
-constexpr std::size_t least_points = 12;  // twice the unknowns
-constexpr double curved_share = 0.7;      // of a plane's variance that a quadric leaves
-constexpr double ridge = 1e-9;            // for points on a line
+// In cup radii: the curvature of noisy points needs more than the cup's own area.
+constexpr float fit_radius = 1.5f;
+constexpr std::size_t min_points = 12; // twice the unknowns
+// Of a plane's variance that a quadric leaves: noise that neighbors share lets it take
+// a fifth, a curve that matters takes more.
+constexpr double curved_share = 0.7;
+constexpr double ridge = 1e-9; // for points on a line
+// Twice the noise, whose long waves are not in it, and what a soft lip closes.
 constexpr float residual_per_noise = 2.0f, residual_per_radius = 0.05f;
-constexpr float band_residuals = 2.0f;
+constexpr float band_residuals = 2.0f; // of one point: two standard deviations
 
 /** Sums over points, in units of the fit's radius. */
 struct Sums {
@@ -74,7 +76,7 @@ frameOf(const Vector3f& normal)
 }
 
 /** Sums over the points near a surface that face its way.
- * \param[in] band how near, metres */
+ * \param[in] band how near, meters */
 Sums
 sumsOf(const TargetSurface& surface, const SurfaceFit& near, float radius, float band)
 {
@@ -117,19 +119,6 @@ solved(const SurfaceFit& near, const Sums& sums, float radius)
 } // namespace
 
 float
-SurfaceFit::height(float x, float y) const
-{
-  const auto& c = coefficients;
-  return c[0] + c[1] * x + c[2] * y + c[3] * x * x + c[4] * x * y + c[5] * y * y;
-}
-
-Vector3f
-SurfaceFit::normal() const
-{
-  return (axes * Vector3f(-coefficients[1], -coefficients[2], 1.0f)).normalized();
-}
-
-float
 SurfaceFit::sag(float radius) const
 {
   const float mean = coefficients[3] + coefficients[5];
@@ -140,11 +129,9 @@ SurfaceFit::sag(float radius) const
 Tolerance
 toleranceOf(float noise, float spacing, float radius)
 {
-  Tolerance tolerance;
-  tolerance.residual =
+  const float residual =
       residual_per_noise * noise * spacing + residual_per_radius * radius;
-  tolerance.band = band_residuals * tolerance.residual;
-  return tolerance;
+  return {residual, band_residuals * residual};
 }
 
 std::optional<SurfaceFit>
@@ -153,7 +140,7 @@ fitSurface(const TargetSurface& surface,
            const Vector3f& normal,
            float radius)
 {
-  constexpr int rounds = 3;
+  constexpr int rounds = 3; // each with the points near the last fit
   const float reach = fit_radius * radius;
   SurfaceFit fit;
   fit.origin = center;
@@ -161,13 +148,13 @@ fitSurface(const TargetSurface& surface,
   float band = radius;
   for (int round = 0; round < rounds; ++round) {
     const Sums sums = sumsOf(surface, fit, reach, band);
-    if (sums.count < least_points)
+    if (sums.count < min_points)
       return std::nullopt;
     fit = solved(fit, sums, reach);
     band = toleranceOf(surface.noise(), fit.spacing, radius).band;
     if (round + 1 < rounds) {
-      const Vector3f origin = fit.at(0.0f, 0.0f), up = fit.normal();
-      fit.origin = origin;
+      const Vector3f up = fit.normal();
+      fit.origin = fit.at(0.0f, 0.0f);
       fit.axes = frameOf(up);
       fit.coefficients[0] = fit.coefficients[1] = fit.coefficients[2] = 0.0f;
     }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Suction grasps on a target: checks of the cup, places for it, ranking.
 
 #include "common/number_text.h"
+#include "common/statistics.h"
 #include "grasps/cup_placement.h"
 #include "grasps/mean_shift.h"
 
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <tuple>
 
 namespace pcl {
@@ -20,9 +20,9 @@ using namespace segmentation;
 using detail::GraspSurface;
 using Eigen::Vector3f;
 
-// doc/grasps.md has the reason of each number.
-constexpr float surroundings = 8.0f; // that matter around a target, in cup radii
-constexpr double least_radius = 0.5; // in spacings
+// What matters around a target, in cup radii: more than a cup's map reaches.
+constexpr float surroundings = 8.0f;
+constexpr double min_spacings = 0.5; // in a cup's radius: below it has no points
 
 /** Likelihoods in the order of the target's points; none on edges and where unknown. */
 std::vector<float>
@@ -85,33 +85,26 @@ std::string
 problemOfCup(const SuctionCup& cup)
 {
   if (!(cup.radius > 0.0) || !std::isfinite(cup.radius))
-    return "cup radius is " + detail::numberText(cup.radius) +
+    return "cup radius is " + numberText(cup.radius) +
            " m: it must be positive and finite";
-  return cup.compliance >= 0.0 && cup.compliance <= 1.0
-             ? std::string()
-             : "compliance is " + detail::numberText(cup.compliance) +
-                   ": 0 to 1 is allowed";
+  if (!(cup.compliance >= 0.0 && cup.compliance <= 1.0))
+    return "compliance is " + numberText(cup.compliance) + ": it must be 0 to 1";
+  return {};
 }
 
 std::string
 problemOfCup(const SuctionCup& cup, const GraspTarget& target)
 {
-  std::vector<float> spacings;
-  std::copy_if(target.spacings.begin(),
-               target.spacings.end(),
-               std::back_inserter(spacings),
-               [](float spacing) { return std::isfinite(spacing); });
-  if (spacings.empty())
+  if (std::none_of(target.spacings.begin(), target.spacings.end(), [](float spacing) {
+        return std::isfinite(spacing);
+      }))
     return {};
-  const auto middle =
-      spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
-  std::nth_element(spacings.begin(), middle, spacings.end());
-  const double least = least_radius * *middle;
-  return cup.radius >= least
-             ? std::string()
-             : "cup radius is " + detail::numberText(cup.radius) +
-                   " m: the points are too sparse for less than " +
-                   detail::numberText(least) + " m, half their median spacing";
+  const double min_radius = min_spacings * medianSpacing(target.spacings);
+  if (cup.radius >= min_radius)
+    return {};
+  return "cup radius is " + numberText(cup.radius) +
+         " m: the points are too sparse for less than " + numberText(min_radius) +
+         " m, half their median spacing";
 }
 
 std::vector<SuctionGrasp>
@@ -121,11 +114,11 @@ findGrasps(const GraspTarget& target,
            unsigned threads)
 {
   const auto radius = static_cast<float>(cup.radius);
-  const TargetSurface of(target, surroundings * radius, radius);
+  const TargetSurface points(target, surroundings * radius, radius);
   std::vector<SuctionGrasp> grasps;
   for (const GraspSurface& surface : surfaces) {
     const auto found =
-        CupPlacement(of, weightsOf(of, surface), surface.surface, cup).run(threads);
+        placeCups(points, weightsOf(points, surface), surface.surface, cup, threads);
     grasps.insert(grasps.end(), found.begin(), found.end());
   }
   return ranked(std::move(grasps), radius);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The known points of a target and the points around it, to look places up in.
 
 #include "grasps/target_surface.h"
 
@@ -17,14 +17,6 @@ namespace {
 using Eigen::Vector3f;
 using Point = TargetSurface::Point;
 
-bool
-isBefore(const Point& a, const Point& b)
-{
-  const Vector3f &p = a.position, &q = b.position;
-  return std::tie(p.z(), p.y(), p.x(), a.source) <
-         std::tie(q.z(), q.y(), q.x(), b.source);
-}
-
 std::vector<Point>
 knownPoints(const detail::GraspTarget& target)
 {
@@ -38,7 +30,11 @@ knownPoints(const detail::GraspTarget& target)
     if (point.position.allFinite() && point.normal.allFinite())
       points.push_back(point);
   }
-  std::sort(points.begin(), points.end(), isBefore);
+  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
+    const Vector3f &p = a.position, &q = b.position;
+    return std::tie(p.z(), p.y(), p.x(), a.source) <
+           std::tie(q.z(), q.y(), q.x(), b.source);
+  });
   return points;
 }
 
@@ -63,21 +59,6 @@ pointsAround(const detail::GraspTarget& target,
       others.push_back(position);
   }
   return others;
-}
-
-XYZView
-viewOf(const std::vector<Point>& points)
-{
-  static_assert(sizeof(Point) % sizeof(float) == 0);
-  return {points.empty() ? nullptr : points[0].position.data(),
-          sizeof(Point) / sizeof(float),
-          points.size()};
-}
-
-XYZView
-viewOf(const std::vector<Vector3f>& points)
-{
-  return {points.empty() ? nullptr : points[0].data(), 3, points.size()};
 }
 
 } // namespace

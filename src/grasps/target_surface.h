@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The known points of a target and the points around it, to look places up in.
 
 #pragma once
 
@@ -11,6 +11,20 @@
 #include <vector>
 
 namespace pcl::segmentation {
+
+/** \brief Cosine of 45 degrees: normals that differ by less face the same way. */
+constexpr float same_direction = 0.7071f;
+
+/** \brief The positions that items begin with. */
+template <typename Item>
+XYZView
+viewOf(const std::vector<Item>& items)
+{
+  static_assert(sizeof(Item) % sizeof(float) == 0, "items must be rows of floats");
+  return {reinterpret_cast<const float*>(items.data()),
+          sizeof(Item) / sizeof(float),
+          items.size()};
+}
 
 /** \brief The known points of a target, and the points around it, to look places up in.
  *

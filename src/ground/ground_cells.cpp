@@ -1,20 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The points of a scan, sorted into cells that follow their density.
 
 #include "ground/ground_cells.h"
 
-#include "common/parallel.h"
-
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
 
 namespace pcl::segmentation {
 namespace {
+
+// The first bits of a squared range as a float, its exponent and three of its mantissa,
+// are a scale of 8 steps per octave, 16 per octave of the range.
+constexpr int key_shift = 20;
+constexpr std::uint32_t keys_per_octave = bins_per_octave / 2;
+constexpr std::uint32_t keys = 1U << (31 - key_shift);
+constexpr std::uint32_t no_cell = std::numeric_limits<std::uint32_t>::max();
+
+constexpr std::uint32_t ring_bins = 16 * keys_per_octave; // ranges of 1 to 256
+constexpr std::uint32_t sectors = 256; // 1.6 to 3.1 %: half as wide as cells are deep
+// The range of half of the points over that of 95 %: an evenly sampled disc has 0.73, a
+// straight road 0.53. A spinning laser has the same number in each octave of elevation.
+constexpr double max_laser_ratio = 0.47;
+constexpr double points_per_square = 8.0; // enough to have a lowest surface
+constexpr float max_squares = 2048.0f;    // in a line, and lines: bounds the memory
+
+/** The points in the frame of the sensor, z up. */
+struct Points {
+  std::vector<float> x, y, z;
+  std::vector<std::uint32_t> cells; ///< first the keys of their ranges
+};
 
 std::uint32_t
 keyOf(float squared_range)
@@ -24,85 +42,51 @@ keyOf(float squared_range)
   return bits >> key_shift;
 }
 
-} // namespace
-
+/** The smallest range of a key. */
 float
-leastOf(std::uint32_t key)
+rangeOf(std::uint32_t key)
 {
   const std::uint32_t bits = key << key_shift;
   float squared_range = 0.0f;
   std::memcpy(&squared_range, &bits, sizeof bits);
-  return squared_range;
+  return std::sqrt(squared_range);
 }
 
-Turned
-turned(const detail::GroundQuery& input, const std::array<float, 3>& direction)
+Points
+pointsOf(const detail::GroundQuery& query, const Eigen::Vector3f& up)
 {
-  const Eigen::Vector3f up = Eigen::Map<const Eigen::Vector3f>(direction.data());
   const Eigen::Matrix3f turn =
       Eigen::Quaternionf::FromTwoVectors(up, Eigen::Vector3f::UnitZ())
           .toRotationMatrix();
-  const Eigen::Vector3f origin = Eigen::Map<const Eigen::Vector3f>(input.origin.data());
-  const auto make = [&](auto& values) { values.resize(input.size); };
-  Turned t;
-  make(t.x), make(t.y), make(t.z), make(t.cells);
+  const Eigen::Vector3f origin(query.origin);
+  Points points;
+  for (auto* values : {&points.x, &points.y, &points.z})
+    values->resize(query.size);
+  points.cells.resize(query.size);
   kernels::parallelForRanges(
-      input.size, input.threads, [&](std::size_t begin, std::size_t end) {
+      query.size, query.threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-          const std::size_t at =
-              input.indices ? static_cast<std::size_t>(input.indices[i]) : i;
+          const auto at = static_cast<std::size_t>(query.indices[i]);
           const Eigen::Vector3f p =
-              turn * (Eigen::Map<const Eigen::Vector3f>(input.points[at]) - origin);
-          t.x[i] = p.x();
-          t.y[i] = p.y();
-          t.z[i] = p.z();
+              turn * (Eigen::Map<const Eigen::Vector3f>(query.points[at]) - origin);
+          points.x[i] = p.x();
+          points.y[i] = p.y();
+          points.z[i] = p.z();
           const float squared = p.x() * p.x() + p.y() * p.y();
           const bool is_finite = (squared - squared) + (p.z() - p.z()) == 0.0f;
-          t.cells[i] = is_finite ? keyOf(squared) : no_cell;
+          points.cells[i] = is_finite ? keyOf(squared) : no_cell;
         }
       });
-  return t;
+  return points;
 }
-
-std::vector<std::uint32_t>
-countKeys(const Turned& points)
-{
-  std::vector<std::uint32_t> counts(keys, 0);
-  for (const std::uint32_t key : points.cells)
-    if (key != no_cell)
-      ++counts[key];
-  return counts;
-}
-
-std::uint32_t
-keyAt(const std::vector<std::uint32_t>& counts, std::uint64_t points, double share)
-{
-  std::uint64_t sum = 0;
-  std::uint32_t key = 0;
-  while (key + 1 < keys &&
-         static_cast<double>(sum += counts[key]) < share * static_cast<double>(points))
-    ++key;
-  return key;
-}
-
-namespace {
-
-constexpr std::uint32_t ring_octaves = 16; // of the squared range: 1 to 256
-constexpr std::uint32_t sectors = 256;     // about half as wide as cells are deep
-// An evenly sampled disc has half of its points within 0.73 of the range of 95 %, a
-// straight road 0.53. A spinning laser has the same number in each octave of elevation.
-constexpr double laser_ratio = 0.47;
-constexpr double points_a_square = 8.0;
-constexpr float most_squares = 2048.0f; // in a line, and lines
 
 struct Layout {
-  std::uint32_t lines = 0;
-  std::uint32_t bins = 0; ///< in a line
+  std::uint32_t lines, bins; ///< bins in a line
 };
 
 template <typename CellOf>
 void
-assignCells(Turned& points, unsigned threads, const CellOf& cellOf)
+assignCells(Points& points, unsigned threads, const CellOf& cellOf)
 {
   kernels::parallelForRanges(
       points.cells.size(), threads, [&](std::size_t begin, std::size_t end) {
@@ -114,67 +98,53 @@ assignCells(Turned& points, unsigned threads, const CellOf& cellOf)
 
 /** Sectors by the angle on a square instead of a circle: no trigonometry. */
 Layout
-assignSectors(Turned& points, unsigned threads, std::uint32_t last_key)
+assignSectors(Points& points, unsigned threads, std::uint32_t last_key)
 {
-  constexpr std::uint32_t bins = ring_octaves * keys_an_octave;
-  const std::uint32_t first_key = last_key < bins ? 0 : last_key + 1 - bins;
+  const std::uint32_t first_key = last_key < ring_bins ? 0 : last_key + 1 - ring_bins;
   assignCells(points, threads, [=](float x, float y, std::uint32_t key) {
-    constexpr float least = std::numeric_limits<float>::min();
-    const float side = y / std::max(std::abs(x) + std::abs(y), least);
+    constexpr float tiny = std::numeric_limits<float>::min();
+    const float side = y / std::max(std::abs(x) + std::abs(y), tiny);
     const float turn = x >= 0.0f ? 1.0f + side : 3.0f - side; // 0 to 4
     const auto sector = static_cast<std::uint32_t>(turn * (sectors / 4.0f));
     const std::uint32_t bin = std::clamp(key, first_key, last_key) - first_key;
-    return std::min(sector, sectors - 1) * bins + bin;
+    return std::min(sector, sectors - 1) * ring_bins + bin;
   });
-  return {sectors, bins};
+  return {sectors, ring_bins};
 }
 
-/** The bounds of a coordinate, within a limit. */
-struct Bounds {
-  float low = std::numeric_limits<float>::infinity();
-  float high = -std::numeric_limits<float>::infinity();
-
-  Bounds(const std::vector<float>& values, const Turned& points, float limit)
-  {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (points.cells[i] != no_cell) {
-        const float value = std::clamp(values[i], -limit, limit);
-        low = std::min(low, value);
-        high = std::max(high, value);
-      }
-    }
-  }
-};
-
 Layout
-assignSquares(Turned& points, unsigned threads, std::uint64_t count, float limit)
+assignSquares(Points& points, unsigned threads, std::uint64_t count, float limit)
 {
-  const Bounds x(points.x, points, limit), y(points.y, points, limit);
-  const double width = double{x.high} - x.low, height = double{y.high} - y.low;
+  Eigen::AlignedBox2f box;
+  for (std::size_t i = 0; i < points.cells.size(); ++i)
+    if (points.cells[i] != no_cell)
+      box.extend(Eigen::Vector2f(std::clamp(points.x[i], -limit, limit),
+                                 std::clamp(points.y[i], -limit, limit)));
+  const Eigen::Vector2f low = box.min();
+  const Eigen::Vector2d size = box.max().cast<double>() - low.cast<double>();
   const double edge = std::max(
-      {std::sqrt(points_a_square * width * height / static_cast<double>(count)),
-       std::max(width, height) / most_squares,
+      {std::sqrt(points_per_square * size.x() * size.y() / static_cast<double>(count)),
+       size.maxCoeff() / max_squares,
        double{std::numeric_limits<float>::min()}});
-  const auto cells = [&](double length) {
-    return static_cast<std::uint32_t>(std::min<double>(length / edge, most_squares)) +
-           1;
+  const auto squares = [&](double length) {
+    return static_cast<std::uint32_t>(std::min<double>(length / edge, max_squares)) + 1;
   };
-  const Layout layout{cells(height), cells(width)};
-  const auto a_metre = static_cast<float>(1.0 / edge);
-  const auto cell = [=](float value, float low, std::uint32_t size) {
-    const float at =
-        std::clamp((value - low) * a_metre, 0.0f, static_cast<float>(size - 1));
-    return static_cast<std::uint32_t>(at);
+  const Layout layout{squares(size.y()), squares(size.x())};
+  const auto squares_per_meter = static_cast<float>(1.0 / edge);
+  const auto square = [=](float from_low, std::uint32_t count) {
+    return static_cast<std::uint32_t>(
+        std::clamp(from_low * squares_per_meter, 0.0f, static_cast<float>(count - 1)));
   };
-  assignCells(points, threads, [=](float px, float py, std::uint32_t) {
-    return cell(py, y.low, layout.lines) * layout.bins + cell(px, x.low, layout.bins);
+  assignCells(points, threads, [=](float x, float y, std::uint32_t) {
+    return square(y - low.y(), layout.lines) * layout.bins +
+           square(x - low.x(), layout.bins);
   });
   return layout;
 }
 
 /** Sort by counting. */
 void
-sortIntoCells(const Turned& points, const Layout& layout, GroundCells& cells)
+sortIntoCells(const Points& points, const Layout& layout, GroundCells& cells)
 {
   std::vector<std::uint32_t> next(std::size_t{layout.lines} * layout.bins, 0);
   for (const std::uint32_t cell : points.cells)
@@ -212,24 +182,34 @@ sortIntoCells(const Turned& points, const Layout& layout, GroundCells& cells)
 } // namespace
 
 GroundCells
-groundCells(const detail::GroundQuery& query, const std::array<float, 3>& up)
+groundCells(const detail::GroundQuery& query, const Eigen::Vector3f& up)
 {
-  Turned points = turned(query, up);
-  const std::vector<std::uint32_t> counts = countKeys(points);
+  Points points = pointsOf(query, up);
+  std::vector<std::uint32_t> counts(keys, 0);
   std::uint64_t finite = 0;
-  for (const std::uint32_t count : counts)
-    finite += count;
-  const auto rangeAt = [&](double share) {
-    return std::sqrt(leastOf(keyAt(counts, finite, share)));
+  for (const std::uint32_t key : points.cells) {
+    if (key != no_cell) {
+      ++counts[key];
+      ++finite;
+    }
+  }
+  const auto keyAt = [&](double share) { // that a share of the points does not exceed
+    std::uint64_t below = 0;
+    std::uint32_t key = 0;
+    while (key + 1 < keys && static_cast<double>(below += counts[key]) <
+                                 share * static_cast<double>(finite))
+      ++key;
+    return key;
   };
+  const std::uint32_t last_key = keyAt(0.999); // without the few farthest
   GroundCells cells;
-  const std::uint32_t last_key = keyAt(counts, finite, 0.999);
-  cells.extent = std::sqrt(leastOf(std::min(last_key + 1, keys - keys_an_octave - 1)));
-  cells.around = rangeAt(0.5) < laser_ratio * rangeAt(0.95);
-  const Layout layout =
-      cells.around ? assignSectors(points, query.threads, last_key)
-                   : assignSquares(points, query.threads, finite, cells.extent);
-  sortIntoCells(points, layout, cells);
+  cells.extent = rangeOf(std::min(last_key + 1, keys - keys_per_octave - 1));
+  cells.around = rangeOf(keyAt(0.5)) < max_laser_ratio * rangeOf(keyAt(0.95));
+  sortIntoCells(points,
+                cells.around
+                    ? assignSectors(points, query.threads, last_key)
+                    : assignSquares(points, query.threads, finite, cells.extent),
+                cells);
   return cells;
 }
 

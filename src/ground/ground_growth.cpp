@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Which patches are ground: level, planar, and connected or at the ground's height.
 
 #include "ground/ground_growth.h"
 
@@ -8,197 +8,213 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
+#include <utility>
 
 namespace pcl::segmentation {
 namespace {
 
-constexpr std::uint32_t bins_an_octave = 16;  // see groundCells()
-constexpr std::size_t min_plane_patches = 12; // of a plane
-constexpr int rounds = 3;
-constexpr double bend = 0.03; // of the ground from the plane, per metre of the range
+// Between connected patches at most two cells may be no ground: a kerb, a pole.
+constexpr int max_hops = 3;
+// To the ground before and behind what hides it: an octave and a half of the range.
+constexpr int max_vote_hops = 24;
+constexpr std::size_t min_set_patches = 4; // of ground that stands alone
+constexpr float min_planar = 0.5f;         // the border of the paper's first bin
 
-} // namespace
-
-CoarseGround::CoarseGround(const GroundCells& cells,
-                           const GroundPatches& all,
-                           const std::vector<char>& is_level,
-                           float max_step)
-: cells_(cells)
-, all_(all)
-, max_step_(max_step)
-{
-  std::vector<std::vector<std::size_t>> patches;
-  for (std::size_t i = 0; i < is_level.size(); ++i) {
-    const std::size_t octave = octaveOf(i);
-    patches.resize(std::max(patches.size(), octave + 1));
-    if (is_level[i])
-      patches[octave].push_back(i);
-  }
-  const auto size = [](const auto& one, const auto& other) {
-    return one.size() < other.size();
-  };
-  // Ground surrounds what is nearer than most of it; there may be more of cars there.
-  const auto surest = std::max_element(patches.begin(), patches.end(), size);
-  Plane plane; // what heights are measured from
-  for (auto of_octave = surest; of_octave != patches.end(); ++of_octave) {
-    for (int round = 0; round < rounds; ++round)
-      refit(*of_octave, plane);
-    planes_.resize(static_cast<std::size_t>(of_octave - patches.begin()) + 1, plane);
-  }
-}
-
-bool
-CoarseGround::isNear(std::size_t patch) const
-{
-  return isNear(planes_[octaveOf(patch)], patch);
-}
-
-double
-CoarseGround::above(const Plane& plane, std::size_t patch) const
-{
-  const GroundPatch& p = all_.patches[patch];
-  return p.low - (plane.z + plane.slope_x * p.x + plane.slope_y * p.y);
-}
-
-bool
-CoarseGround::isNear(const Plane& plane, std::size_t patch) const
-{
-  const GroundPatch& p = all_.patches[patch];
-  const double range = std::sqrt(double{p.x} * p.x + double{p.y} * p.y);
-  return std::abs(above(plane, patch)) <= max_step_ + bend * range;
-}
-
-void
-CoarseGround::refit(const std::vector<std::size_t>& patches, Plane& plane) const
-{
-  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d products = Eigen::Vector3d::Zero();
-  std::size_t count = 0;
-  for (const std::size_t i : patches) {
-    if (!isNear(plane, i))
-      continue;
-    const GroundPatch& p = all_.patches[i];
-    const Eigen::Vector3d row(1.0, p.x, p.y);
-    squares += row * row.transpose();
-    products += row * double{p.low};
-    ++count;
-  }
-  if (count < min_plane_patches)
-    return;
-  const Eigen::Vector3d solution = squares.ldlt().solve(products);
-  if (solution.allFinite())
-    plane = {solution[0], solution[1], solution[2]};
-}
-
-std::size_t
-CoarseGround::octaveOf(std::size_t patch) const
-{
-  return cells_.bins[patch] / bins_an_octave;
-}
-
-namespace {
-
-constexpr int most_hops = 24; // to the ground before and behind what hides it
-
-struct Votes {
-  std::size_t patches = 0, low = 0, high = 0;
+/** A level patch not yet accepted as ground, with its line and set. */
+struct Candidate {
+  std::size_t patch, line, set;
 };
 
-} // namespace
-
-bool
-addLowSets(const GroundCells& cells,
-           const GroundPatches& all,
-           const CoarseGround* coarse,
-           float max_step,
-           std::vector<Rest>& rest,
-           std::vector<char>& ground)
+/** The nearest patch on a side that is marked; what is between may be anything. */
+std::uint32_t
+nextMarked(const std::vector<PatchNeighbors>& neighbors,
+           const std::vector<char>& marks,
+           std::size_t from,
+           PatchSide side,
+           int hops)
 {
-  const auto isLow = [&](std::size_t base, std::size_t patch) {
-    const GroundPatch &a = all.patches[base], &b = all.patches[patch];
-    return coarse ? std::abs(coarse->rise(base, patch)) <= mostRise(a, b, max_step)
-                  : continues(a, b, max_step);
-  };
-  std::vector<Votes> votes(ground.size());
-  for (const auto& [patch, line, set] : rest) {
-    ++votes[set].patches;
-    const std::uint32_t bin = cells.bins[patch];
-    for (const std::int32_t base :
-         {nextMarked(all.neighbors, ground, patch, Inner, most_hops),
-          nextMarked(all.neighbors, ground, patch, Outer, most_hops),
-          markedAside(cells, ground, line, bin, false, most_hops),
-          markedAside(cells, ground, line, bin, true, most_hops)})
-      if (base != no_patch)
-        ++(isLow(static_cast<std::size_t>(base), patch) ? votes[set].low
-                                                        : votes[set].high);
-  }
-  const auto isGround = [&](const Rest& one) {
-    const Votes& of_set = votes[one.set];
-    return of_set.patches >= min_set_patches && of_set.low > of_set.high;
-  };
-  for (const Rest& one : rest)
-    ground[one.patch] = isGround(one);
-  const std::size_t before = rest.size();
-  rest.erase(std::remove_if(rest.begin(), rest.end(), isGround), rest.end());
-  return rest.size() < before;
+  std::uint32_t at = neighbors[from][side];
+  for (int hop = 1; at != no_patch && !marks[at]; ++hop)
+    at = hop < hops ? neighbors[at][side] : no_patch;
+  return at;
 }
 
-namespace {
-
-constexpr float least_planar = 0.5f;
-constexpr int hops = 3; // over cells that are no ground: a kerb, a pole
+/** The nearest marked patch on lines to one side. */
+std::uint32_t
+markedAside(const GroundCells& cells,
+            const std::vector<char>& marks,
+            const Candidate& from,
+            PatchSide side)
+{
+  const std::size_t lines = cells.lineCount();
+  std::size_t line = from.line;
+  for (int hop = 0; hop < max_vote_hops; ++hop) {
+    if (!cells.around && line == (side == Left ? lines - 1 : 0))
+      break;
+    line = (line + (side == Left ? 1 : lines - 1)) % lines;
+    const std::uint32_t found =
+        nearestInLine(cells, marks, line, cells.bins[from.patch], max_bins_apart);
+    if (found != no_patch)
+      return found;
+  }
+  return no_patch;
+}
 
 std::vector<char>
 levelPatches(const GroundCells& cells, const GroundPatches& all, float max_slope)
 {
-  const float most = std::tan(max_slope) * std::tan(max_slope);
+  const float max_squared = std::tan(max_slope) * std::tan(max_slope);
   std::vector<char> level(all.patches.size());
   for (std::size_t i = 0; i < level.size(); ++i) {
     const GroundPatch& p = all.patches[i];
-    const float slope_x = p.slope_x + cells.slope_x,
-                slope_y = p.slope_y + cells.slope_y;
-    level[i] =
-        p.planar >= least_planar && slope_x * slope_x + slope_y * slope_y <= most;
+    const float x = p.slope_x + cells.slope_x, y = p.slope_y + cells.slope_y;
+    level[i] = p.planar >= min_planar && x * x + y * y <= max_squared;
   }
   return level;
 }
 
-DisjointSets
-connect(const GroundPatches& all, const std::vector<char>& level, float max_step)
+/** The set of each level patch, by its smallest patch; the number of patches for
+ * others. */
+std::vector<std::size_t>
+connectedSets(const GroundPatches& all, const std::vector<char>& level, float max_step)
 {
   DisjointSets sets(level.size());
   for (std::size_t i = 0; i < level.size(); ++i) {
     for (const PatchSide side : {Outer, Left, Right}) {
       if (!level[i])
         break;
-      const std::int32_t found = nextMarked(all.neighbors, level, i, side, hops);
-      if (found == no_patch)
-        continue;
-      const auto j = static_cast<std::size_t>(found);
-      if (continues(all.patches[i], all.patches[j], max_step) &&
-          continues(all.patches[j], all.patches[i], max_step))
-        sets.unite(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
+      const std::uint32_t j = nextMarked(all.neighbors, level, i, side, max_hops);
+      if (j != no_patch && all.patches[i].continuesTo(all.patches[j], max_step) &&
+          all.patches[j].continuesTo(all.patches[i], max_step))
+        sets.unite(static_cast<std::uint32_t>(i), j);
     }
   }
-  return sets;
+  std::vector<std::size_t> set_of(level.size(), level.size());
+  for (std::size_t i = 0; i < level.size(); ++i)
+    if (level[i])
+      set_of[i] = sets.find(static_cast<std::uint32_t>(i));
+  return set_of;
 }
 
-/** Around a laser: a ring climbs the side of a car as gently as ground rises, and one
- * ring alone does not tell. What is not near the ground in the large is left out. */
-void
-levelOut(const CoarseGround& coarse, std::vector<Rest>& rest, std::vector<char>& ground)
+/** The ground around a laser in the large, within an octave of the range. */
+struct CoarsePlane {
+  double z = 0.0, slope_x = 0.0, slope_y = 0.0;
+
+  double
+  above(const GroundPatch& p) const
+  {
+    return p.low - (z + slope_x * p.x + slope_y * p.y);
+  }
+
+  bool
+  isNear(const GroundPatch& p, float max_step) const
+  {
+    const double range = std::sqrt(double{p.x} * p.x + double{p.y} * p.y);
+    return std::abs(above(p)) <= max_step + ground_bend * range;
+  }
+
+  /** To the patches near it, if they are enough. */
+  void
+  refit(const std::vector<GroundPatch>& patches, float max_step)
+  {
+    constexpr std::size_t min_patches = 12; // four times the unknowns
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d products = Eigen::Vector3d::Zero();
+    std::size_t count = 0;
+    for (const GroundPatch& p : patches) {
+      if (!isNear(p, max_step))
+        continue;
+      const Eigen::Vector3d row(1.0, p.x, p.y);
+      squares += row * row.transpose();
+      products += row * double{p.low};
+      ++count;
+    }
+    if (count < min_patches)
+      return;
+    const Eigen::Vector3d solution = squares.ldlt().solve(products);
+    if (solution.allFinite())
+      *this = {solution[0], solution[1], solution[2]};
+  }
+};
+
+/** A plane for each octave of the range, from the inside outwards, fitted to patches
+ * that are ground, most of them. */
+std::vector<CoarsePlane>
+coarseGround(const GroundCells& cells,
+             const GroundPatches& all,
+             const std::vector<char>& level,
+             float max_step)
 {
-  for (std::size_t i = 0; i < ground.size(); ++i)
-    ground[i] = ground[i] && coarse.isNear(i);
-  rest.erase(std::remove_if(rest.begin(),
-                            rest.end(),
-                            [&](const Rest& one) { return !coarse.isNear(one.patch); }),
-             rest.end());
+  std::vector<std::vector<GroundPatch>> patches;
+  for (std::size_t i = 0; i < level.size(); ++i) {
+    const std::size_t octave = cells.bins[i] / bins_per_octave;
+    patches.resize(std::max(patches.size(), octave + 1));
+    if (level[i])
+      patches[octave].push_back(all.patches[i]);
+  }
+  // Ground surrounds what is nearer than most of it; there may be more of cars there.
+  const auto surest = std::max_element(
+      patches.begin(), patches.end(), [](const auto& a, const auto& b) {
+        return a.size() < b.size();
+      });
+  constexpr int rounds = 3; // each with the patches near the last plane
+  std::vector<CoarsePlane> planes;
+  CoarsePlane plane; // what heights are measured from
+  for (auto of_octave = surest; of_octave != patches.end(); ++of_octave) {
+    for (int round = 0; round < rounds; ++round)
+      plane.refit(*of_octave, max_step);
+    planes.resize(static_cast<std::size_t>(of_octave - patches.begin()) + 1, plane);
+  }
+  return planes;
 }
 
+/** Moves the sets that are at the height of the ground nearest to them from the
+ * candidates to the ground, by vote.
+ * \param[in] coarse tells heights along the ground; without, the planes of patches do
+ * \return whether there were any */
+bool
+addLowSets(const GroundCells& cells,
+           const GroundPatches& all,
+           const std::vector<CoarsePlane>& coarse,
+           float max_step,
+           std::vector<Candidate>& candidates,
+           std::vector<char>& ground)
+{
+  struct Votes {
+    std::size_t patches = 0, low = 0, high = 0;
+  };
+  const auto isLow = [&](std::size_t base, std::size_t patch) {
+    const GroundPatch &a = all.patches[base], &b = all.patches[patch];
+    if (coarse.empty())
+      return a.continuesTo(b, max_step);
+    const CoarsePlane& plane = coarse[cells.bins[base] / bins_per_octave];
+    return std::abs(plane.above(b) - plane.above(a)) <= a.maxRise(b.x, b.y, max_step);
+  };
+  std::vector<Votes> votes(ground.size());
+  for (const Candidate& c : candidates) {
+    Votes& of_set = votes[c.set];
+    ++of_set.patches;
+    for (const std::uint32_t base :
+         {nextMarked(all.neighbors, ground, c.patch, Inner, max_vote_hops),
+          nextMarked(all.neighbors, ground, c.patch, Outer, max_vote_hops),
+          markedAside(cells, ground, c, Right),
+          markedAside(cells, ground, c, Left)})
+      if (base != no_patch)
+        ++(isLow(base, c.patch) ? of_set.low : of_set.high);
+  }
+  const auto isGround = [&](const Candidate& c) {
+    const Votes& of_set = votes[c.set];
+    return of_set.patches >= min_set_patches && of_set.low > of_set.high;
+  };
+  for (const Candidate& c : candidates)
+    ground[c.patch] = isGround(c);
+  const std::size_t before = candidates.size();
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), isGround),
+                   candidates.end());
+  return candidates.size() < before;
+}
+
+/** Fits the plane of a patch to ground only, with slopes drawn to the mean there. */
 void
 fitToGround(const GroundPatches& all,
             const std::vector<char>& ground,
@@ -206,21 +222,20 @@ fitToGround(const GroundPatches& all,
             float max_step,
             GroundPatch& patch)
 {
-  std::array<const GroundPatch*, 4> others{};
-  std::size_t count = 0;
-  float slope_x = patch.slope_x, slope_y = patch.slope_y;
-  for (const std::int32_t at : all.neighbors[cell]) {
-    if (at != no_patch && ground[static_cast<std::size_t>(at)] &&
-        continues(patch, all.patches[static_cast<std::size_t>(at)], 0.25f * max_step)) {
-      others[count] = &all.patches[static_cast<std::size_t>(at)];
-      slope_x += others[count]->slope_x;
-      slope_y += others[count]->slope_y;
-      ++count;
-    }
+  PlaneFit fit(patch);
+  float slope_x = patch.slope_x, slope_y = patch.slope_y, count = 1.0f;
+  for (const std::uint32_t at : all.neighbors[cell]) {
+    if (at == no_patch || !ground[at] ||
+        !patch.continuesTo(all.patches[at], surface_steps * max_step))
+      continue;
+    fit.add(all.patches[at]);
+    slope_x += all.patches[at].slope_x;
+    slope_y += all.patches[at].slope_y;
+    count += 1.0f;
   }
-  patch.slope_x = slope_x / static_cast<float>(count + 1);
-  patch.slope_y = slope_y / static_cast<float>(count + 1);
-  fitPlane(patch, others.data(), count, prior_weight);
+  patch.slope_x = slope_x / count;
+  patch.slope_y = slope_y / count;
+  fit.run(prior_weight);
 }
 
 } // namespace
@@ -231,55 +246,56 @@ connectedGround(const GroundCells& cells,
                 unsigned threads,
                 GroundPatches& all)
 {
+  const float max_step = parameters.max_step;
   const std::size_t size = all.patches.size();
   const std::vector<char> level = levelPatches(cells, all, parameters.max_slope);
-  DisjointSets sets = connect(all, level, parameters.max_step);
-  std::vector<std::size_t> set_of(size, size), sizes(size, 0);
-  for (std::size_t i = 0; i < size; ++i)
-    if (level[i])
-      ++sizes[set_of[i] = sets.find(static_cast<std::uint32_t>(i))];
-  const auto largest = std::max_element(sizes.begin(), sizes.end());
+  const std::vector<std::size_t> set_of = connectedSets(all, level, max_step);
+  std::vector<std::size_t> sizes(size + 1, 0);
+  for (const std::size_t set : set_of)
+    ++sizes[set];
+  const auto largest = std::max_element(sizes.begin(), sizes.end() - 1);
   std::vector<char> ground(size, 0);
-  if (largest == sizes.end() || *largest < min_set_patches)
+  if (*largest < min_set_patches)
     return ground;
-  const auto main = static_cast<std::size_t>(largest - sizes.begin());
-  std::vector<Rest> rest;
+  std::vector<CoarsePlane> coarse;
+  if (cells.around)
+    coarse = coarseGround(cells, all, level, max_step);
+  std::vector<Candidate> candidates;
   for (std::size_t line = 0; line < cells.lineCount(); ++line) {
     for (std::size_t i = cells.lines[line]; i < cells.lines[line + 1]; ++i) {
-      ground[i] = set_of[i] == main;
-      if (level[i] && !ground[i])
-        rest.push_back({i, line, set_of[i]});
+      // A ring climbs the side of a car as gently as ground rises, and one ring alone
+      // does not tell: what is not near the ground in the large is left out.
+      if (!level[i] || (cells.around && !coarse[cells.bins[i] / bins_per_octave].isNear(
+                                            all.patches[i], max_step)))
+        continue;
+      if (set_of[i] == static_cast<std::size_t>(largest - sizes.begin()))
+        ground[i] = 1;
+      else
+        candidates.push_back({i, line, set_of[i]});
     }
   }
-  std::optional<CoarseGround> coarse;
-  if (cells.around) {
-    coarse.emplace(cells, all, level, parameters.max_step);
-    levelOut(*coarse, rest, ground);
-  }
-  while (addLowSets(
-      cells, all, coarse ? &*coarse : nullptr, parameters.max_step, rest, ground)) {
+  while (addLowSets(cells, all, coarse, max_step, candidates, ground)) {
   }
   std::vector<GroundPatch> fitted = all.patches;
   forEachCell(cells, threads, [&](std::size_t i) {
     if (ground[i])
-      fitToGround(all, ground, i, parameters.max_step, fitted[i]);
+      fitToGround(all, ground, i, max_step, fitted[i]);
   });
   all.patches = std::move(fitted);
   return ground;
 }
 
-NearGround
+std::array<std::uint32_t, 5>
 nearGround(const GroundPatches& all, const std::vector<char>& ground, std::size_t cell)
 {
-  NearGround near;
-  if (ground[cell])
-    near.patches[near.count++] = static_cast<std::int32_t>(cell);
-  for (const PatchSide side : {Inner, Outer, Right, Left}) {
-    const std::int32_t found = nextMarked(all.neighbors, ground, cell, side, hops);
-    if (found != no_patch)
-      near.patches[near.count++] = found;
-  }
-  return near;
+  const auto next = [&](PatchSide side) {
+    return nextMarked(all.neighbors, ground, cell, side, max_hops);
+  };
+  return {ground[cell] ? static_cast<std::uint32_t>(cell) : no_patch,
+          next(Inner),
+          next(Outer),
+          next(Right),
+          next(Left)};
 }
 
 } // namespace pcl::segmentation

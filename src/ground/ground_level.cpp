@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Heights measured from the plane of the ground instead of the sensor.
 
 #include "ground/ground_level.h"
 
@@ -15,8 +15,9 @@ namespace pcl::segmentation {
 namespace {
 
 // If a third of the bottoms is ground, one sample of 27 is: none of 200 is one in 2000.
-constexpr int most_samples = 200;
+constexpr int max_samples = 200;
 
+/** The lowest point of each cell; of several the one with the smallest x, then y. */
 PointCloud<PointXYZ>::Ptr
 bottomsOf(const GroundCells& cells)
 {
@@ -43,7 +44,7 @@ level(const GroundParameters& parameters, unsigned threads, GroundCells& cells)
   model->setAxis(Eigen::Vector3f::UnitZ());
   model->setEpsAngle(parameters.max_slope);
   RandomSampleConsensus<PointXYZ> consensus(model, parameters.max_step);
-  consensus.setMaxIterations(most_samples);
+  consensus.setMaxIterations(max_samples);
   Eigen::VectorXf plane;
   const detail::Quiet quiet;
   if (cells.size() < 4 || !consensus.computeModel())

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Heights measured from the plane of the ground instead of the sensor.
 
 #pragma once
 
 #include "ground/ground_cells.h"
 
-#include <pcl/segmentation/ground_detection.h>
-
 namespace pcl::segmentation {
 
-/** \brief Measure heights from the plane that most bottoms of cells are near. A sensor
- * is rarely quite upright. \return whether there is one that is not steeper than ground
- * may be */
+/** \brief Measure heights from the plane that most bottoms of cells are near: a sensor
+ * is rarely quite upright. \return false if there is none that is no steeper than
+ * ground may be */
 bool level(const GroundParameters& parameters, unsigned threads, GroundCells& cells);
 
 } // namespace pcl::segmentation

@@ -1,49 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The lowest surface of each cell, its plane, and how planar it is.
 
 #pragma once
 
 #include "ground/ground_cells.h"
 
-#include <pcl/segmentation/ground_detection.h>
-
 #include <array>
-#include <cstddef>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace pcl::segmentation {
 
-constexpr std::int32_t no_patch = -1;
+constexpr std::uint32_t no_patch = std::numeric_limits<std::uint32_t>::max();
 
-/** \brief The nearest patches: before and behind in the line, on the lines beside it.
- */
-using PatchNeighbors = std::array<std::int32_t, 4>;
+/** \brief A surface may continue as far away as its own range. */
+constexpr std::uint32_t max_bins_apart = bins_per_octave;
 
-enum PatchSide : std::size_t { Inner = 0, Outer = 1, Right = 2, Left = 3 };
+/** \brief In steps, how far from a surface its points are: above the noise, below a low
+ * kerb. */
+constexpr float surface_steps = 0.25f;
 
-/** \brief Cell by cell, whether or not it has a surface itself. */
-std::vector<PatchNeighbors> patchNeighbors(const GroundCells& cells,
-                                           const std::vector<char>& has_surface,
-                                           unsigned threads);
+/** \brief Half a degree by which the planes of patches may be off, per meter. */
+constexpr float plane_error = 0.01f;
 
-/** \brief The nearest patch on a side that is marked; what is between may be anything.
- * \param[in] most patches to go */
-std::int32_t nextMarked(const std::vector<PatchNeighbors>& neighbors,
-                        const std::vector<char>& marks,
-                        std::size_t from,
-                        PatchSide side,
-                        int most);
+/** \brief By how much ground may leave its own plane, per meter: 0.6 m at 20 m, as on a
+ * crest with a radius of 330 m. */
+constexpr double ground_bend = 0.03;
 
-/** \brief The nearest marked patch on lines to one side.
- * \param[in] most lines to go */
-std::int32_t markedAside(const GroundCells& cells,
-                         const std::vector<char>& marks,
-                         std::size_t line,
-                         std::uint32_t bin,
-                         bool to_left,
-                         int most);
+/** \brief Of slopes that are known before, against the points, square meters: the
+ * height of a patch is known to 1 cm, ground turns by 3 degrees, (0.01 / 0.05)^2. */
+constexpr float prior_weight = 0.04f;
 
 /** \brief The lowest surface in a cell, and a plane through it and its neighbors. */
 struct GroundPatch {
@@ -58,46 +47,64 @@ struct GroundPatch {
   {
     return pz - (z + slope_x * (px - x) + slope_y * (py - y));
   }
+
+  /** \brief How far above or below the plane ground may be at a place. */
+  float
+  maxRise(float px, float py, float max_step) const
+  {
+    return max_step + static_cast<float>(ground_bend) * std::hypot(px - x, py - y);
+  }
+
+  /** \brief Whether another patch continues the plane, or is a step beside it. */
+  bool
+  continuesTo(const GroundPatch& other, float max_step) const
+  {
+    return std::abs(above(other.x, other.y, other.low)) <=
+           maxRise(other.x, other.y, max_step);
+  }
 };
 
-/** \brief How much higher or lower than expected ground may be, from patch to patch. */
-float mostRise(const GroundPatch& a, const GroundPatch& b, float max_step);
+/** \brief Fits the plane of a patch to the middles of its own and other points. */
+class PlaneFit {
+public:
+  explicit PlaneFit(GroundPatch& patch) : patch_(patch) {}
 
-/** \brief Whether the second patch continues the plane of the first, or is a step
- * beside it. */
-bool continues(const GroundPatch& a, const GroundPatch& b, float max_step);
+  void add(const GroundPatch& other);
 
-/** \brief Of slopes that are known before: the height of a patch is known to 1 cm,
- * ground turns by 3 degrees, (0.01 / 0.05)^2. */
-constexpr float prior_weight = 0.04f;
+  /** \param[in] weight of the slopes that the patch has, against the points, square
+   * meters \return false if the points lie on a line */
+  bool run(float weight);
 
-/** \brief Fit the plane of a patch to the middles of its own and other points.
- * \param[in] prior_weight of the slopes that the patch has, against the points, metres
- * squared \return false if the points lie on a line */
-bool fitPlane(GroundPatch& patch,
-              const GroundPatch* const* others,
-              std::size_t count,
-              float prior_weight);
+private:
+  GroundPatch& patch_;
+  // Sums of offsets from the patch, whose plane need not go through it.
+  float n_ = 1.0f, x_ = 0.0f, y_ = 0.0f, z_ = 0.0f;
+  float xx_ = 0.0f, xy_ = 0.0f, yy_ = 0.0f, xz_ = 0.0f, yz_ = 0.0f;
+};
 
-/** \brief A plane through the patch and a neighbor in each of both directions, then one
- * that fits to all neighbors that it passes nearby. Where one line of points is all
- * there is, the ground is as level across it as in the large.
- * \return false if there is none */
-bool fitRobustly(const std::vector<GroundPatch>& low,
-                 const PatchNeighbors& neighbors,
-                 float near,
-                 GroundPatch& patch);
+/** \brief The nearest patches: before and behind in the line, on the lines beside it.
+ */
+using PatchNeighbors = std::array<std::uint32_t, 4>;
+
+enum PatchSide : std::size_t { Inner = 0, Outer = 1, Right = 2, Left = 3 };
+
+/** \brief The nearest marked cell of a line to a bin, or no_patch. */
+std::uint32_t nearestInLine(const GroundCells& cells,
+                            const std::vector<char>& marks,
+                            std::size_t line,
+                            std::uint32_t bin,
+                            std::uint32_t max_bins);
 
 struct GroundPatches {
-  std::vector<GroundPatch> patches; ///< one a cell; not planar where there is none
-  std::vector<PatchNeighbors> neighbors;
+  std::vector<GroundPatch> patches;      ///< one per cell; not planar where none is
+  std::vector<PatchNeighbors> neighbors; ///< of each cell
 };
 
 /** \brief The planarity of the lowest surface, cell by cell. \param[in] feet see
  * feetOf() */
 GroundPatches groundPatches(const GroundCells& cells,
                             const std::vector<char>& feet,
-                            const GroundParameters& parameters,
+                            float max_step,
                             unsigned threads);
 
 } // namespace pcl::segmentation

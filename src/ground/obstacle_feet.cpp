@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The feet of obstacles: low points that have others above them.
 
 #include "ground/obstacle_feet.h"
 
@@ -11,23 +11,12 @@
 namespace pcl::segmentation {
 namespace {
 
-constexpr float reach_steps = 0.3f;    // sideways
-constexpr float lowest_steps = 0.5f;   // upwards: two rings on the side of a car
-constexpr float highest_steps = 10.0f; // what is higher may hang over it
+// Where the points above a foot are, in steps.
+constexpr float max_aside = 0.3f;  // 6 cm: straight above, but for noise
+constexpr float min_above = 0.5f;  // less than two rings on the side of a car are apart
+constexpr float max_above = 10.0f; // what is higher may hang over the ground
 
-struct Span {
-  float low, high;
-};
-
-Span
-heightsOf(const GroundCells& cells, std::size_t cell)
-{
-  const auto [low, high] = std::minmax_element(
-      cells.z.begin() + cells.begins[cell], cells.z.begin() + cells.begins[cell + 1]);
-  return {*low, *high};
-}
-
-/** Cells from first to last: one and those directly beside it in its line. */
+/** A cell and those directly beside it in its line, from first to last. */
 struct Column {
   std::size_t first, last;
 };
@@ -46,9 +35,9 @@ bool
 isBeneath(const GroundCells& cells, std::size_t point, const Column& column, float step)
 {
   const float x = cells.x[point], y = cells.y[point], z = cells.z[point];
-  const float reach = reach_steps * reach_steps * step * step;
-  // Sensors are upright on sloping ground, or stand on it as the ground lies: what is
-  // above leans downhill by nothing to all of the slope.
+  const float reach = max_aside * max_aside * step * step;
+  // Sensors stand upright on sloping ground, or as the ground lies: the column above
+  // may lean downhill by up to the ground's slope.
   const float slope = std::hypot(cells.slope_x, cells.slope_y);
   const float downhill = -1.0f / std::max(slope, std::numeric_limits<float>::min());
   const float down_x = downhill * cells.slope_x, down_y = downhill * cells.slope_y;
@@ -62,8 +51,8 @@ isBeneath(const GroundCells& cells, std::size_t point, const Column& column, flo
       const float lean = std::max(0.0f, std::min(down, slope * above));
       found |=
           static_cast<int>(dx * dx + dy * dy - lean * (2.0f * down - lean) < reach) &
-          static_cast<int>(above > lowest_steps * step) &
-          static_cast<int>(above < highest_steps * step);
+          static_cast<int>(above > min_above * step) &
+          static_cast<int>(above < max_above * step);
     }
     if (found != 0)
       return true;
@@ -76,16 +65,21 @@ isBeneath(const GroundCells& cells, std::size_t point, const Column& column, flo
 std::vector<char>
 feetOf(const GroundCells& cells, float max_step, unsigned threads)
 {
-  std::vector<Span> heights(cells.size());
-  forEachCell(cells, threads, [&](std::size_t i) { heights[i] = heightsOf(cells, i); });
+  std::vector<float> lowest(cells.size()), highest(cells.size());
+  forEachCell(cells, threads, [&](std::size_t i) {
+    const auto [low, high] = std::minmax_element(cells.z.begin() + cells.begins[i],
+                                                 cells.z.begin() + cells.begins[i + 1]);
+    lowest[i] = *low;
+    highest[i] = *high;
+  });
   std::vector<char> feet(cells.positions.size(), 0);
   forEachCell(cells, threads, [&](std::size_t cell) {
     const Column column = columnOf(cells, cell);
-    float high = heights[cell].high;
-    for (std::size_t i = column.first; i <= column.last; ++i)
-      high = std::max(high, heights[i].high);
-    const float low = heights[cell].low;
-    if (high - low <= lowest_steps * max_step)
+    const float low = lowest[cell];
+    const float high = *std::max_element(
+        highest.begin() + static_cast<std::ptrdiff_t>(column.first),
+        highest.begin() + static_cast<std::ptrdiff_t>(column.last) + 1);
+    if (high - low <= min_above * max_step)
       return;
     for (std::size_t i = cells.begins[cell]; i < cells.begins[cell + 1]; ++i)
       if (cells.z[i] - low < max_step)

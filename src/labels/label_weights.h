@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The weights of the features of labels. Made by scripts/calibrate_labels.sh.
 
 #pragma once
-
-// Made by scripts/calibrate_labels.sh.
 
 #include <array>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Model files: round trips, and each way that a file can be wrong.
 
 #include "support/errors.h"
 #include "support/temporary_directory.h"

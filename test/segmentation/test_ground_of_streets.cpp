@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Ground of generated streets, and what must not change it: threads, order, turns.
 
 #include "ground_truth.h"
 #include "scene/lidar.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Labels and confidences, and refused input.
 
 #include "labeling_scenes.h"
 #include "support/errors.h"

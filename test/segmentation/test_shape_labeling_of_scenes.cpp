@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Labels of generated scenes against the truth.
 
 #include "labeling_scenes.h"
 
@@ -31,7 +31,7 @@ truthOf(const scene::Scene& scene)
 
 struct Quality {
   double points = 0, kept = 0, right = 0;
-  std::array<double, 4> truths{}, labelled{}, hits{};
+  std::array<double, 4> truths{}, labeled{}, hits{};
 
   void
   add(const Labels& truth, const PointLabels& labels)
@@ -43,7 +43,7 @@ struct Quality {
       points += 1;
       truths[truth[i]] += 1;
       kept += label != 0 ? 1 : 0;
-      labelled[label] += 1;
+      labeled[label] += 1;
       hits[label] += label == truth[i] ? 1 : 0;
     }
     right = hits[planar] + hits[curved] + hits[edge];
@@ -55,7 +55,7 @@ struct Quality {
     EXPECT_GE(right / kept, 0.99);
     EXPECT_GE(kept / points, 0.80);
     for (const std::uint32_t label : {planar, curved, edge}) {
-      EXPECT_GE(hits[label] / labelled[label], 0.95) << "label " << label;
+      EXPECT_GE(hits[label] / labeled[label], 0.95) << "label " << label;
       EXPECT_GE(hits[label] / truths[label], 0.5) << "label " << label;
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Suction grasps on real scenes.
 
 #include <pcl/io/pcd_io.h>
 #include <pcl/segmentation/suction_grasp_estimation.h>
@@ -30,7 +30,7 @@ isFreeOfCreases(const PointCloud<CreasePointXYZ>& truth,
                 const SuctionGrasp& grasp,
                 float radius)
 {
-  constexpr float on_a_crease = 1.5f; // millimetres, as the points are apart
+  constexpr float on_a_crease = 1.5f; // millimeters, as the points are apart
   for (const CreasePointXYZ& point : truth) {
     const float distance = (point.getVector3fMap() - grasp.position).norm();
     if (distance < radius && point.crease_mm < on_a_crease)

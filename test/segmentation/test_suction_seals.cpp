@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Why suction cups leak: each reason on a shape that has it.
 
 #include "grasp_surfaces.h"
 

@@ -71,7 +71,7 @@ public:
   bool sameBins(const ShapeHistogram& other) const;
 
   /** \brief How many pairs are in a bin. \param[in] mu_bin, sigma_bin below muBins()
-   * and sigmaBins(): it is not checked, and undefined beyond */
+   * and sigmaBins(): not checked, undefined beyond */
   std::uint64_t
   count(std::size_t mu_bin, std::size_t sigma_bin) const
   {
@@ -124,11 +124,7 @@ public:
   }
 
 private:
-  /** \brief Position of the pair's bin in counts_, or counts_.size() beyond the ranges.
-   */
-  std::size_t binOf(const INAD& inad) const;
-
-  float likelihoodOf(std::size_t bin) const;
+  float likelihoodOfBin(std::size_t bin) const;
 
   void addRange(const PointCloud<INAD>& cloud, std::size_t begin, std::size_t end);
 

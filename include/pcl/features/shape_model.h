@@ -19,12 +19,12 @@ namespace pcl {
 
 /** \brief How the INAD of a surface is computed. Either both radii or k is positive.
  *
- * Radii are in metres or in local spacings, as radius_mode says. In DENSITY mode they
+ * Radii are in meters or in local spacings, as radius_mode says. In DENSITY mode they
  * may grow with the cloud's noise (see detail::noiseOf()): radius + radius_noise *
  * noise. */
 struct INADParameters {
-  double normal_radius = 0.025; ///< metres, neighborhood of the normals
-  double radius = 0.025;        ///< metres, neighborhood of the angles
+  double normal_radius = 0.025; ///< meters, neighborhood of the normals
+  double radius = 0.025;        ///< meters, neighborhood of the angles
   int k = 0;                    ///< nearest points, for normals and angles alike
   double outlier_rate = 2.0;    ///< c, 0 for no rejection
   AdaptiveRadius::RadiusMode radius_mode = AdaptiveRadius::FIXED;
@@ -80,8 +80,8 @@ public:
   static const ShapeModel& defaultSurfaces();
 
   /** \brief Read a model file (JSON).
-   * \throws pcl::IOException naming the file, what is wrong with it and what is allowed
-   */
+   * \throws pcl::IOException naming the file, what is wrong with it and what is
+   * expected */
   static ShapeModel load(const std::string& file_name);
 
   /** \brief Write a model file: complete, or not at all.
@@ -145,7 +145,7 @@ public:
     return smoothing_;
   }
 
-  /** \throws pcl::BadArgumentException unless it is from 0 to 100 */
+  /** \throws pcl::BadArgumentException unless it is 0 to 100 */
   void setSmoothing(double bins);
 
 private:

@@ -12,7 +12,6 @@
 #include <pcl/PointIndices.h>
 #include <pcl/pcl_base.h>
 #include <pcl/point_types.h>
-#include <pcl/segmentation/ground_detection.h>
 
 #include <Eigen/Core>
 
@@ -20,22 +19,31 @@
 
 namespace pcl {
 
+/** \brief What counts as ground. \ingroup segmentation */
+struct GroundParameters {
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ(); ///< roughly; of any length but 0
+  float max_slope = 0.35f; ///< of the ground towards up, radians: 20 degrees
+  float max_step = 0.2f;   ///< that ground continues over, meters: a high kerb
+  float threshold = 0.5f;  ///< the likelihood from which a point is ground
+};
+
 /** \brief Find the ground in a vehicle's laser scan: road, pavement, yards.
  *
  * The lowest surface in each of a few thousand cells is back-projected to a plane by
  * the angles between its normal and its neighbors'. Level and planar ones that connect,
- * also over a kerb, are the ground; a point belongs to it if it is on one near. Cells
- * follow the density: around a spinning laser they grow with the range, elsewhere they
- * are squares with some eight points. doc/ground.md has the steps.
+ * also over a kerb, are the ground; a point belongs to it if it lies on the ground of
+ * its cell or of one nearby. Cells follow the density: around a spinning laser they
+ * grow with the range, elsewhere they are squares of some eight points. doc/ground.md
+ * has the steps.
  *
  * The sensor is at the cloud's sensor_origin_. Points with NaN have the likelihood NaN
- * and are no ground. Errors (no cloud, no finite point, bad settings) are reported by
+ * and are not ground. Errors (no cloud, no finite point, bad settings) are reported by
  * PCL_ERROR and give empty outputs; a cloud without ground gives a warning.
  *
- * While RANSAC runs in compute() and segment(), PCL's console is silent in the whole
- * process, for samples that it rejects are errors to PCL. Several may run at the same
- * time; but what other threads report meanwhile is not printed, and a verbosity level
- * that they set is lost.
+ * compute() and segment() silence PCL's console in the whole process while they run
+ * RANSAC, which logs rejected samples as errors. Several may run at the same time, but
+ * what other threads report meanwhile is not printed, and a verbosity level that they
+ * set is lost.
  * \ingroup segmentation
  */
 template <typename PointT>
@@ -48,7 +56,13 @@ public:
   void
   setUp(const Eigen::Vector3f& up)
   {
-    parameters_.up = {up.x(), up.y(), up.z()};
+    parameters_.up = up;
+  }
+
+  const Eigen::Vector3f&
+  getUp() const
+  {
+    return parameters_.up;
   }
 
   /** \param[in] angle the steepest ground towards up, radians, below pi / 2; 20 degrees
@@ -59,19 +73,38 @@ public:
     parameters_.max_slope = angle;
   }
 
-  /** \param[in] step the highest kerb that ground continues over, metres (0.2). What
-   * stands out by more than half of it is no ground, whatever the noise. */
+  float
+  getMaxSlope() const
+  {
+    return parameters_.max_slope;
+  }
+
+  /** \param[in] step the highest kerb that ground continues over, meters; 0.2 by
+   * default. What stands out by more than half of it is not ground, whatever the noise.
+   */
   void
   setMaxStep(float step)
   {
     parameters_.max_step = step;
   }
 
-  /** \brief The likelihood from which a point is ground, in [0, 1]; 0.5 by default. */
+  float
+  getMaxStep() const
+  {
+    return parameters_.max_step;
+  }
+
+  /** \brief The likelihood from which a point is ground, 0 to 1; 0.5 by default. */
   void
   setThreshold(float threshold)
   {
-    threshold_ = threshold;
+    parameters_.threshold = threshold;
+  }
+
+  float
+  getThreshold() const
+  {
+    return parameters_.threshold;
   }
 
   /** \param[in] threads 0 for all cores */
@@ -79,6 +112,12 @@ public:
   setNumberOfThreads(unsigned threads = 0)
   {
     threads_ = threads;
+  }
+
+  unsigned
+  getNumberOfThreads() const
+  {
+    return threads_;
   }
 
   const GroundParameters&
@@ -95,10 +134,7 @@ public:
   bool segment(pcl::PointIndices& ground);
 
 private:
-  std::string findProblem();
-
   GroundParameters parameters_;
-  float threshold_ = 0.5f;
   unsigned threads_ = 0;
 };
 

@@ -9,54 +9,35 @@
 
 #pragma once
 
+#include <pcl/console/print.h>
 #include <pcl/segmentation/shape_ground_segmentation.h>
-#include <pcl/common/point_tests.h>
 #include <pcl/features/impl/neighborhoods.hpp>
+#include <pcl/segmentation/impl/ground_likelihoods.hpp>
 
 #include <string>
 
 namespace pcl {
 
 template <typename PointT>
-std::string
-ShapeGroundSegmentation<PointT>::findProblem()
-{
-  if (!this->input_)
-    return "no input cloud is set: call setInputCloud() with one";
-  PCLBase<PointT>::initCompute();
-  const auto size = static_cast<pcl::index_t>(this->input_->size());
-  bool has_point = false;
-  for (const pcl::index_t index : *this->indices_) {
-    if (index < 0 || index >= size)
-      return "index " + std::to_string(index) + ": 0 to " + std::to_string(size - 1) +
-             " is allowed, the cloud has " + std::to_string(size) + " points";
-    has_point = has_point || pcl::isXYZFinite((*this->input_)[index]);
-  }
-  if (!has_point)
-    return "the cloud has no finite point: at least one is needed";
-  if (!(threshold_ >= 0.0f && threshold_ <= 1.0f))
-    return "threshold is " + std::to_string(threshold_) + ": 0 to 1 is allowed";
-  return detail::problemOf(parameters_);
-}
-
-template <typename PointT>
 void
 ShapeGroundSegmentation<PointT>::compute(std::vector<float>& likelihood)
 {
   likelihood.clear();
-  const std::string problem = findProblem();
-  if (!problem.empty()) {
-    PCL_ERROR("[pcl::ShapeGroundSegmentation::compute] %s.\n", problem.c_str());
-    return;
-  }
-  const Eigen::Vector4f& origin = this->input_->sensor_origin_;
   detail::GroundQuery query;
-  query.points = detail::xyzOf(*this->input_);
-  query.indices = this->indices_->data();
-  query.size = this->indices_->size();
-  query.origin = {origin.x(), origin.y(), origin.z()};
-  query.threads = threads_;
-  likelihood = detail::groundLikelihoods(query, parameters_);
+  std::string problem = "no input cloud is set: call setInputCloud() with one";
+  if (this->input_) {
+    PCLBase<PointT>::initCompute();
+    query = {detail::xyzOf(*this->input_),
+             this->indices_->data(),
+             this->indices_->size(),
+             this->input_->sensor_origin_.data(),
+             threads_};
+    problem = detail::problemOf(query, parameters_);
+  }
+  if (problem.empty())
+    likelihood = detail::groundLikelihoods(query, parameters_);
+  else
+    PCL_ERROR("[pcl::ShapeGroundSegmentation::compute] %s.\n", problem.c_str());
 }
 
 template <typename PointT>
@@ -70,7 +51,7 @@ ShapeGroundSegmentation<PointT>::segment(pcl::PointIndices& ground)
     return false;
   ground.header = this->input_->header;
   for (std::size_t i = 0; i < likelihood.size(); ++i)
-    if (likelihood[i] >= threshold_)
+    if (likelihood[i] >= parameters_.threshold)
       ground.indices.push_back((*this->indices_)[i]);
   if (ground.indices.empty())
     PCL_WARN("[pcl::ShapeGroundSegmentation::segment] no ground was found: where is up "
