@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// What kind of edge each point is: a crease, a corner or an open boundary.
 
 #include "edges/edge_types.h"
 
 #include "common/finite.h"
 #include "common/parallel.h"
 #include "edges/crease_votes.h"
-#include "geometry/point_grid.h"
-
-#include <pcl/segmentation/adaptive_detection.h>
 
 #include <Eigen/Geometry>
 
@@ -17,85 +14,70 @@
 #include <bitset>
 #include <cmath>
 
-namespace pcl::segmentation {
-namespace {
-
-using detail::AdaptiveEdges;
-using Eigen::Vector3f;
-
-// doc/method.md has the reason of each number.
-constexpr float around_fits = 0.75f; // where fits see all faces of a corner
-constexpr float ring_fits = 2.0f;    // and one to two, where they see two
-constexpr float line_spacings = 1.5f;
-constexpr float other_direction = 0.7071f; // cosine of 45 degrees
-constexpr std::size_t least_points = 3;    // of each of a corner's creases
-
-/** True if so many of them are more than 45 degrees from so many others. */
-bool
-differ(const std::vector<Vector3f>& directions)
-{
-  return std::any_of(directions.begin(), directions.end(), [&](const Vector3f& one) {
-    std::size_t along = 0, across = 0;
-    for (const Vector3f& other : directions)
-      ++(std::abs(one.dot(other)) > other_direction ? along : across);
-    return std::min(along, across) >= least_points;
-  });
-}
-
-} // namespace
-
-CreaseCorners::CreaseCorners(const AdaptiveEdges& edges)
-: creases_(edges.creases)
-, fit_(fitSpacings(edges.noise))
-, grid_(positionsOf(creases_),
-        fit_ * *std::max_element(edges.spacings.begin(), edges.spacings.end()))
-{}
-
-CreaseCorners::Directions
-CreaseCorners::around(const Vector3f& center, float reach) const
-{
-  Directions directions;
-  grid_.forEachWithin(center, reach, [&](std::uint32_t k, float) {
-    directions.push_back(Eigen::Map<const Vector3f>(creases_[k].direction.data()));
-  });
-  return directions;
-}
-
-CreaseCorners::Directions
-CreaseCorners::leadingTo(const Vector3f& center, float spacing) const
-{
-  const float inner = fit_ * spacing;
-  const float off = line_spacings * spacing;
-  Directions directions;
-  grid_.forEachWithin(center, ring_fits * inner, [&](std::uint32_t k, float d2) {
-    const Vector3f direction = Eigen::Map<const Vector3f>(creases_[k].direction.data());
-    const Vector3f position = Eigen::Map<const Vector3f>(creases_[k].position.data());
-    const bool leads = direction.cross(position - center).squaredNorm() < off * off;
-    if (d2 > inner * inner && leads)
-      directions.push_back(direction);
-  });
-  return directions;
-}
-
-bool
-CreaseCorners::areAt(const Vector3f& center, float spacing) const
-{
-  return differ(around(center, around_fits * fit_ * spacing)) &&
-         differ(leadingTo(center, spacing));
-}
-
-} // namespace pcl::segmentation
-
 namespace pcl::detail {
 namespace {
 
 using namespace segmentation;
 using Eigen::Vector3f;
 
-// doc/method.md has the reason of each number.
+// A corner needs creases that differ near it, where fits see all of its faces ...
+constexpr float near_fits = 0.75f;
+// ... and creases that differ leading there from one to two fits away, where fits see
+// two faces and directions are right,
+constexpr float far_fits = 2.0f;
+// within the width of a crease's places.
+constexpr float line_spacings = 1.5f;
+constexpr float other_direction = 0.7071f; // cosine of 45 degrees
+constexpr std::size_t min_places = 3;      // of each direction: fewer are chance
+// 6 of 16 sectors are 135 degrees: a straight end of the surface leaves 180 degrees
+// empty, random gaps inside about 30.
 constexpr float boundary_spacings = 2.5f;
-constexpr unsigned sectors = 16;
-constexpr unsigned empty_sectors = 6; // 135 degrees
+constexpr unsigned sectors = 16, empty_sectors = 6;
+
+using Directions = std::vector<Vector3f>;
+
+/** True if so many of them are more than 45 degrees from so many others. */
+bool
+differ(const Directions& directions)
+{
+  return std::any_of(directions.begin(), directions.end(), [&](const Vector3f& one) {
+    std::size_t along = 0, across = 0;
+    for (const Vector3f& other : directions)
+      ++(std::abs(one.dot(other)) > other_direction ? along : across);
+    return std::min(along, across) >= min_places;
+  });
+}
+
+/** True where creases of clearly different directions meet.
+ * \param[in] creases grid of the places of edges.creases */
+bool
+isCorner(const AdaptiveInput& input,
+         const AdaptiveEdges& edges,
+         const PointGrid& creases,
+         std::size_t i)
+{
+  const Vector3f center = positionOf(input.points, i);
+  const float fit = fitSpacings(edges.noise) * edges.spacings[i];
+  const float off = line_spacings * edges.spacings[i];
+  const auto direction = [&](std::uint32_t k) {
+    return Vector3f(Eigen::Map<const Vector3f>(edges.creases[k].direction.data()));
+  };
+  Directions near;
+  creases.forEachWithin(center,
+                        near_fits * fitSpacings(edges.noise) * edges.spacings[i],
+                        [&](std::uint32_t k, float) { near.push_back(direction(k)); });
+  if (!differ(near))
+    return false;
+  Directions leading;
+  creases.forEachWithin(center, far_fits * fit, [&](std::uint32_t k, float d2) {
+    const Vector3f position =
+        Eigen::Map<const Vector3f>(edges.creases[k].position.data());
+    const Vector3f along = direction(k);
+    if (d2 > fit * fit && along.cross(position - center).squaredNorm() < off * off)
+      leading.push_back(along);
+  });
+  return differ(leading);
+}
 
 /** Which of the sectors around the origin a direction is in. */
 unsigned
@@ -106,7 +88,7 @@ sectorOf(float x, float y)
   return std::min(sectors - 1, static_cast<unsigned>(turn * sectors));
 }
 
-/** True if so many sectors in a row are empty. */
+/** True if enough sectors in a row are empty. */
 bool
 hasGap(const std::bitset<sectors>& taken)
 {
@@ -144,24 +126,21 @@ isOnBoundary(const AdaptiveInput& input,
 std::vector<EdgeType>
 edgeTypes(const AdaptiveInput& input, const AdaptiveEdges& edges, double threshold)
 {
-  const std::size_t size = input.points.size;
-  const float most = *std::max_element(edges.spacings.begin(), edges.spacings.end());
-  const PointGrid grid(input.points, most);
-  const CreaseCorners corners(edges);
-  std::vector<EdgeType> types(size, EdgeType::None);
-  kernels::parallelForRanges(
-      size, input.threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          if (!kernels::isFinite(input.points[i]) || std::isnan(edges.likelihood[i]))
-            continue;
-          if (edges.likelihood[i] > 1.0 - threshold)
-            types[i] = corners.areAt(positionOf(input.points, i), edges.spacings[i])
-                           ? EdgeType::Corner
-                           : EdgeType::Crease;
-          else if (isOnBoundary(input, edges, grid, i))
-            types[i] = EdgeType::OpenBoundary;
-        }
-      });
+  const float max_spacing =
+      *std::max_element(edges.spacings.begin(), edges.spacings.end());
+  const PointGrid grid(input.points, max_spacing);
+  const PointGrid creases(positionsOf(edges.creases),
+                          fitSpacings(edges.noise) * max_spacing);
+  std::vector<EdgeType> types(input.points.size, EdgeType::None);
+  kernels::parallelForEach(types.size(), input.threads, [&](std::size_t i) {
+    if (!kernels::isFinite(input.points[i]) || std::isnan(edges.likelihood[i]))
+      return;
+    if (edges.likelihood[i] > 1.0 - threshold)
+      types[i] =
+          isCorner(input, edges, creases, i) ? EdgeType::Corner : EdgeType::Crease;
+    else if (isOnBoundary(input, edges, grid, i))
+      types[i] = EdgeType::OpenBoundary;
+  });
   return types;
 }
 

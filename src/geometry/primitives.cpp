@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Planes, cylinders, spheres and cones: their geometry, and fits to points by RANSAC.
 
 #include "geometry/primitives.h"
 
@@ -14,7 +14,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,6 +22,18 @@ namespace pcl::segmentation {
 namespace {
 
 using Eigen::Vector3f;
+using Eigen::VectorXf;
+using Point = pcl::PointXYZ;
+using Model = pcl::SampleConsensusModel<Point>;
+using Cylinder = pcl::SampleConsensusModelCylinder<Point, pcl::Normal>;
+using Cone = pcl::SampleConsensusModelCone<Point, pcl::Normal>;
+
+// 3 of 10 points on a cylinder: 500 draws miss it with a probability of 10^-20.
+constexpr int max_iterations = 500;
+// Distances alone decide: PCL would add radians to meters.
+constexpr double normal_weight = 0.0;
+// Least squares on ever nearer points; the last round is stable.
+constexpr std::array<double, 3> tightening{2.0, 1.0, 1.0};
 
 /** A point of the axis and the part of the way to a point that is square to it. */
 std::pair<Vector3f, Vector3f>
@@ -33,8 +45,7 @@ fromAxis(const std::vector<float>& cylinder, const Vector3f& point)
   return {on_axis, point - on_axis};
 }
 
-} // namespace
-
+/** The coefficients as the header promises them. */
 void
 normalize(ShapePrimitive& primitive)
 {
@@ -52,6 +63,85 @@ normalize(ShapePrimitive& primitive)
     c[6] = std::abs(c[6]);
   }
 }
+
+/** The longest distance in the box around the points: a larger radius cannot be told
+ * from a plane. */
+double
+extentOf(const pcl::PointCloud<Point>& points)
+{
+  Eigen::Array3f low = points.front().getArray3fMap(), high = low;
+  for (const Point& point : points) {
+    low = low.min(point.getArray3fMap());
+    high = high.max(point.getArray3fMap());
+  }
+  return (high - low).matrix().norm();
+}
+
+template <typename WithNormals>
+Model::Ptr
+modelWithNormals(const PrimitiveSample& sample)
+{
+  const auto model = pcl::make_shared<WithNormals>(sample.points);
+  model->setInputNormals(sample.normals);
+  model->setNormalDistanceWeight(normal_weight);
+  return model;
+}
+
+Model::Ptr
+modelOf(const PrimitiveSample& sample, PrimitiveType type)
+{
+  if (type == PrimitiveType::Plane)
+    return pcl::make_shared<pcl::SampleConsensusModelPlane<Point>>(sample.points);
+  if (type == PrimitiveType::Sphere)
+    return pcl::make_shared<pcl::SampleConsensusModelSphere<Point>>(sample.points);
+  return modelWithNormals<Cylinder>(sample);
+}
+
+std::optional<VectorXf>
+drawn(const Model::Ptr& model, double tolerance)
+{
+  pcl::RandomSampleConsensus<Point> ransac(model, tolerance);
+  ransac.setMaxIterations(max_iterations);
+  if (!ransac.computeModel(0))
+    return std::nullopt;
+  VectorXf coefficients;
+  ransac.getModelCoefficients(coefficients);
+  return coefficients;
+}
+
+/** Least squares. \return false, and nothing changed, if it has no solution */
+bool
+optimize(const Model& model, const pcl::Indices& indices, VectorXf& coefficients)
+{
+  VectorXf refined;
+  model.optimizeModelCoefficients(indices, coefficients, refined);
+  if (!refined.allFinite())
+    return false;
+  coefficients = refined;
+  return true;
+}
+
+ShapePrimitive
+primitiveOf(const PrimitiveSample& sample,
+            PrimitiveType type,
+            const VectorXf& coefficients)
+{
+  ShapePrimitive primitive;
+  primitive.type = type;
+  primitive.coefficients.assign(coefficients.data(),
+                                coefficients.data() + coefficients.size());
+  normalize(primitive);
+  double sum = 0.0;
+  for (const Point& point : *sample.points) {
+    const Vector3f p = point.getVector3fMap();
+    sum += (footOn(primitive, p) - p).squaredNorm();
+  }
+  primitive.residual =
+      static_cast<float>(std::sqrt(sum / static_cast<double>(sample.points->size())));
+  return primitive;
+}
+
+} // namespace
 
 void
 enlarge(float times, ShapePrimitive& primitive)
@@ -94,140 +184,51 @@ normalOf(const ShapePrimitive& primitive, const Vector3f& point)
   }
 }
 
-namespace {
-
-using Eigen::Vector3f;
-using Model = pcl::SampleConsensusModel<pcl::PointXYZ>;
-
-// doc/instances.md has the reason of each number.
-constexpr int most_iterations = 500;
-constexpr double normal_weight = 0.0; // PCL would add radians to metres
-constexpr std::array<double, 3> tightening{2.0, 1.0, 1.0};
-
-/** The longest distance in the box around the points: no larger radius can be told from
- * a plane. */
-double
-extentOf(const PrimitiveSample::Points& points)
-{
-  Eigen::Array3f low = points.front().getArray3fMap(), high = low;
-  for (const pcl::PointXYZ& point : points) {
-    low = low.min(point.getArray3fMap());
-    high = high.max(point.getArray3fMap());
-  }
-  return (high - low).matrix().norm();
-}
-
-Model::Ptr
-modelOf(const PrimitiveSample& sample, PrimitiveType type)
-{
-  if (type == PrimitiveType::Plane)
-    return pcl::make_shared<pcl::SampleConsensusModelPlane<pcl::PointXYZ>>(
-        sample.points);
-  Model::Ptr model;
-  if (type == PrimitiveType::Sphere) {
-    model =
-        pcl::make_shared<pcl::SampleConsensusModelSphere<pcl::PointXYZ>>(sample.points);
-  }
-  else {
-    const auto cylinder =
-        pcl::make_shared<pcl::SampleConsensusModelCylinder<pcl::PointXYZ, pcl::Normal>>(
-            sample.points);
-    cylinder->setInputNormals(sample.normals);
-    cylinder->setNormalDistanceWeight(normal_weight);
-    model = cylinder;
-  }
-  return model;
-}
-
-float
-residualOf(const ShapePrimitive& primitive, const PrimitiveSample::Points& points)
-{
-  double sum = 0.0;
-  for (const pcl::PointXYZ& point : points) {
-    const Vector3f p = point.getVector3fMap();
-    sum += (footOn(primitive, p) - p).squaredNorm();
-  }
-  return static_cast<float>(std::sqrt(sum / static_cast<double>(points.size())));
-}
-
-} // namespace
-
 ShapePrimitive
 fitTo(const PrimitiveSample& sample, PrimitiveType type)
 {
   const Model::Ptr model = modelOf(sample, type);
   const double extent = extentOf(*sample.points);
-  if (type != PrimitiveType::Plane)
+  const bool is_plane = type == PrimitiveType::Plane; // three points determine it
+  if (!is_plane)
     model->setRadiusLimits(0.0, extent);
-  const bool is_exact = type == PrimitiveType::Plane; // three points give it
-  const double first = is_exact ? sample.tolerance : sample.first_tolerance;
-  pcl::RandomSampleConsensus<pcl::PointXYZ> ransac(model, first);
-  ransac.setMaxIterations(most_iterations);
-  ShapePrimitive primitive;
-  if (!ransac.computeModel(0))
-    return primitive;
-  Eigen::VectorXf coefficients;
+  const double first = is_plane ? sample.tolerance : sample.first_tolerance;
+  std::optional<VectorXf> coefficients = drawn(model, first);
+  if (!coefficients)
+    return {};
   pcl::Indices inliers;
-  ransac.getModelCoefficients(coefficients);
   for (const double times : tightening) {
     const double tolerance = std::min(first, times * sample.tolerance);
-    model->selectWithinDistance(coefficients, tolerance, inliers);
-    Eigen::VectorXf refined;
-    model->optimizeModelCoefficients(inliers, coefficients, refined);
-    if (!refined.allFinite())
+    model->selectWithinDistance(*coefficients, tolerance, inliers);
+    if (!optimize(*model, inliers, *coefficients))
       break;
-    coefficients = refined;
   }
-  primitive.type = type;
-  primitive.coefficients.assign(coefficients.data(),
-                                coefficients.data() + coefficients.size());
-  normalize(primitive);
-  if (type != PrimitiveType::Plane && primitive.coefficients.back() > extent)
-    return {};
-  primitive.residual = residualOf(primitive, *sample.points);
-  return primitive;
+  const ShapePrimitive primitive = primitiveOf(sample, type, *coefficients);
+  const bool is_too_large = !is_plane && primitive.coefficients.back() > extent;
+  return is_too_large ? ShapePrimitive() : primitive;
 }
 
 void
 refine(const PrimitiveSample& sample, ShapePrimitive& primitive)
 {
-  pcl::Indices all(sample.points->size());
-  std::iota(all.begin(), all.end(), 0);
-  const Eigen::VectorXf coefficients = Eigen::Map<const Eigen::VectorXf>(
+  const Model::Ptr model = modelOf(sample, primitive.type);
+  VectorXf coefficients = Eigen::Map<const VectorXf>(
       primitive.coefficients.data(),
       static_cast<Eigen::Index>(primitive.coefficients.size()));
-  Eigen::VectorXf refined;
-  modelOf(sample, primitive.type)
-      ->optimizeModelCoefficients(all, coefficients, refined);
-  if (!refined.allFinite())
-    return;
-  primitive.coefficients.assign(refined.data(), refined.data() + refined.size());
-  normalize(primitive);
-  primitive.residual = residualOf(primitive, *sample.points);
+  if (optimize(*model, *model->getIndices(), coefficients))
+    primitive = primitiveOf(sample, primitive.type, coefficients);
 }
 
 double
 coneResidual(const PrimitiveSample& sample)
 {
-  const auto model =
-      pcl::make_shared<pcl::SampleConsensusModelCone<pcl::PointXYZ, pcl::Normal>>(
-          sample.points);
-  model->setInputNormals(sample.normals);
-  model->setNormalDistanceWeight(normal_weight);
-  pcl::RandomSampleConsensus<pcl::PointXYZ> ransac(model, sample.first_tolerance);
-  ransac.setMaxIterations(most_iterations);
   constexpr double none = std::numeric_limits<double>::infinity();
-  if (!ransac.computeModel(0))
-    return none;
-  Eigen::VectorXf coefficients, refined;
-  ransac.getModelCoefficients(coefficients);
-  pcl::Indices all(sample.points->size());
-  std::iota(all.begin(), all.end(), 0);
-  model->optimizeModelCoefficients(all, coefficients, refined);
-  if (!refined.allFinite())
+  const Model::Ptr model = modelWithNormals<Cone>(sample);
+  std::optional<VectorXf> coefficients = drawn(model, sample.first_tolerance);
+  if (!coefficients || !optimize(*model, *model->getIndices(), *coefficients))
     return none;
   std::vector<double> distances;
-  model->getDistancesToModel(refined, distances);
+  model->getDistancesToModel(*coefficients, distances);
   double squares = 0.0;
   for (const double distance : distances)
     squares += distance * distance;
