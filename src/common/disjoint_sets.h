@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Sets that are united step by step (union-find).
 
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace pcl::segmentation {
 
-/** \brief A forest whose trees are sets of points; the root is the smallest index. */
+/** \brief A forest whose trees are sets of points; each root is its smallest index. */
 class DisjointSets {
 public:
   explicit DisjointSets(std::size_t size) : parent_(size)

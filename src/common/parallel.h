@@ -53,4 +53,15 @@ parallelForRanges(std::size_t count, unsigned threads, const Body& body)
   });
 }
 
+/** \brief body(i) for i in [0, count), many at a time: for short bodies. */
+template <typename Body>
+void
+parallelForEach(std::size_t count, unsigned threads, const Body& body)
+{
+  parallelForRanges(count, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      body(i);
+  });
+}
+
 } // namespace pcl::kernels

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Silence on PCL's console while models are fitted.
 
 #pragma once
 
@@ -10,52 +10,35 @@
 
 namespace pcl::detail {
 
-/** \brief While there is one, PCL is silent: it reports samples that it rejects as
- * errors, and they are none. The level is the whole process's: the first one keeps it,
- * the last one sets it again, under a lock, which PCL does not take to read it. Make
+/** \brief Silences PCL's console for its lifetime: RANSAC logs rejected samples as
+ * errors. The level belongs to the whole process: the first Quiet saves it and the last
+ * one restores it, under a lock that PCL does not take when it reads the level. Make
  * one around parallel calls, not in them. */
 class Quiet {
 public:
   Quiet()
   {
-    const std::lock_guard<std::mutex> lock(mutex());
-    if (count()++ == 0) {
-      level() = pcl::console::getVerbosityLevel();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (count_++ == 0) {
+      level_ = pcl::console::getVerbosityLevel();
       pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
     }
   }
 
   ~Quiet()
   {
-    const std::lock_guard<std::mutex> lock(mutex());
-    if (--count() == 0)
-      pcl::console::setVerbosityLevel(level());
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (--count_ == 0)
+      pcl::console::setVerbosityLevel(level_);
   }
 
   Quiet(const Quiet&) = delete;
   Quiet& operator=(const Quiet&) = delete;
 
 private:
-  static std::mutex&
-  mutex()
-  {
-    static std::mutex instance;
-    return instance;
-  }
-
-  static int&
-  count()
-  {
-    static int instance = 0;
-    return instance;
-  }
-
-  static pcl::console::VERBOSITY_LEVEL&
-  level()
-  {
-    static pcl::console::VERBOSITY_LEVEL instance{};
-    return instance;
-  }
+  static inline std::mutex mutex_;
+  static inline int count_ = 0;
+  static inline pcl::console::VERBOSITY_LEVEL level_{};
 };
 
 } // namespace pcl::detail

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Medians and other quantiles of floats.
 
 #pragma once
 
@@ -12,22 +12,37 @@
 
 namespace pcl::segmentation {
 
+/** \brief The value that a share (0 to less than 1) of some values is below; there must
+ * be at least one value. */
+inline float
+quantile(std::vector<float> values, double share)
+{
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(
+                                       share * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
 /** \brief The middle one of some values, at least one; the upper one of two. */
 inline float
 median(std::vector<float> values)
 {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return quantile(std::move(values), 0.5);
+}
+
+inline std::vector<float>
+finiteOf(std::vector<float> values)
+{
+  const auto is_unknown = [](float value) { return !std::isfinite(value); };
+  values.erase(std::remove_if(values.begin(), values.end(), is_unknown), values.end());
+  return values;
 }
 
 /** \brief The median of the spacings that are known, 1 if none is. */
 inline float
 medianSpacing(std::vector<float> spacings)
 {
-  const auto is_unknown = [](float spacing) { return !std::isfinite(spacing); };
-  spacings.erase(std::remove_if(spacings.begin(), spacings.end(), is_unknown),
-                 spacings.end());
+  spacings = finiteOf(std::move(spacings));
   return spacings.empty() ? 1.0f : median(std::move(spacings));
 }
 

@@ -1,217 +1,198 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Creases as polylines: crease points thinned to nodes, and nodes joined to chains.
 
 #include "common/statistics.h"
+#include "features/adaptive_inad.h"
 #include "geometry/point_grid.h"
 #include "geometry/polyline.h"
-
-#include "features/adaptive_inad.h"
+#include "geometry/principal_axes.h"
 
 #include <pcl/segmentation/shape_field.h>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <tuple>
 #include <vector>
 
-namespace pcl::segmentation {
-
-/** \brief A place on a crease that stands for the crease points around it. */
-struct CreaseNode {
-  Eigen::Vector3f position;
-  Eigen::Vector3f direction; ///< unit, of either sign
-  float angle = 0.0f;        ///< median of the points it stands for, radians
-  float spacing = 0.0f;      ///< metres
-  float before = 0.0f;       ///< how far its points reach along -direction, metres
-  float beyond = 0.0f;       ///< and along direction
-};
-
-/** \brief Thin crease points to nodes about one spacing apart along each crease.
- *
- * Each point moves across its crease to the middle of the points around it that have
- * its direction; then points are chosen, those in the thick of it first, that keep
- * their distance from each other. The result does not depend on the order of points. */
-std::vector<CreaseNode> creaseNodes(std::vector<CreasePoint> points);
-
+namespace pcl {
 namespace {
 
+using namespace segmentation;
 using Eigen::Matrix3f;
 using Eigen::Vector3f;
 
-// doc/method.md has the reason of each number.
-constexpr float same_direction = 0.866f; // cosine of 30 degrees
-constexpr float smooth_spacings = 1.5f;
-constexpr int smooth_rounds = 2;
-constexpr float apart_spacings = 1.0f;
-constexpr std::size_t least_points = 3; // that a node stands for, itself included
+constexpr float same_crease = 0.866f;     // cosine of 30 degrees between directions
+constexpr float smooth_spacings = 1.5f;   // as wide as a band of crease points
+constexpr int smooth_rounds = 2;          // the band is a line then
+constexpr float apart_spacings = 1.0f;    // between nodes: the detail of the cloud
+constexpr std::size_t min_places = 3;     // that a node stands for: fewer are chance
+constexpr float link_spacings = 6.0f;     // the gaps where too few votes agree
+constexpr float strip_spacings = 0.7f;    // does not turn into the edges of a corner
+constexpr float straight_spacings = 0.5f; // half of what is between nodes
+constexpr float min_spacings = 5.0f;      // the fit of one neighborhood is 4 wide
+constexpr std::uint32_t none = 0xffffffff;
 
-struct Point {
+/** A place on a crease. A node is one that stands for those around it. */
+struct Place {
   Vector3f position;
-  Vector3f direction;
-  float angle = 0.0f;
-  float spacing = 0.0f;
-  std::size_t support = 0; ///< points around it that have its direction
+  Vector3f direction;      ///< unit, of either sign
+  float angle = 0.0f;      ///< of a node the median of its places, radians
+  float spacing = 0.0f;    ///< meters
+  std::size_t support = 0; ///< places around it that have its direction
+  float before = 0.0f;     ///< how far a node's places reach along -direction, meters
+  float beyond = 0.0f;     ///< and along direction
 };
 
-std::vector<Point>
-sorted(std::vector<CreasePoint> creases)
+void
+requireUsable(const std::vector<CreasePoint>& creases)
+{
+  for (std::size_t i = 0; i < creases.size(); ++i) {
+    const CreasePoint& c = creases[i];
+    const auto refuse = [i](const std::string& text) {
+      throw std::invalid_argument("crease point " + std::to_string(i) + ": the " +
+                                  text);
+    };
+    if (!Eigen::Map<const Vector3f>(c.position.data()).allFinite())
+      refuse("position must be finite");
+    const float length = Eigen::Map<const Vector3f>(c.direction.data()).norm();
+    constexpr float rounding = 1e-3f;
+    if (!(std::abs(length - 1.0f) <= rounding))
+      refuse("length of the direction must be 1, it is " + std::to_string(length));
+    constexpr float half_turn = 3.1415928f;
+    if (!(c.angle >= 0.0f && c.angle <= half_turn))
+      refuse("angle must be 0 to pi, it is " + std::to_string(c.angle));
+    if (!(c.spacing > 0.0f && std::isfinite(c.spacing)))
+      refuse("spacing must be a positive number, it is " + std::to_string(c.spacing));
+  }
+}
+
+std::vector<Place>
+sortedPlaces(std::vector<CreasePoint> creases)
 {
   std::sort(creases.begin(), creases.end(), [](const auto& a, const auto& b) {
     return std::tie(a.position, a.direction, a.angle, a.spacing) <
            std::tie(b.position, b.direction, b.angle, b.spacing);
   });
-  std::vector<Point> points;
-  points.reserve(creases.size());
+  std::vector<Place> places;
+  places.reserve(creases.size());
   for (const CreasePoint& crease : creases)
-    points.push_back({Eigen::Map<const Vector3f>(crease.position.data()),
+    places.push_back({Eigen::Map<const Vector3f>(crease.position.data()),
                       Eigen::Map<const Vector3f>(crease.direction.data()),
                       crease.angle,
-                      crease.spacing,
-                      0});
-  return points;
+                      crease.spacing});
+  return places;
 }
 
 PointGrid
-gridOf(const std::vector<Point>& points)
+gridOf(const std::vector<Place>& places, float spacings)
 {
-  float most = 0.0f;
-  for (const Point& point : points)
-    most = std::max(most, point.spacing);
-  return PointGrid(
-      {points[0].position.data(), sizeof(Point) / sizeof(float), points.size()},
-      smooth_spacings * most);
+  float max_spacing = 0.0f;
+  for (const Place& place : places)
+    max_spacing = std::max(max_spacing, place.spacing);
+  return {positionsOf(places), spacings * max_spacing};
 }
 
-/** visit(index) for the points around one that have its direction, itself included. */
+/** visit(index) for the places around one that have its direction, itself included. */
 template <typename Visit>
 void
-forEachAlong(const std::vector<Point>& points,
+forEachAlong(const std::vector<Place>& places,
              const PointGrid& grid,
-             const Point& center,
+             const Place& center,
              float spacings,
              const Visit& visit)
 {
   grid.forEachWithin(
       center.position, spacings * center.spacing, [&](std::uint32_t k, float) {
-        if (std::abs(points[k].direction.dot(center.direction)) > same_direction)
+        if (std::abs(places[k].direction.dot(center.direction)) > same_crease)
           visit(k);
       });
 }
 
-/** The point moved to the middle of those around it, across their common direction. */
-Point
-centered(const std::vector<Point>& points, const PointGrid& grid, Point point)
+/** The place moved to the middle of those around it, across their common direction. */
+Place
+centered(const std::vector<Place>& places, const PointGrid& grid, Place place)
 {
   Vector3f sum = Vector3f::Zero();
   Matrix3f directions = Matrix3f::Zero();
-  point.support = 0;
-  forEachAlong(points, grid, point, smooth_spacings, [&](std::uint32_t k) {
-    sum += points[k].position - point.position;
-    directions += points[k].direction * points[k].direction.transpose();
-    ++point.support;
+  place.support = 0;
+  forEachAlong(places, grid, place, smooth_spacings, [&](std::uint32_t k) {
+    sum += places[k].position - place.position;
+    directions += places[k].direction * places[k].direction.transpose();
+    ++place.support;
   });
-  if (point.support == 0)
-    return point;
-  Eigen::SelfAdjointEigenSolver<Matrix3f> solver;
-  solver.computeDirect(directions);
-  point.direction = solver.eigenvectors().col(2);
-  sum /= static_cast<float>(point.support);
-  point.position += sum - sum.dot(point.direction) * point.direction;
-  return point;
+  if (place.support == 0)
+    return place;
+  place.direction = principalAxis(directions, 2);
+  sum /= static_cast<float>(place.support);
+  place.position += sum - sum.dot(place.direction) * place.direction;
+  return place;
 }
 
-std::vector<Point>
-centered(const std::vector<Point>& points)
+std::vector<Place>
+centered(const std::vector<Place>& places)
 {
-  const PointGrid grid = gridOf(points);
-  std::vector<Point> moved;
-  moved.reserve(points.size());
-  for (const Point& point : points)
-    moved.push_back(centered(points, grid, point));
+  const PointGrid grid = gridOf(places, smooth_spacings);
+  std::vector<Place> moved;
+  moved.reserve(places.size());
+  for (const Place& place : places)
+    moved.push_back(centered(places, grid, place));
   return moved;
 }
 
-/** The indices of points, those with the most support first. */
-std::vector<std::size_t>
-bySupport(const std::vector<Point>& points)
-{
-  std::vector<std::size_t> order(points.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-    order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return points[a].support > points[b].support;
-  });
-  return order;
-}
-
-/** What a chosen point stands for: all points around it, as they were measured. */
-CreaseNode
-nodeOf(const std::vector<Point>& points,
+/** A node of the places around it. */
+Place
+nodeOf(const std::vector<Place>& places,
        const std::vector<std::uint32_t>& around,
-       const Point& chosen)
+       Place node)
 {
-  CreaseNode node{chosen.position, chosen.direction, 0.0f, chosen.spacing, 0.0f, 0.0f};
   std::vector<float> angles;
   for (const std::uint32_t k : around) {
-    const float along = (points[k].position - node.position).dot(node.direction);
+    const float along = (places[k].position - node.position).dot(node.direction);
     node.before = std::max(node.before, -along);
     node.beyond = std::max(node.beyond, along);
-    angles.push_back(points[k].angle);
+    angles.push_back(places[k].angle);
   }
   node.angle = median(std::move(angles));
   return node;
 }
 
-} // namespace
-
-std::vector<CreaseNode>
-creaseNodes(std::vector<CreasePoint> creases)
+/** Thin crease points to nodes about one spacing apart along each crease: places move
+ * to the middle of their crease, then those in the thick of it are chosen first. */
+std::vector<Place>
+creaseNodes(const std::vector<CreasePoint>& creases)
 {
-  std::vector<CreaseNode> nodes;
-  if (creases.empty())
-    return nodes;
-  std::vector<Point> points = sorted(std::move(creases));
+  std::vector<Place> places = sortedPlaces(creases);
   for (int round = 0; round < smooth_rounds; ++round)
-    points = centered(points);
-  const PointGrid grid = gridOf(points);
-  std::vector<char> is_taken(points.size(), 0);
+    places = centered(places);
+  std::vector<std::size_t> by_support(places.size());
+  std::iota(by_support.begin(), by_support.end(), std::size_t{0});
+  std::stable_sort(by_support.begin(), by_support.end(), [&](auto a, auto b) {
+    return places[a].support > places[b].support;
+  });
+  const PointGrid grid = gridOf(places, smooth_spacings);
+  std::vector<Place> nodes;
+  std::vector<char> is_taken(places.size(), 0);
   std::vector<std::uint32_t> around;
-  for (const std::size_t i : bySupport(points)) {
+  for (const std::size_t i : by_support) {
     if (is_taken[i])
       continue;
     around.clear();
-    forEachAlong(points, grid, points[i], apart_spacings, [&](std::uint32_t k) {
+    forEachAlong(places, grid, places[i], apart_spacings, [&](std::uint32_t k) {
       around.push_back(k);
       is_taken[k] = 1;
     });
-    if (around.size() >= least_points)
-      nodes.push_back(nodeOf(points, around, points[i]));
+    if (around.size() >= min_places)
+      nodes.push_back(nodeOf(places, around, places[i]));
   }
   return nodes;
 }
-
-} // namespace pcl::segmentation
-
-namespace pcl {
-namespace {
-
-using namespace segmentation;
-using Eigen::Vector3f;
-
-// doc/method.md has the reason of each number.
-constexpr float link_spacings = 6.0f;
-constexpr float strip_spacings = 0.7f;
-constexpr float same_direction = 0.866f; // cosine of 30 degrees
-constexpr float least_spacings = 5.0f;
-constexpr float straight_spacings = 0.5f;
-constexpr std::uint32_t none = 0xffffffff;
 
 /** Two nodes that may follow each other, and on which side of each the other is. */
 struct Link {
@@ -226,7 +207,7 @@ using Links = std::vector<std::array<std::uint32_t, 2>>;
 /** True if an offset from a node stays in a strip along its direction, ahead of it
  * or behind it rather than beside it. */
 bool
-isOnCourse(const CreaseNode& node, const Vector3f& offset)
+isOnCourse(const Place& node, const Vector3f& offset)
 {
   const float along = std::abs(offset.dot(node.direction));
   const float across = offset.cross(node.direction).norm();
@@ -234,22 +215,17 @@ isOnCourse(const CreaseNode& node, const Vector3f& offset)
 }
 
 std::vector<Link>
-possibleLinks(const std::vector<CreaseNode>& nodes)
+possibleLinks(const std::vector<Place>& nodes)
 {
-  float most = 0.0f;
-  for (const CreaseNode& node : nodes)
-    most = std::max(most, node.spacing);
-  const PointGrid grid(
-      {nodes[0].position.data(), sizeof(CreaseNode) / sizeof(float), nodes.size()},
-      link_spacings * most);
+  const PointGrid grid = gridOf(nodes, link_spacings);
   std::vector<Link> links;
   for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-    const CreaseNode& a = nodes[i];
+    const Place& a = nodes[i];
     grid.forEachWithin(
         a.position, link_spacings * a.spacing, [&](std::uint32_t k, float) {
-          const CreaseNode& b = nodes[k];
+          const Place& b = nodes[k];
           const Vector3f offset = b.position - a.position;
-          if (k > i && std::abs(a.direction.dot(b.direction)) > same_direction &&
+          if (k > i && std::abs(a.direction.dot(b.direction)) > same_crease &&
               isOnCourse(a, offset) && isOnCourse(b, offset))
             links.push_back({offset.norm() / a.spacing,
                              i,
@@ -266,7 +242,7 @@ possibleLinks(const std::vector<CreaseNode>& nodes)
 
 /** The shortest links first, one at each side of a node. */
 Links
-chooseLinks(const std::vector<CreaseNode>& nodes)
+chooseLinks(const std::vector<Place>& nodes)
 {
   Links chosen(nodes.size(), {none, none});
   for (const Link& link : possibleLinks(nodes)) {
@@ -318,14 +294,14 @@ chainsOf(const Links& links)
 
 /** The end of a chain, moved outwards to where the crease points of its node end. */
 Vector3f
-endOf(const CreaseNode& end, const CreaseNode& inner)
+endOf(const Place& end, const Place& inner)
 {
   const bool is_along = (end.position - inner.position).dot(end.direction) > 0.0f;
   return end.position + (is_along ? end.beyond : -end.before) * end.direction;
 }
 
 CreaseLine
-lineOf(const std::vector<CreaseNode>& nodes, const std::vector<std::uint32_t>& chain)
+lineOf(const std::vector<Place>& nodes, const std::vector<std::uint32_t>& chain)
 {
   std::vector<Vector3f> positions;
   std::vector<float> angles, spacings;
@@ -349,42 +325,17 @@ lineOf(const std::vector<CreaseNode>& nodes, const std::vector<std::uint32_t>& c
   return line;
 }
 
-void
-requireUsable(const std::vector<CreasePoint>& creases)
-{
-  for (std::size_t i = 0; i < creases.size(); ++i) {
-    const CreasePoint& c = creases[i];
-    const auto refuse = [i](const std::string& what, const std::string& allowed) {
-      throw std::invalid_argument("crease point " + std::to_string(i) + ": " + what +
-                                  ": allowed is " + allowed);
-    };
-    if (!Eigen::Map<const Vector3f>(c.position.data()).allFinite())
-      refuse("the position is not finite", "a finite one");
-    const float norm = Eigen::Map<const Vector3f>(c.direction.data()).norm();
-    constexpr float rounding = 1e-3f;
-    if (!(std::abs(norm - 1.0f) <= rounding))
-      refuse("the direction is " + std::to_string(norm) + " long", "1");
-    constexpr float half_turn = 3.1415928f;
-    if (!(c.angle >= 0.0f && c.angle <= half_turn))
-      refuse("the angle is " + std::to_string(c.angle), "0 to pi");
-    if (!(c.spacing > 0.0f && std::isfinite(c.spacing)))
-      refuse("the spacing is " + std::to_string(c.spacing), "a positive number");
-  }
-}
-
 } // namespace
 
 std::vector<CreaseLine>
 creaseLines(const std::vector<CreasePoint>& creases)
 {
   requireUsable(creases);
+  const std::vector<Place> nodes = creaseNodes(creases);
   std::vector<CreaseLine> lines;
-  const std::vector<CreaseNode> nodes = creaseNodes(creases);
-  if (nodes.empty())
-    return lines;
   for (const auto& chain : chainsOf(chooseLinks(nodes))) {
     CreaseLine line = lineOf(nodes, chain);
-    if (line.length >= least_spacings * line.spacing)
+    if (line.length >= min_spacings * line.spacing)
       lines.push_back(std::move(line));
   }
   std::stable_sort(lines.begin(), lines.end(), [](const auto& a, const auto& b) {

@@ -1,54 +1,57 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Votes of points near creases for where these run, and the places that votes agree on.
 
 #include "edges/crease_votes.h"
 
 #include "common/parallel.h"
+#include "geometry/principal_axes.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace pcl::segmentation {
 namespace {
 
+using detail::FieldInput;
 using Eigen::Matrix3f;
 using Eigen::Vector3f;
-using Vectors = std::vector<Vector3f>;
 
-constexpr int normal_rounds = 3; // they only give the planes a start
-constexpr int plane_rounds = 5;  // few neighborhoods change after that
-constexpr int least_points = 5;
-constexpr float parallel = 0.05f; // sine
+// Evidence is the logarithm of density(edge) / density(surface).
+constexpr float candidate_evidence = 0.7f; // twice as likely as not
+constexpr float max_evidence = 4.0f;       // 55 to 1: no point alone decides
+// Twice the radius of INAD: clean surface on both sides of the edge.
+constexpr float fit_spacings = 2.0f, fit_per_noise = 10.0f;
+constexpr std::size_t fit_points = 40; // more gave nothing
+constexpr int normal_rounds = 3;       // they only give the planes a start
+constexpr int plane_rounds = 5;        // few neighborhoods change after that
+constexpr int min_plane_points = 5;    // fewer are no plane, as for normals
+constexpr float parallel = 0.05f;      // sine, 3 degrees: the line is anywhere
+// Radians. A surface that curves with twice the fit's radius looks like less.
+constexpr float min_angle = 0.5f;
+constexpr float vote_spacings = 0.6f; // the votes of a crease's band are on one line
 constexpr float half_turn = 3.14159265f;
 
-struct Plane {
-  Vector3f center = Vector3f::Zero();
-  Vector3f normal = Vector3f::Zero();
-  int points = 0;
-
-  float
-  distance(const Vector3f& point) const
-  {
-    return std::abs(normal.dot(point - center));
-  }
+/** A neighborhood about its center in units of the spacing there. */
+struct Patch {
+  std::vector<Vector3f> points;
+  std::vector<Vector3f> normals; ///< unit, of either sign
 };
 
-/** The eigenvector of the smallest (0) or largest (2) eigenvalue. */
-Vector3f
-eigenvector(const Matrix3f& matrix, int which)
-{
-  Eigen::SelfAdjointEigenSolver<Matrix3f> solver;
-  solver.computeDirect(matrix);
-  return solver.eigenvectors().col(which);
-}
+/** The line where the two planes of a patch meet. */
+struct CreaseFit {
+  Vector3f foot;      ///< the point nearest to the center
+  Vector3f direction; ///< unit
+  float angle = 0.0f; ///< between the planes' normals, 0 to pi/2
+  float turn = 0.0f;  ///< by which the surface turns there, 0 to pi
+};
 
 /** The normal that differs most from a direction. */
 Vector3f
-farthestFrom(const Vector3f& direction, const Vectors& normals)
+farthestFrom(const Vector3f& direction, const std::vector<Vector3f>& normals)
 {
   return *std::min_element(
       normals.begin(), normals.end(), [&](const Vector3f& a, const Vector3f& b) {
@@ -56,14 +59,14 @@ farthestFrom(const Vector3f& direction, const Vectors& normals)
       });
 }
 
-/** Which of two groups each normal is in. */
+/** Which of two groups each normal is in; they start from the two that differ most. */
 std::vector<char>
-groupNormals(const Vectors& normals)
+groupNormals(const std::vector<Vector3f>& normals)
 {
   Matrix3f all = Matrix3f::Zero();
   for (const Vector3f& n : normals)
     all += n * n.transpose();
-  Vector3f first = farthestFrom(eigenvector(all, 2), normals);
+  Vector3f first = farthestFrom(principalAxis(all, 2), normals);
   Vector3f second = farthestFrom(first, normals);
   std::vector<char> group(normals.size());
   for (int round = 0; round < normal_rounds; ++round) {
@@ -72,37 +75,24 @@ groupNormals(const Vectors& normals)
       group[i] = std::abs(normals[i].dot(second)) > std::abs(normals[i].dot(first));
       (group[i] ? of_second : of_first) += normals[i] * normals[i].transpose();
     }
-    first = eigenvector(of_first, 2);
-    second = eigenvector(of_second, 2);
+    first = principalAxis(of_first, 2);
+    second = principalAxis(of_second, 2);
   }
   return group;
 }
 
-Plane
-planeOf(const Vectors& points, const std::vector<char>& group, char which)
+Plane<float>
+planeOf(const std::vector<Vector3f>& points, const std::vector<char>& group, char which)
 {
-  Plane plane;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (group[i] == which) {
-      plane.center += points[i];
-      ++plane.points;
-    }
-  }
-  if (plane.points < least_points)
-    return plane;
-  plane.center /= static_cast<float>(plane.points);
-  Matrix3f covariance = Matrix3f::Zero();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vector3f d = points[i] - plane.center;
-    if (group[i] == which)
-      covariance += d * d.transpose();
-  }
-  plane.normal = eigenvector(covariance, 0);
-  return plane;
+  return fitPlane<float>([&](const auto& visit) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (group[i] == which)
+        visit(points[i]);
+  });
 }
 
 std::optional<CreaseFit>
-intersection(const Plane& a, const Plane& b)
+intersection(const Plane<float>& a, const Plane<float>& b)
 {
   CreaseFit crease;
   crease.direction = a.normal.cross(b.normal);
@@ -122,20 +112,22 @@ intersection(const Plane& a, const Plane& b)
   return crease;
 }
 
-} // namespace
-
+/** Fit two planes by turns: each point to the nearer plane, each plane to its points
+ * (k-planes, after Bradley and Mangasarian, "k-Plane Clustering", 2000). */
 std::optional<CreaseFit>
-fitCrease(const Vectors& points, const Vectors& normals)
+fitCrease(const Patch& patch)
 {
-  if (points.size() < 2 * least_points)
+  const std::vector<Vector3f>& points = patch.points;
+  if (points.size() < 2 * min_plane_points)
     return std::nullopt;
-  std::vector<char> group = groupNormals(normals);
-  Plane first, second;
+  std::vector<char> group = groupNormals(patch.normals);
+  Plane<float> first, second;
   for (int round = 0; round < plane_rounds; ++round) {
+    if (std::count(group.begin(), group.end(), 0) < min_plane_points ||
+        std::count(group.begin(), group.end(), 1) < min_plane_points)
+      return std::nullopt;
     first = planeOf(points, group, 0);
     second = planeOf(points, group, 1);
-    if (first.points < least_points || second.points < least_points)
-      return std::nullopt;
     bool changed = false;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const char nearer = second.distance(points[i]) < first.distance(points[i]);
@@ -148,67 +140,41 @@ fitCrease(const Vectors& points, const Vectors& normals)
   return intersection(first, second);
 }
 
-namespace {
-
-using detail::FieldInput;
-using Eigen::Vector3f;
-
-// Evidence is the logarithm of density(edge) / density(surface). doc/method.md has the
-// reason of each number.
-constexpr float candidate_evidence = 0.7f; // twice as likely as not
-constexpr float most_evidence = 4.0f;      // no point alone decides
-constexpr float fit_spacings = 2.0f, fit_per_noise = 10.0f;
-constexpr std::size_t fit_points = 40;
-constexpr float least_angle = 0.5f; // radians
-constexpr float vote_spacings = 0.6f;
-
-/** The neighborhood of a candidate in units of its spacing, thinned out. */
+/** Some of the points that were found around a candidate. */
 void
-collect(const FieldInput& input,
-        const ShapeField& edges,
-        const std::vector<std::uint32_t>& found,
-        std::size_t center,
-        std::vector<Vector3f>& points,
-        std::vector<Vector3f>& normals)
+fillPatch(const FieldInput& input,
+          const ShapeField& edges,
+          const std::vector<std::uint32_t>& found,
+          std::size_t center,
+          Patch& patch)
 {
-  points.clear();
-  normals.clear();
+  patch.points.clear();
+  patch.normals.clear();
   const std::size_t step = std::max<std::size_t>(1, found.size() / fit_points);
   const Vector3f origin = positionOf(input.points, center);
   for (std::size_t k = 0; k < found.size(); k += step) {
-    const Vector3f normal =
-        edges.normals[std::size_t{found[k]}];
+    const Vector3f normal = edges.normals[found[k]];
     if (normal.allFinite()) {
-      points.emplace_back((positionOf(input.points, found[k]) - origin) /
-                          edges.spacings[center]);
-      normals.push_back(normal);
+      patch.points.emplace_back((positionOf(input.points, found[k]) - origin) /
+                                edges.spacings[center]);
+      patch.normals.push_back(normal);
     }
   }
 }
 
-std::vector<std::size_t>
-candidates(const std::vector<float>& evidence)
-{
-  std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < evidence.size(); ++i)
-    if (evidence[i] > candidate_evidence)
-      chosen.push_back(i);
-  return chosen;
-}
-
 Agreement
-agreementAround(const Vote& vote, const std::vector<Vote>& votes, const PointGrid& feet)
+agreementAround(const Vote& vote, const std::vector<Vote>& votes, const PointGrid& grid)
 {
   Vector3f sum = Vector3f::Zero();
   float count = 0.0f;
   Agreement result;
-  feet.forEachWithin(
-      vote.foot, vote_spacings * vote.spacing, [&](std::uint32_t k, float) {
-        sum += votes[k].foot - vote.foot;
+  grid.forEachWithin(
+      vote.position, vote_spacings * vote.spacing, [&](std::uint32_t k, float) {
+        sum += votes[k].position - vote.position;
         count += 1.0f;
         result.evidence += votes[k].evidence;
       });
-  const Vector3f mean = vote.foot + sum / std::max(count, 1.0f);
+  const Vector3f mean = vote.position + sum / std::max(count, 1.0f);
   result.point = {{mean.x(), mean.y(), mean.z()},
                   {vote.direction.x(), vote.direction.y(), vote.direction.z()},
                   vote.angle,
@@ -230,35 +196,36 @@ collectVotes(const FieldInput& input,
              const std::vector<float>& evidence,
              const PointGrid& grid)
 {
-  const std::vector<std::size_t> chosen = candidates(evidence);
+  std::vector<std::size_t> candidates;
+  for (std::size_t i = 0; i < evidence.size(); ++i)
+    if (evidence[i] > candidate_evidence)
+      candidates.push_back(i);
   const float reach = fitSpacings(edges.noise);
-  std::vector<Vote> votes(chosen.size());
+  std::vector<Vote> votes(candidates.size());
   kernels::parallelForRanges(
-      chosen.size(), input.threads, [&](std::size_t begin, std::size_t end) {
+      candidates.size(), input.threads, [&](std::size_t begin, std::size_t end) {
         std::vector<std::uint32_t> found;
-        std::vector<Vector3f> points, normals;
+        Patch patch;
         for (std::size_t v = begin; v < end; ++v) {
-          const std::size_t i = chosen[v];
+          const std::size_t i = candidates[v];
           const float spacing = edges.spacings[i];
           const Vector3f center = positionOf(input.points, i);
           found.clear();
           grid.forEachWithin(center, reach * spacing, [&](std::uint32_t j, float) {
             found.push_back(j);
           });
-          collect(input, edges, found, i, points, normals);
-          const auto crease = fitCrease(points, normals);
-          if (crease && crease->angle >= least_angle && crease->foot.norm() <= reach)
+          fillPatch(input, edges, found, i, patch);
+          const auto crease = fitCrease(patch);
+          if (crease && crease->angle >= min_angle && crease->foot.norm() <= reach)
             votes[v] = {center + spacing * crease->foot,
                         crease->direction,
                         crease->turn,
-                        std::min(most_evidence, evidence[i]),
+                        std::min(max_evidence, evidence[i]),
                         spacing};
         }
       });
-  votes.erase(std::remove_if(votes.begin(),
-                             votes.end(),
-                             [](const Vote& v) { return v.evidence == 0.0f; }),
-              votes.end());
+  const auto is_none = [](const Vote& vote) { return vote.evidence == 0.0f; };
+  votes.erase(std::remove_if(votes.begin(), votes.end(), is_none), votes.end());
   return votes;
 }
 
@@ -266,15 +233,10 @@ std::vector<Agreement>
 countVotes(const std::vector<Vote>& votes, float spacing, unsigned threads)
 {
   std::vector<Agreement> agreements(votes.size());
-  if (votes.empty())
-    return agreements;
-  const XYZView feet{votes[0].foot.data(), sizeof(Vote) / sizeof(float), votes.size()};
-  const PointGrid grid(feet, vote_spacings * spacing);
-  kernels::parallelForRanges(
-      votes.size(), threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-          agreements[i] = agreementAround(votes[i], votes, grid);
-      });
+  const PointGrid grid(positionsOf(votes), vote_spacings * spacing);
+  kernels::parallelForEach(votes.size(), threads, [&](std::size_t i) {
+    agreements[i] = agreementAround(votes[i], votes, grid);
+  });
   return agreements;
 }
 

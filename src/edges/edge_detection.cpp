@@ -3,9 +3,11 @@
 // Finds the creases of a cloud: candidates by INAD, votes for where two planes meet.
 
 #include "edges/edge_detection.h"
+
 #include "common/parallel.h"
 #include "common/statistics.h"
 #include "edges/crease_votes.h"
+#include "edges/edge_band.h"
 #include "features/class_evidence.h"
 #include "geometry/point_grid.h"
 
@@ -18,18 +20,17 @@ namespace {
 using namespace segmentation;
 using Eigen::Vector3f;
 
-// Evidence is the logarithm of density(edge) / density(surface). doc/method.md has the
-// reason of each number.
+// Evidence is the logarithm of density(edge) / density(surface). A crease needs the
+// votes of some ten points; noise spreads chance votes, so that it takes more to agree.
 constexpr float needed_evidence = 20.0f;
 constexpr float needed_per_noise = 5.0f;
-constexpr float band_spacings = 1.02f, band_per_noise = 4.0f;
 
 /** Sets normals, and gives the evidence at each point. */
 std::vector<float>
 evidenceOf(const FieldInput& input, const ShapeModel& model, ShapeField& field)
 {
-  AdaptiveINAD inad = adaptiveINAD(
-      input, field.spacings, withNoise(model.parameters(), field.noise));
+  AdaptiveINAD inad =
+      adaptiveINAD(input, field.spacings, withNoise(model.parameters(), field.noise));
   field.normals = std::move(inad.normals);
   const ShapeEvidence densities(model);
   std::vector<float> evidence(input.points.size);
@@ -51,7 +52,7 @@ markBands(const std::vector<Agreement>& agreements,
           ShapeField& field)
 {
   const auto noise = static_cast<float>(field.noise);
-  const float band = band_spacings + band_per_noise * noise;
+  const float band = edgeBand(field.noise);
   const float needed = needed_evidence * (1.0f + needed_per_noise * noise);
   for (const Agreement& agreement : agreements) {
     const Vector3f center = Eigen::Map<const Vector3f>(agreement.point.position.data());

@@ -1,91 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// What kind of edge each point is: a crease, a corner or an open boundary.
 
 #include "edges/edge_types.h"
 
 #include "common/finite.h"
 #include "common/parallel.h"
+#include "common/statistics.h"
 #include "edges/crease_votes.h"
-#include "geometry/point_grid.h"
-
-#include "features/adaptive_inad.h"
-
-#include <pcl/segmentation/shape_field.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <bitset>
 #include <cmath>
-
-namespace pcl::segmentation {
-namespace {
-
-using Eigen::Vector3f;
-
-// doc/method.md has the reason of each number.
-constexpr float around_fits = 0.75f; // where fits see all faces of a corner
-constexpr float ring_fits = 2.0f;    // and one to two, where they see two
-constexpr float line_spacings = 1.5f;
-constexpr float other_direction = 0.7071f; // cosine of 45 degrees
-constexpr std::size_t least_points = 3;    // of each of a corner's creases
-
-/** True if so many of them are more than 45 degrees from so many others. */
-bool
-differ(const std::vector<Vector3f>& directions)
-{
-  return std::any_of(directions.begin(), directions.end(), [&](const Vector3f& one) {
-    std::size_t along = 0, across = 0;
-    for (const Vector3f& other : directions)
-      ++(std::abs(one.dot(other)) > other_direction ? along : across);
-    return std::min(along, across) >= least_points;
-  });
-}
-
-} // namespace
-
-CreaseCorners::CreaseCorners(const ShapeField& edges)
-: creases_(edges.creases)
-, fit_(fitSpacings(edges.noise))
-, grid_(positionsOf(creases_),
-        fit_ * *std::max_element(edges.spacings.begin(), edges.spacings.end()))
-{}
-
-CreaseCorners::Directions
-CreaseCorners::around(const Vector3f& center, float reach) const
-{
-  Directions directions;
-  grid_.forEachWithin(center, reach, [&](std::uint32_t k, float) {
-    directions.push_back(Eigen::Map<const Vector3f>(creases_[k].direction.data()));
-  });
-  return directions;
-}
-
-CreaseCorners::Directions
-CreaseCorners::leadingTo(const Vector3f& center, float spacing) const
-{
-  const float inner = fit_ * spacing;
-  const float off = line_spacings * spacing;
-  Directions directions;
-  grid_.forEachWithin(center, ring_fits * inner, [&](std::uint32_t k, float d2) {
-    const Vector3f direction = Eigen::Map<const Vector3f>(creases_[k].direction.data());
-    const Vector3f position = Eigen::Map<const Vector3f>(creases_[k].position.data());
-    const bool leads = direction.cross(position - center).squaredNorm() < off * off;
-    if (d2 > inner * inner && leads)
-      directions.push_back(direction);
-  });
-  return directions;
-}
-
-bool
-CreaseCorners::areAt(const Vector3f& center, float spacing) const
-{
-  return differ(around(center, around_fits * fit_ * spacing)) &&
-         differ(leadingTo(center, spacing));
-}
-
-} // namespace pcl::segmentation
 
 namespace pcl::detail {
 namespace {
@@ -93,10 +20,61 @@ namespace {
 using namespace segmentation;
 using Eigen::Vector3f;
 
-// doc/method.md has the reason of each number.
+// A corner needs creases that differ near it, where fits see all of its faces ...
+constexpr float near_fits = 0.75f;
+// ... and creases that differ leading there from one to two fits away, where fits see
+// two faces and directions are right,
+constexpr float far_fits = 2.0f;
+// within the width of a crease's places.
+constexpr float line_spacings = 1.5f;
+constexpr float other_direction = 0.7071f; // cosine of 45 degrees
+constexpr std::size_t min_places = 3;      // of each direction: fewer are chance
+// 6 of 16 sectors are 135 degrees: a straight end of the surface leaves 180 degrees
+// empty, random gaps inside about 30.
 constexpr float boundary_spacings = 2.5f;
-constexpr unsigned sectors = 16;
-constexpr unsigned empty_sectors = 6; // 135 degrees
+constexpr unsigned sectors = 16, empty_sectors = 6;
+
+using Directions = std::vector<Vector3f>;
+
+/** True if so many of them are more than 45 degrees from so many others. */
+bool
+differ(const Directions& directions)
+{
+  return std::any_of(directions.begin(), directions.end(), [&](const Vector3f& one) {
+    std::size_t along = 0, across = 0;
+    for (const Vector3f& other : directions)
+      ++(std::abs(one.dot(other)) > other_direction ? along : across);
+    return std::min(along, across) >= min_places;
+  });
+}
+
+/** True where creases of clearly different directions meet.
+ * \param[in] creases grid of the places of edges.creases */
+bool
+isCorner(const ShapeField& edges, const PointGrid& creases, std::size_t i)
+{
+  const Vector3f center = positionOf(edges.points, i);
+  const float fit = fitSpacings(edges.noise) * edges.spacings[i];
+  const float off = line_spacings * edges.spacings[i];
+  const auto direction = [&](std::uint32_t k) {
+    return Vector3f(Eigen::Map<const Vector3f>(edges.creases[k].direction.data()));
+  };
+  Directions near;
+  creases.forEachWithin(center,
+                        near_fits * fitSpacings(edges.noise) * edges.spacings[i],
+                        [&](std::uint32_t k, float) { near.push_back(direction(k)); });
+  if (!differ(near))
+    return false;
+  Directions leading;
+  creases.forEachWithin(center, far_fits * fit, [&](std::uint32_t k, float d2) {
+    const Vector3f position =
+        Eigen::Map<const Vector3f>(edges.creases[k].position.data());
+    const Vector3f along = direction(k);
+    if (d2 > fit * fit && along.cross(position - center).squaredNorm() < off * off)
+      leading.push_back(along);
+  });
+  return differ(leading);
+}
 
 /** Which of the sectors around the origin a direction is in. */
 unsigned
@@ -107,36 +85,35 @@ sectorOf(float x, float y)
   return std::min(sectors - 1, static_cast<unsigned>(turn * sectors));
 }
 
-/** True if so many sectors in a row are empty. */
+/** True if enough sectors in a row are empty. \param[in] taken a bit for each sector */
 bool
-hasGap(const std::bitset<sectors>& taken)
+hasGap(std::uint32_t taken)
 {
-  unsigned run = 0;
-  for (unsigned s = 0; s < 2 * sectors; ++s) {
-    run = taken[s % sectors] ? 0 : run + 1;
-    if (run >= empty_sectors)
-      return true;
-  }
-  return false;
+  const std::uint32_t empty = ~(taken | taken << sectors); // twice around
+  std::uint32_t run = empty;
+  for (unsigned s = 1; s < empty_sectors; ++s)
+    run &= empty >> s;
+  return (run & ((1U << sectors) - 1)) != 0;
 }
 
 /** True where the neighbors leave a wide sector of the tangent plane empty. */
 bool
-isOnBoundary(const ShapeField& edges,
-             const PointGrid& grid,
-             std::size_t i)
+isOnBoundary(const ShapeField& edges, const PointGrid& grid, std::size_t i)
 {
   const Vector3f normal = edges.normals[i];
   const Vector3f x = normal.unitOrthogonal(), y = normal.cross(x);
   const Vector3f center = positionOf(edges.points, i);
-  std::bitset<sectors> taken;
+  std::uint32_t taken = 0;
+  bool has_gap = true; // until neighbors close it: most points need to look at few
   grid.forEachWithin(
       center, boundary_spacings * edges.spacings[i], [&](std::uint32_t j, float d2) {
+        if (!has_gap || d2 == 0.0f)
+          return;
         const Vector3f d = positionOf(edges.points, j) - center;
-        if (d2 > 0.0f)
-          taken.set(sectorOf(d.dot(x), d.dot(y)));
+        taken |= 1U << sectorOf(d.dot(x), d.dot(y));
+        has_gap = hasGap(taken);
       });
-  return hasGap(taken);
+  return has_gap;
 }
 
 } // namespace
@@ -144,24 +121,21 @@ isOnBoundary(const ShapeField& edges,
 std::vector<EdgeType>
 edgeTypes(const ShapeField& edges, double threshold, unsigned threads)
 {
-  const std::size_t size = edges.points.size;
-  const float most = *std::max_element(edges.spacings.begin(), edges.spacings.end());
-  const PointGrid grid(edges.points, most);
-  const CreaseCorners corners(edges);
-  std::vector<EdgeType> types(size, EdgeType::None);
-  kernels::parallelForRanges(
-      size, threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          if (!kernels::isFinite(edges.points[i]) || std::isnan(edges.edge_likelihood[i]))
-            continue;
-          if (edges.edge_likelihood[i] > 1.0 - threshold)
-            types[i] = corners.areAt(positionOf(edges.points, i), edges.spacings[i])
-                           ? EdgeType::Corner
-                           : EdgeType::Crease;
-          else if (isOnBoundary(edges, grid, i))
-            types[i] = EdgeType::OpenBoundary;
-        }
-      });
+  float max_spacing = 0.0f; // NaN is unknown
+  for (const float spacing : edges.spacings)
+    max_spacing = std::max(max_spacing, spacing);
+  const PointGrid grid(edges.points, boundary_spacings * medianSpacing(edges.spacings));
+  const PointGrid creases(positionsOf(edges.creases),
+                          fitSpacings(edges.noise) * max_spacing);
+  std::vector<EdgeType> types(edges.points.size, EdgeType::None);
+  kernels::parallelForEach(types.size(), threads, [&](std::size_t i) {
+    if (!kernels::isFinite(edges.points[i]) || std::isnan(edges.edge_likelihood[i]))
+      return;
+    if (edges.edge_likelihood[i] > 1.0 - threshold)
+      types[i] = isCorner(edges, creases, i) ? EdgeType::Corner : EdgeType::Crease;
+    else if (isOnBoundary(edges, grid, i))
+      types[i] = EdgeType::OpenBoundary;
+  });
   return types;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Distances in an image to the nearest marked pixel.
 
 #include "geometry/distance_map.h"
 
@@ -10,37 +10,35 @@
 namespace pcl::segmentation {
 namespace {
 
-constexpr double far = 1e12; // squared cells
+constexpr double far = 1e12; // squared cells: beyond any image, exact in a double
 
 /** The lower envelope of the parabolas values[q] + (x - q)^2, in place. */
 void
 transformLine(double* values, int count, std::ptrdiff_t step)
 {
-  const auto size = static_cast<std::size_t>(count);
-  std::vector<double> line(size), from(size + 1);
-  std::vector<int> vertex(size);
-  for (int q = 0; q < count; ++q)
-    line[static_cast<std::size_t>(q)] = values[q * step];
-  std::size_t last = 0;
-  from[0] = -far;
+  struct Parabola {
+    double value, from;
+    int vertex;
+  };
+  std::vector<Parabola> envelope{{values[0], -far, 0}};
   for (int q = 1; q < count; ++q) {
-    const auto meet = [&](int p) {
-      return (line[static_cast<std::size_t>(q)] - line[static_cast<std::size_t>(p)]) /
-                 (2.0 * (q - p)) +
-             0.5 * (q + p);
+    const double value = values[q * step];
+    const auto meet = [&](const Parabola& p) {
+      return (value - p.value) / (2.0 * (q - p.vertex)) + 0.5 * (q + p.vertex);
     };
-    double at = meet(vertex[last]);
-    while (last > 0 && at <= from[last])
-      at = meet(vertex[--last]);
-    vertex[++last] = q;
-    from[last] = at;
+    double at = meet(envelope.back());
+    while (envelope.size() > 1 && at <= envelope.back().from) {
+      envelope.pop_back();
+      at = meet(envelope.back());
+    }
+    envelope.push_back({value, at, q});
   }
   std::size_t k = 0;
   for (int x = 0; x < count; ++x) {
-    while (k < last && from[k + 1] < x)
+    while (k + 1 < envelope.size() && envelope[k + 1].from < x)
       ++k;
-    const double off = x - vertex[k];
-    values[x * step] = off * off + line[static_cast<std::size_t>(vertex[k])];
+    const double off = x - envelope[k].vertex;
+    values[x * step] = off * off + envelope[k].value;
   }
 }
 
@@ -53,13 +51,10 @@ distancesTo(const std::vector<char>& marks, int side)
   squared.reserve(marks.size());
   for (const char mark : marks)
     squared.push_back(mark != 0 ? 0.0 : far);
-  for (int i = 0; i < side; ++i)
-    transformLine(
-        &squared[static_cast<std::size_t>(i) * static_cast<std::size_t>(side)],
-        side,
-        1);
-  for (int i = 0; i < side; ++i)
-    transformLine(&squared[static_cast<std::size_t>(i)], side, side);
+  for (std::ptrdiff_t row = 0; row < side; ++row)
+    transformLine(squared.data() + row * side, side, 1);
+  for (std::ptrdiff_t column = 0; column < side; ++column)
+    transformLine(squared.data() + column, side, side);
   std::vector<float> distances;
   distances.reserve(squared.size());
   for (const double d2 : squared)

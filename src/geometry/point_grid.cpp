@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Points in cells of space, to visit those around a place.
 
 #include "geometry/point_grid.h"
 
@@ -13,8 +13,8 @@
 namespace pcl::segmentation {
 namespace {
 
-constexpr float most_cells = 1 << 20; // in each direction: a key has 21 bits for it
-constexpr std::size_t most_rows = 1 << 16; // and one for each point
+constexpr float max_cells = 1 << 20;      // in each direction: a key has 21 bits for it
+constexpr std::size_t max_rows = 1 << 16; // and one for each point: little memory
 
 struct Entry {
   std::uint64_t key;
@@ -39,7 +39,7 @@ PointGrid::PointGrid(const XYZView& points, float cell) : cell_(cell)
   origin_ = low;
   // Halves: the difference of two floats may be beyond all floats.
   const Eigen::Array3f half_extent = 0.5f * high - 0.5f * low;
-  cell_ = std::max(cell_, half_extent.maxCoeff() / (0.5f * most_cells));
+  cell_ = std::max(cell_, half_extent.maxCoeff() / (0.5f * max_cells));
   last_ = (half_extent / (0.5f * cell_)).floor();
 
   std::vector<Entry> entries;
@@ -82,7 +82,7 @@ PointGrid::findRows()
 {
   row_count_ = static_cast<std::size_t>(last_.y()) + 1;
   const std::size_t rows = row_count_ * (static_cast<std::size_t>(last_.z()) + 1);
-  if (rows > most_rows + indices_.size())
+  if (rows > max_rows + indices_.size())
     return;
   rows_.reserve(rows + 1);
   for (std::size_t c = 0; c < keys_.size(); ++c) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Points in cells of space, to visit those around a place.
 
 #pragma once
 
@@ -113,6 +113,16 @@ private:
   std::vector<std::uint32_t> indices_; ///< of the points, cell by cell
   std::vector<Eigen::Vector3f> positions_;
 };
+
+/** \brief The view of the `position` of each item; nothing is copied. */
+template <typename Item>
+XYZView
+positionsOf(const std::vector<Item>& items)
+{
+  return {items.empty() ? nullptr : items[0].position.data(),
+          sizeof(Item) / sizeof(float),
+          items.size()};
+}
 
 inline Eigen::Vector3f
 positionOf(const XYZView& points, std::size_t i)

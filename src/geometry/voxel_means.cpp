@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Voxel means that do not depend on the order of the points, and which mean stands for a point.
+// Voxel means that do not depend on the order of the points, and which mean stands for
+// a point.
 
 #include "geometry/voxel_means.h"
+
 #include "common/finite.h"
 #include "common/number_text.h"
 #include "common/parallel.h"

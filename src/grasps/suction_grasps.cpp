@@ -2,12 +2,12 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Suction grasps on a target: checks of the cup, places for it, ranking.
 
+#include "grasps/suction_grasps.h"
+
 #include "common/number_text.h"
 #include "common/statistics.h"
 #include "grasps/cup_placement.h"
 #include "grasps/mean_shift.h"
-
-#include "grasps/suction_grasps.h"
 
 #include <algorithm>
 #include <cmath>

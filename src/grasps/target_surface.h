@@ -5,7 +5,6 @@
 #pragma once
 
 #include "geometry/point_grid.h"
-
 #include "grasps/suction_grasps.h"
 
 #include <vector>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Where faces meet, and whether they are one body there.
 
 #pragma once
 
+#include "geometry/point_grid.h"
 #include "instances/faces.h"
-#include "instances/smooth_pieces.h"
+#include "instances/instance_points.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -30,25 +30,6 @@ std::vector<FaceContact> faceContacts(const detail::InstanceInput& input,
                                       const PointGrid& grid,
                                       const Labels& faces,
                                       const std::vector<Face>& properties,
-                                      const Labels& grown);
-
-/** \brief How far points of two faces that meet may be apart, in spacings;
- * doc/instances.md has the reason. */
-constexpr float contact_reach = 1.0f;
-
-/** \brief A place where two faces meet. */
-struct FaceMeeting {
-  std::int32_t first, second;
-  std::array<float, 3> cell;
-  std::array<float, 3> position;
-  float spacing;
-};
-
-/** \brief One meeting a pair of faces in each cell of space, sorted by the faces'
- * labels. \param[in] grown label of each point of a face, the points between faces
- * shared out */
-std::vector<FaceMeeting> faceMeetings(const detail::InstanceInput& input,
-                                      const PointGrid& grid,
                                       const Labels& grown);
 
 } // namespace pcl::segmentation

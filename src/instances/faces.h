@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Faces as a whole: how large they are, whether planar, and their primitives.
 
 #pragma once
 
-#include "instances/smooth_pieces.h"
-
 #include "instances/instance_detection.h"
+#include "instances/instance_points.h"
+
+#include <vector>
 
 namespace pcl::segmentation {
+
+constexpr double planar_threshold = 0.5; // likelihood: more likely planar than not
 
 /** \brief What is known about a face as a whole. */
 struct Face {

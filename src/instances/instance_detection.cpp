@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Instances of a class, and whole objects: the steps in their order.
+
+#include "instances/instance_detection.h"
 
 #include "common/finite.h"
 #include "instances/face_grouping.h"
 #include "instances/label_growth.h"
-
-#include "instances/instance_detection.h"
+#include "instances/smooth_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +17,10 @@ namespace {
 
 using namespace segmentation;
 
-constexpr float grid_spacings = 1.5f;
-constexpr std::size_t least_face_points = 12; // a neighborhood of one spacing
-constexpr double high_share = 0.25;           // see doc/instances.md
+constexpr float grid_spacings = 1.5f;       // near the radii of most queries
+constexpr std::size_t min_face_points = 12; // a neighborhood of one spacing
+// Hysteresis over a piece: a band of doubt around something else is no instance.
+constexpr double high_share = 0.25;
 
 bool
 isKnown(const InstanceInput& input, std::size_t i)
@@ -41,24 +43,20 @@ membersOf(const InstanceInput& input, double low, bool with_edges)
 void
 dropUnlikely(const InstanceInput& input, double high, Labels& labels)
 {
-  struct Count {
-    std::size_t points = 0, high = 0;
-  };
-  std::vector<Count> counts;
+  std::vector<std::size_t> points, high_points; // of each label
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i] < 0)
       continue;
     const auto label = static_cast<std::size_t>(labels[i]);
-    counts.resize(std::max(counts.size(), label + 1));
-    ++counts[label].points;
-    counts[label].high += input.likelihood[i] >= static_cast<float>(high) ? 1 : 0;
+    points.resize(std::max(points.size(), label + 1));
+    high_points.resize(points.size());
+    ++points[label];
+    high_points[label] += input.likelihood[i] >= static_cast<float>(high) ? 1 : 0;
   }
   for (std::int32_t& label : labels) {
-    if (label < 0)
-      continue;
-    const Count& count = counts[static_cast<std::size_t>(label)];
-    if (static_cast<double>(count.high) <
-        high_share * static_cast<double>(count.points))
+    const auto k = static_cast<std::size_t>(label);
+    if (label >= 0 && static_cast<double>(high_points[k]) <
+                          high_share * static_cast<double>(points[k]))
       label = -1;
   }
 }
@@ -81,7 +79,7 @@ findObjects(const InstanceInput& input, const InstanceLimits& limits)
 {
   const PointGrid grid(input.points, grid_spacings * medianSpacing(input));
   Labels faces = smoothPieces(input, grid, membersOf(input, 0.0, false));
-  sortLabels(input, least_face_points, faces);
+  sortLabels(input, min_face_points, faces);
   if (std::none_of(faces.begin(), faces.end(), [](auto face) { return face >= 0; }))
     return faces;
   Labels grown = faces;

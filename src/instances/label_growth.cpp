@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Labels of points: how they spread over edges, and in what order they are.
 
 #include "instances/label_growth.h"
 
 #include "common/finite.h"
 #include "common/parallel.h"
-#include "instances/smooth_pieces.h"
+#include "edges/edge_band.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,95 +18,43 @@ namespace {
 using detail::InstanceInput;
 using Eigen::Vector3f;
 
-// In spacings; doc/instances.md has the reason of each number.
-constexpr float reach = 1.0f;
-constexpr float band_spacings = 1.02f, band_per_noise = 4.0f; // as edges are wide
-constexpr float least_curvature_radius = 5.0f;
+constexpr float reach = 1.0f; // in spacings: the 12 nearest points
+// In spacings: a continued surface may curve this much. Smaller bodies have no nodes.
+constexpr float min_curvature_radius = 5.0f;
 
-class Front {
-public:
-  Front(const InstanceInput& input,
-        const PointGrid& grid,
-        const Growth& growth,
-        Labels& labels)
-  : input_(input)
-  , grid_(grid)
-  , growth_(growth)
-  , labels_(labels)
-  , anchors_(labels.size(), -1)
-  , limit_(offsetLimit(input))
-  {
-    for (std::size_t i = 0; i < labels.size(); ++i)
-      if (labels[i] >= 0)
-        anchors_[i] = static_cast<std::int64_t>(i);
-      else if (growth.open[i] && kernels::isFinite(input.points[i]))
-        waiting_.push_back(i);
-  }
-
-  /** \return whether a point took a label */
-  bool
-  advance()
-  {
-    std::vector<std::int64_t> found(waiting_.size(), -1);
-    kernels::parallelForRanges(
-        waiting_.size(), input_.threads, [&](std::size_t begin, std::size_t end) {
-          for (std::size_t k = begin; k < end; ++k)
-            found[k] = bestAnchor(waiting_[k]);
-        });
-    std::vector<std::size_t> still_waiting;
-    for (std::size_t k = 0; k < waiting_.size(); ++k) {
-      const std::size_t i = waiting_[k];
-      if (found[k] < 0) {
-        still_waiting.push_back(i);
-        continue;
-      }
-      anchors_[i] = found[k];
-      labels_[i] = labels_[static_cast<std::size_t>(found[k])];
+/** The labeled point whose surface, continued, is nearest to a point; -1 if none is
+ * near enough. \param[in] anchors the point that each point has its label from, or -1
+ */
+std::int64_t
+bestAnchor(const InstanceInput& input,
+           const PointGrid& grid,
+           bool fitting,
+           const Labels& labels,
+           const std::vector<std::int64_t>& anchors,
+           std::size_t i)
+{
+  const Vector3f position = positionOf(input.points, i);
+  const float d = input.spacings[i];
+  const float limit = offsetLimit(input);
+  std::tuple<float, float, std::int32_t> best;
+  std::int64_t result = -1;
+  grid.forEachWithin(position, reach * d, [&](std::uint32_t j, float) {
+    if (anchors[j] < 0)
+      return;
+    const auto anchor = static_cast<std::size_t>(anchors[j]);
+    const Vector3f between = position - positionOf(input.points, anchor);
+    const float squared = between.squaredNorm() / (d * d);
+    const float offset = std::abs(normalOf(input, anchor).dot(between)) / d;
+    if (fitting && !(offset < limit + squared / (2.0f * min_curvature_radius)))
+      return;
+    const std::tuple<float, float, std::int32_t> cost(offset, squared, labels[anchor]);
+    if (result < 0 || cost < best) {
+      best = cost;
+      result = anchors[j];
     }
-    const bool changed = still_waiting.size() < waiting_.size();
-    waiting_ = std::move(still_waiting);
-    return changed;
-  }
-
-private:
-  /** The labelled point whose surface, continued, is nearest to a point; -1 if none is
-   * near enough. */
-  std::int64_t
-  bestAnchor(std::size_t i) const
-  {
-    const Vector3f position = positionOf(input_.points, i);
-    std::tuple<float, float, std::int32_t> best;
-    std::int64_t result = -1;
-    grid_.forEachWithin(
-        position, reach * input_.spacings[i], [&](std::uint32_t j, float) {
-          if (anchors_[j] < 0)
-            return;
-          const auto anchor = static_cast<std::size_t>(anchors_[j]);
-          const Vector3f between = position - positionOf(input_.points, anchor);
-          const float d = input_.spacings[i];
-          const float squared = between.squaredNorm() / (d * d);
-          const float offset = std::abs(normalOf(input_, anchor).dot(between)) / d;
-          const float most = limit_ + squared / (2.0f * least_curvature_radius);
-          if (growth_.fitting && !(offset < most))
-            return;
-          const std::tuple<float, float, std::int32_t> cost(
-              offset, squared, labels_[anchor]);
-          if (result < 0 || cost < best) {
-            best = cost;
-            result = static_cast<std::int64_t>(anchor);
-          }
-        });
-    return result;
-  }
-
-  const InstanceInput& input_;
-  const PointGrid& grid_;
-  const Growth& growth_;
-  Labels& labels_;
-  std::vector<std::int64_t> anchors_; ///< the point that gave the label
-  std::vector<std::size_t> waiting_;
-  float limit_;
-};
+  });
+  return result;
+}
 
 } // namespace
 
@@ -116,15 +64,34 @@ growLabels(const InstanceInput& input,
            const Growth& growth,
            Labels& labels)
 {
-  const float band =
-      2.0f * (band_spacings + band_per_noise * static_cast<float>(input.noise));
-  const int rounds = static_cast<int>(std::ceil(band / (0.5f * reach)));
-  Front front(input, grid, growth, labels);
-  for (int round = 0; round < rounds && front.advance(); ++round)
-    ;
+  std::vector<std::int64_t> anchors(labels.size(), -1);
+  std::vector<std::size_t> waiting;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] >= 0)
+      anchors[i] = static_cast<std::int64_t>(i);
+    else if (growth.open[i] && kernels::isFinite(input.points[i]))
+      waiting.push_back(i);
+  const float both_sides = 2.0f * edgeBand(input.noise);
+  const int rounds = static_cast<int>(std::ceil(both_sides / (0.5f * reach)));
+  bool changed = true;
+  for (int round = 0; round < rounds && changed; ++round) {
+    std::vector<std::int64_t> found(waiting.size());
+    kernels::parallelForEach(waiting.size(), input.threads, [&](std::size_t k) {
+      found[k] = bestAnchor(input, grid, growth.fitting, labels, anchors, waiting[k]);
+    });
+    std::vector<std::size_t> still_waiting;
+    for (std::size_t k = 0; k < waiting.size(); ++k) {
+      const std::size_t i = waiting[k];
+      anchors[i] = found[k];
+      if (found[k] < 0)
+        still_waiting.push_back(i);
+      else
+        labels[i] = labels[static_cast<std::size_t>(found[k])];
+    }
+    changed = still_waiting.size() < waiting.size();
+    waiting = std::move(still_waiting);
+  }
 }
-
-using detail::InstanceInput;
 
 void
 sortLabels(const InstanceInput& input, std::size_t min_points, Labels& labels)

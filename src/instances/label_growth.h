@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Labels of points: how they spread over edges, and in what order they are.
 
 #pragma once
 
 #include "geometry/point_grid.h"
+#include "instances/instance_points.h"
 
-#include "instances/instance_detection.h"
-
-#include <cstdint>
 #include <vector>
 
 namespace pcl::segmentation {
-
-using Labels = std::vector<std::int32_t>; ///< of points; -1 none
 
 /** \brief How labels spread to points without one. */
 struct Growth {
@@ -21,8 +17,8 @@ struct Growth {
   bool fitting = true;    ///< only where the surface goes on
 };
 
-/** \brief Give labels to the open points around labelled ones, round by round, as far
- * as an edge's band is wide. Of the labels around, a point takes the one whose surface,
+/** \brief Give labels to the open points around labeled ones, round by round, as far as
+ * an edge's band is wide. Of the labels around, a point takes the one whose surface,
  * continued, passes nearest to it. */
 void growLabels(const detail::InstanceInput& input,
                 const PointGrid& grid,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Pieces cut into planes, cylinders and spheres where these do not meet.
 
 #include "instances/piece_splitting.h"
 
@@ -19,16 +19,32 @@
 namespace pcl::segmentation {
 namespace {
 
-// doc/instances.md has the reason of each number.
-constexpr int rounds = 5;
-constexpr float smoothing = 4.0f;
-constexpr std::size_t least_nodes = 12;
-constexpr double covered = 0.8;
+using Eigen::Vector3f;
+
+constexpr int rounds = 5;           // of assigning nodes: few change after that
+constexpr float smoothing = 4.0f;   // others around count as much as two tolerances
+constexpr double covered = 0.8;     // of a part's nodes: the others may be at its rim
+constexpr int refinements = 2;      // of surfaces: nodes hardly change their part then
+constexpr double described = 0.8;   // of a piece: less is nothing like primitives
+constexpr float curved_gap = 1.25f; // primitives only resemble other curved surfaces
+constexpr float clearly_worse = 2.0f; // one primitive than two, both up to noise
+constexpr double both_sides = 0.25;   // of the larger side: noise makes less
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 using PartOfNode = std::vector<std::uint32_t>;
 
-/** None if none is near. */
+PartOfNode
+partOfNodes(const SurfacePiece& piece, const std::vector<SurfacePart>& parts)
+{
+  PartOfNode part_of(piece.nodes.size(), none);
+  for (std::uint32_t p = 0; p < parts.size(); ++p)
+    for (const std::uint32_t node : parts[p].nodes)
+      part_of[node] = p;
+  return part_of;
+}
+
+/** The part of a node whose surface is near and which others around it are of; none if
+ * no surface is near. */
 std::uint32_t
 bestPart(const SurfacePiece& piece,
          std::uint32_t node,
@@ -43,18 +59,18 @@ bestPart(const SurfacePiece& piece,
       ++all;
     }
   });
-  float least = std::numeric_limits<float>::infinity();
+  float min_cost = std::numeric_limits<float>::infinity();
   std::uint32_t best = none;
   for (std::uint32_t part = 0; part < parts.size(); ++part) {
     if (votes[part] == 0.0f)
       continue;
     const float distance = piece.distanceTo(parts[part].surface, node);
-    if (!(distance < piece.gapLimit()))
+    if (!(distance < piece.gap_limit))
       continue;
-    const float ratio = distance / piece.tolerance();
+    const float ratio = distance / piece.tolerance;
     const float cost = ratio * ratio + smoothing * (1.0f - votes[part] / all);
-    if (cost < least) {
-      least = cost;
+    if (cost < min_cost) {
+      min_cost = cost;
       best = part;
     }
   }
@@ -68,7 +84,7 @@ isCovered(const SurfacePiece& piece,
 {
   const auto is_on_another = [&](std::uint32_t node) {
     for (std::size_t q = 0; q < parts.size(); ++q) {
-      const float limit = isCurved(parts[q]) ? piece.gapLimit() : piece.tolerance();
+      const float limit = isCurved(parts[q]) ? piece.gap_limit : piece.tolerance;
       if (q != p && piece.distanceTo(parts[q].surface, node) < limit)
         return true;
     }
@@ -82,16 +98,13 @@ isCovered(const SurfacePiece& piece,
 void
 assign(const SurfacePiece& piece, std::vector<SurfacePart>& parts)
 {
-  PartOfNode part_of(piece.size(), none);
-  for (std::uint32_t p = 0; p < parts.size(); ++p) {
-    for (const std::uint32_t node : parts[p].nodes)
-      part_of[node] = p;
-    parts[p].nodes.clear();
-  }
+  PartOfNode part_of = partOfNodes(piece, parts);
+  for (SurfacePart& part : parts)
+    part.nodes.clear();
   for (int round = 0; round < rounds; ++round)
-    for (std::uint32_t node = 0; node < piece.size(); ++node)
+    for (std::uint32_t node = 0; node < piece.nodes.size(); ++node)
       part_of[node] = bestPart(piece, node, parts, part_of);
-  for (std::uint32_t node = 0; node < piece.size(); ++node)
+  for (std::uint32_t node = 0; node < piece.nodes.size(); ++node)
     if (part_of[node] != none)
       parts[part_of[node]].nodes.push_back(node);
   std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
@@ -99,34 +112,17 @@ assign(const SurfacePiece& piece, std::vector<SurfacePart>& parts)
   });
 }
 
-/** \return whether there were any */
+/** Parts with few nodes, or with nodes on the surfaces of others, go.
+ * \return whether there were any */
 bool
 dropNeedless(const SurfacePiece& piece, std::vector<SurfacePart>& parts)
 {
   const std::size_t before = parts.size();
   for (std::size_t p = parts.size(); p-- > 0;)
-    if (parts[p].nodes.size() < least_nodes || isCovered(piece, p, parts))
+    if (parts[p].nodes.size() < min_part_nodes || isCovered(piece, p, parts))
       parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(p));
   return parts.size() < before;
 }
-
-} // namespace
-
-void
-assignNodes(const SurfacePiece& piece, std::vector<SurfacePart>& parts)
-{
-  do
-    assign(piece, parts);
-  while (dropNeedless(piece, parts));
-}
-
-namespace {
-
-using Eigen::Vector3f;
-
-// doc/instances.md has the reason of each number.
-constexpr float curved_gap = 1.25f, clearly_worse = 2.0f;
-constexpr double both_sides = 0.25;
 
 /** How two parts meet. */
 struct Border {
@@ -134,8 +130,8 @@ struct Border {
   double squared_gaps = 0.0; ///< between the two surfaces, in spacings
   double cosines = 0.0;      ///< of their normals
   double steps = 0.0;        ///< squared, between nodes, in spacings
-  std::array<double, 2> before{},
-      behind{}; ///< of either's nodes and the other's surface
+  /** How far the nodes of either are before and behind the other's surface. */
+  std::array<double, 2> before{}, behind{};
 };
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
@@ -147,8 +143,8 @@ addSide(const SurfaceNode& node,
         std::size_t which,
         Border& border)
 {
-  const Vector3f away = node.center - footOn(other, node.center);
-  const double side = away.dot(normalOf(other, node.center)) / node.spacing;
+  const Vector3f away = node.position - footOn(other, node.position);
+  const double side = away.dot(normalOf(other, node.position)) / node.spacing;
   border.before[which] += std::max(0.0, side);
   border.behind[which] += std::max(0.0, -side);
 }
@@ -160,11 +156,11 @@ addPair(const SurfaceNode& node,
         const ShapePrimitive& b,
         Border& border)
 {
-  const Vector3f middle = 0.5f * (node.center + other.center);
+  const Vector3f middle = 0.5f * (node.position + other.position);
   const float area = node.spacing * other.spacing;
   const float sign = node.normal.dot(other.normal) < 0.0f ? -1.0f : 1.0f;
   const Vector3f normal = 0.5f * (node.normal + sign * other.normal);
-  const float step = normal.dot(other.center - node.center);
+  const float step = normal.dot(other.position - node.position);
   ++border.pairs;
   border.squared_gaps += (footOn(a, middle) - footOn(b, middle)).squaredNorm() / area;
   border.cosines += std::abs(normalOf(a, middle).dot(normalOf(b, middle)));
@@ -176,21 +172,17 @@ addPair(const SurfaceNode& node,
 Borders
 bordersOf(const SurfacePiece& piece, const std::vector<SurfacePart>& parts)
 {
-  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> part_of(piece.size(), none);
-  for (std::uint32_t p = 0; p < parts.size(); ++p)
-    for (const std::uint32_t node : parts[p].nodes)
-      part_of[node] = p;
+  const PartOfNode part_of = partOfNodes(piece, parts);
   Borders borders;
-  for (std::uint32_t node = 0; node < piece.size(); ++node) {
+  for (std::uint32_t node = 0; node < piece.nodes.size(); ++node) {
     const std::uint32_t p = part_of[node];
     if (p == none)
       continue;
     piece.forEachAround(node, [&](std::uint32_t other) {
       const std::uint32_t q = part_of[other];
       if (q != none && q > p)
-        addPair(piece[node],
-                piece[other],
+        addPair(piece.nodes[node],
+                piece.nodes[other],
                 parts[p].surface,
                 parts[q].surface,
                 borders[{p, q}]);
@@ -199,12 +191,20 @@ bordersOf(const SurfacePiece& piece, const std::vector<SurfacePart>& parts)
   return borders;
 }
 
-/** Without a step or a crease. */
+/** Without a crease, and gaps (or steps) are within a limit.
+ * \param[in] squares sum of the squared gaps or steps */
 bool
-goesOn(const Border& border, float gap_limit)
+goesOn(const Border& border, double squares, float limit)
 {
-  return border.squared_gaps < gap_limit * gap_limit * border.pairs &&
+  return squares < limit * limit * border.pairs &&
          border.cosines > same_surface * border.pairs;
+}
+
+/** The nodes themselves run on, whatever the primitives beside them are. */
+bool
+isSmooth(const Border& border, const SurfacePiece& piece)
+{
+  return goesOn(border, border.steps, piece.node_noise);
 }
 
 /** Surfaces that cross are on both sides of each other, those at a crease are not. */
@@ -212,19 +212,12 @@ bool
 crosses(const Border& border, float tolerance)
 {
   const auto is_on_both_sides = [&](std::size_t which) {
-    const auto [less, more] = std::minmax(border.before[which], border.behind[which]);
-    return less > both_sides * more;
+    const auto [smaller, larger] =
+        std::minmax(border.before[which], border.behind[which]);
+    return smaller > both_sides * larger;
   };
   return border.squared_gaps > tolerance * tolerance * border.pairs &&
          is_on_both_sides(0) && is_on_both_sides(1);
-}
-
-/** The nodes themselves run on, whatever the primitives beside them are. */
-bool
-isSmooth(const Border& border, float noise)
-{
-  return border.steps < noise * noise * border.pairs &&
-         border.cosines > same_surface * border.pairs;
 }
 
 bool
@@ -233,11 +226,12 @@ areOne(const SurfacePiece& piece,
        const SurfacePart& b,
        const Border& border)
 {
-  const bool is_smooth = isSmooth(border, piece.nodeNoise());
+  const bool is_smooth = isSmooth(border, piece);
   if (!isCurved(a) && !isCurved(b)) {
-    const float limit = is_smooth ? std::max(piece.gapLimit(), 2.0f * piece.tolerance())
-                                  : piece.gapLimit();
-    return goesOn(border, limit) && !crosses(border, piece.tolerance());
+    const float limit =
+        is_smooth ? std::max(piece.gap_limit, 2.0f * piece.tolerance) : piece.gap_limit;
+    return goesOn(border, border.squared_gaps, limit) &&
+           !crosses(border, piece.tolerance);
   }
   if (is_smooth)
     return true;
@@ -250,9 +244,10 @@ areOne(const SurfacePiece& piece,
   const float apart = std::max(piece.residualOf(a.surface, a.nodes),
                                piece.residualOf(b.surface, b.nodes));
   const float as_one = piece.residualAsOne(both);
-  if (apart < piece.nodeNoise())
+  if (apart < piece.node_noise)
     return as_one < clearly_worse * apart;
-  return as_one < piece.gapLimit() || goesOn(border, curved_gap * piece.gapLimit());
+  return as_one < piece.gap_limit ||
+         goesOn(border, border.squared_gaps, curved_gap * piece.gap_limit);
 }
 
 /** The group that a group has most of its borders with, itself if it has none. */
@@ -283,50 +278,16 @@ absorbSmall(const SurfacePiece& piece,
     std::size_t size = 0;
     for (std::uint32_t q = 0; q < parts.size(); ++q)
       size += sets.find(q) == group ? parts[q].nodes.size() : 0;
-    if (size < piece.leastSize())
+    if (size < piece.min_size)
       sets.unite(group, neighborOf(group, borders, sets));
   }
 }
-
-} // namespace
-
-std::vector<NodeIndices>
-joinParts(const SurfacePiece& piece, const std::vector<SurfacePart>& parts)
-{
-  DisjointSets sets(parts.size());
-  const Borders borders = bordersOf(piece, parts);
-  for (const auto& [pair, border] : borders) {
-    const SurfacePart& a = parts[pair.first];
-    const SurfacePart& b = parts[pair.second];
-    const bool are_large =
-        std::min(a.nodes.size(), b.nodes.size()) >= piece.leastSize();
-    if (are_large ? areOne(piece, a, b, border) : isSmooth(border, piece.nodeNoise()))
-      sets.unite(pair.first, pair.second);
-  }
-  absorbSmall(piece, parts, borders, sets);
-  std::map<std::uint32_t, NodeIndices> groups;
-  for (std::uint32_t p = 0; p < parts.size(); ++p) {
-    NodeIndices& group = groups[sets.find(p)];
-    group.insert(group.end(), parts[p].nodes.begin(), parts[p].nodes.end());
-  }
-  std::vector<NodeIndices> joined;
-  for (auto& [root, nodes] : groups)
-    if (nodes.size() >= piece.leastSize())
-      joined.push_back(std::move(nodes));
-  return joined;
-}
-
-namespace {
-
-// doc/instances.md has the reason of each number.
-constexpr int refinements = 2;
-constexpr double described = 0.8; // of the nodes
 
 /** The groups of nodes that a piece falls into; none if it stays whole. */
 std::vector<NodeIndices>
 cut(const SurfacePiece& piece)
 {
-  if (piece.isOne(piece.nodes()))
+  if (piece.isOne(piece.allNodes()))
     return {};
   std::vector<SurfacePart> parts = piece.parts();
   assignNodes(piece, parts);
@@ -338,7 +299,8 @@ cut(const SurfacePiece& piece)
   std::size_t on_parts = 0;
   for (const SurfacePart& part : parts)
     on_parts += part.nodes.size();
-  if (static_cast<double>(on_parts) < described * static_cast<double>(piece.size()))
+  if (static_cast<double>(on_parts) <
+      described * static_cast<double>(piece.nodes.size()))
     return {};
   std::vector<NodeIndices> groups = joinParts(piece, parts);
   return groups.size() < 2 ? std::vector<NodeIndices>() : groups;
@@ -358,6 +320,39 @@ piecesOf(const Labels& labels)
 }
 
 } // namespace
+
+void
+assignNodes(const SurfacePiece& piece, std::vector<SurfacePart>& parts)
+{
+  do
+    assign(piece, parts);
+  while (dropNeedless(piece, parts));
+}
+
+std::vector<NodeIndices>
+joinParts(const SurfacePiece& piece, const std::vector<SurfacePart>& parts)
+{
+  DisjointSets sets(parts.size());
+  const Borders borders = bordersOf(piece, parts);
+  for (const auto& [pair, border] : borders) {
+    const SurfacePart& a = parts[pair.first];
+    const SurfacePart& b = parts[pair.second];
+    const bool are_large = std::min(a.nodes.size(), b.nodes.size()) >= piece.min_size;
+    if (are_large ? areOne(piece, a, b, border) : isSmooth(border, piece))
+      sets.unite(pair.first, pair.second);
+  }
+  absorbSmall(piece, parts, borders, sets);
+  std::map<std::uint32_t, NodeIndices> groups;
+  for (std::uint32_t p = 0; p < parts.size(); ++p) {
+    NodeIndices& group = groups[sets.find(p)];
+    group.insert(group.end(), parts[p].nodes.begin(), parts[p].nodes.end());
+  }
+  std::vector<NodeIndices> joined;
+  for (auto& [root, nodes] : groups)
+    if (nodes.size() >= piece.min_size)
+      joined.push_back(std::move(nodes));
+  return joined;
+}
 
 Labels
 splitSurfaces(const detail::InstanceInput& input,

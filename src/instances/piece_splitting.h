@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Pieces cut into planes, cylinders and spheres where these do not meet.
 
 #pragma once
 
-#include "instances/smooth_pieces.h"
 #include "instances/surface_piece.h"
 
 namespace pcl::segmentation {
@@ -26,8 +25,7 @@ std::vector<NodeIndices> joinParts(const SurfacePiece& piece,
  * A piece that such primitives do not describe stays whole.
  * \param[in] labels of the nodes, -1 none
  * \return labels of the nodes; nodes of a piece that was cut which are on none of its
- * parts have none
- */
+ * parts have none */
 Labels splitSurfaces(const detail::InstanceInput& input,
                      const std::vector<SurfaceNode>& nodes,
                      Labels labels);

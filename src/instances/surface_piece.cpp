@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// A smooth piece of surface as planes, cylinders, spheres and cones see it.
 
 #include "instances/surface_piece.h"
 
@@ -16,24 +16,25 @@
 namespace pcl::segmentation {
 namespace {
 
-// doc/instances.md has the reason of each number.
-constexpr double least_share = 0.1;
-constexpr std::size_t most_fitted = 2000;
-constexpr double mostly_plane = 0.4;
-constexpr double loose = 3.0;
+constexpr double all_but_noise = 0.95;   // of the nodes of what is one plane
+constexpr double mostly_plane = 0.4;     // all of a curved piece is never on a plane
+constexpr double min_share = 0.1;        // of a piece: less is no surface of its own
+constexpr std::size_t max_fitted = 2000; // more nodes take time and change little
+constexpr std::size_t max_parts = 16;    // more are nothing that primitives describe
+constexpr double simpler = 1.5;          // a large cylinder is nearly a plane
+constexpr double loose = 3.0;            // a cylinder through two points is off
 
-/** About the first, in units of the mean spacing: PCL's fits have limits of their own.
- */
+/** About the first, in units of the mean spacing, as PCL's fits need. */
 std::vector<SurfaceNode>
 normalized(std::vector<SurfaceNode> nodes)
 {
-  const Eigen::Vector3f origin = nodes.front().center;
+  const Eigen::Vector3f origin = nodes.front().position;
   double sum = 0.0;
   for (const SurfaceNode& node : nodes)
     sum += node.spacing;
   const auto unit = static_cast<float>(sum / static_cast<double>(nodes.size()));
   for (SurfaceNode& node : nodes) {
-    node.center = (node.center - origin) / unit;
+    node.position = (node.position - origin) / unit;
     node.spacing /= unit;
   }
   return nodes;
@@ -48,141 +49,181 @@ medianNoise(const std::vector<SurfaceNode>& nodes)
   return median(std::move(noises));
 }
 
-} // namespace
-
-SurfacePiece::SurfacePiece(std::vector<SurfaceNode> nodes, float least_noise)
-: nodes_(normalized(std::move(nodes)))
-, grid_(centersOf(nodes_), around_spacings)
-{
-  const float noise = std::max(least_noise, medianNoise(nodes_));
-  tolerance_ = 0.15f + 0.5f * noise;
-  gap_limit_ = 0.15f + 1.25f * noise;
-  node_noise_ = 0.05f + 0.5f * noise;
-}
-
-NodeIndices
-SurfacePiece::nodes() const
-{
-  NodeIndices all(nodes_.size());
-  std::iota(all.begin(), all.end(), 0U);
-  return all;
-}
-
 std::size_t
-SurfacePiece::leastSize() const
+minSize(std::size_t nodes)
 {
-  const auto share =
-      static_cast<std::size_t>(least_share * static_cast<double>(nodes_.size()));
-  return std::max(least_nodes, share);
-}
-
-bool
-SurfacePiece::isOne(const NodeIndices& nodes) const
-{
-  const ShapePrimitive plane = fitTo(sampleOf(nodes), PrimitiveType::Plane);
-  if (plane.type != PrimitiveType::None) {
-    const auto size = static_cast<double>(nodes.size());
-    const auto inliers = static_cast<double>(inliersOf(plane, nodes).size());
-    if (inliers >= all_but_noise * size)
-      return true;
-    if (inliers > mostly_plane * size)
-      return false;
-  }
-  return residualAsOne(nodes) < tolerance_;
-}
-
-float
-SurfacePiece::residualAsOne(const NodeIndices& nodes) const
-{
-  const PrimitiveSample sample = sampleOf(nodes);
-  float least = std::numeric_limits<float>::infinity();
-  for (const PrimitiveType type : {PrimitiveType::Cylinder, PrimitiveType::Sphere}) {
-    ShapePrimitive surface = fitTo(sample, type);
-    if (surface.type == PrimitiveType::None)
-      continue;
-    refine(sample, surface);
-    least = std::min(least, residualOf(surface, nodes));
-  }
-  return least < tolerance_ ? least
-                            : std::min(least, static_cast<float>(coneResidual(sample)));
-}
-
-float
-SurfacePiece::residualOf(const ShapePrimitive& surface, const NodeIndices& nodes) const
-{
-  float squares = 0.0f;
-  for (const std::uint32_t k : nodes) {
-    const SurfaceNode& node = nodes_[k];
-    squares += (footOn(surface, node.center) - node.center).squaredNorm() /
-               (node.spacing * node.spacing);
-  }
-  return std::sqrt(squares / static_cast<float>(nodes.size()));
-}
-
-void
-SurfacePiece::refit(SurfacePart& part) const
-{
-  refine(sampleOf(part.nodes), part.surface);
-}
-
-float
-SurfacePiece::distanceTo(const ShapePrimitive& surface, std::uint32_t node) const
-{
-  const auto& [center, normal, spacing, noise] = nodes_[node];
-  if (!(std::abs(normalOf(surface, center).dot(normal)) > same_surface))
-    return std::numeric_limits<float>::infinity();
-  return (footOn(surface, center) - center).norm() / spacing;
+  const auto share = static_cast<std::size_t>(min_share * static_cast<double>(nodes));
+  return std::max(min_part_nodes, share);
 }
 
 PrimitiveSample
-SurfacePiece::sampleOf(const NodeIndices& nodes) const
+sampleOf(const SurfacePiece& piece, const NodeIndices& some)
 {
   PrimitiveSample sample;
-  const std::size_t step = (nodes.size() + most_fitted - 1) / most_fitted;
+  const std::size_t step = (some.size() + max_fitted - 1) / max_fitted;
   double spacings = 0.0;
-  for (std::size_t k = 0; k < nodes.size(); k += step) {
-    const SurfaceNode& node = nodes_[nodes[k]];
-    sample.points->push_back({node.center.x(), node.center.y(), node.center.z()});
-    sample.normals->push_back({node.normal.x(), node.normal.y(), node.normal.z()});
+  for (std::size_t k = 0; k < some.size(); k += step) {
+    const SurfaceNode& node = piece.nodes[some[k]];
+    sample.add(node.position, node.normal);
     spacings += node.spacing;
   }
-  sample.tolerance = tolerance_ * spacings / static_cast<double>(sample.points->size());
+  sample.tolerance =
+      piece.tolerance * spacings / static_cast<double>(sample.points->size());
   sample.first_tolerance = loose * sample.tolerance;
   return sample;
 }
 
 NodeIndices
-SurfacePiece::inliersOf(const ShapePrimitive& surface, const NodeIndices& nodes) const
+inliersOf(const SurfacePiece& piece,
+          const ShapePrimitive& surface,
+          const NodeIndices& some)
 {
   NodeIndices inliers;
-  for (const std::uint32_t k : nodes)
-    if (distanceTo(surface, k) < tolerance_)
+  for (const std::uint32_t k : some)
+    if (piece.distanceTo(surface, k) < piece.tolerance)
       inliers.push_back(k);
   return inliers;
 }
 
-} // namespace pcl::segmentation
+NodeIndices
+mostConnected(const SurfacePiece& piece, const NodeIndices& some)
+{
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> place(piece.nodes.size(), none);
+  for (std::uint32_t k = 0; k < some.size(); ++k)
+    place[some[k]] = k;
+  DisjointSets sets(some.size());
+  for (std::uint32_t k = 0; k < some.size(); ++k)
+    piece.forEachAround(some[k], [&](std::uint32_t other) {
+      if (place[other] != none)
+        sets.unite(k, place[other]);
+    });
+  std::vector<std::size_t> sizes(some.size(), 0);
+  for (std::uint32_t k = 0; k < some.size(); ++k)
+    ++sizes[sets.find(k)];
+  const auto largest = static_cast<std::uint32_t>(
+      std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  NodeIndices connected;
+  for (std::uint32_t k = 0; k < some.size(); ++k)
+    if (sets.find(k) == largest)
+      connected.push_back(some[k]);
+  return connected;
+}
 
-// The parts of a piece, one primitive after the other (sequential RANSAC).
-namespace pcl::segmentation {
-namespace {
-
-// doc/instances.md has the reason of each number.
-constexpr std::size_t most_parts = 16;
-constexpr double simpler = 1.5;
+/** The primitive with most connected nodes; the simplest one if others have not many
+ * more. */
+SurfacePart
+largestPart(const SurfacePiece& piece, const NodeIndices& some)
+{
+  const PrimitiveSample sample = sampleOf(piece, some);
+  SurfacePart best;
+  for (const PrimitiveType type :
+       {PrimitiveType::Plane, PrimitiveType::Cylinder, PrimitiveType::Sphere}) {
+    SurfacePart part;
+    part.surface = fitTo(sample, type);
+    if (part.surface.type == PrimitiveType::None)
+      continue;
+    part.nodes = mostConnected(piece, inliersOf(piece, part.surface, some));
+    const double factor = best.nodes.empty() ? 0.0 : simpler;
+    if (static_cast<double>(part.nodes.size()) >
+        factor * static_cast<double>(best.nodes.size()))
+      best = std::move(part);
+    if (static_cast<double>(best.nodes.size()) >=
+        all_but_noise * static_cast<double>(some.size()))
+      break;
+  }
+  return best;
+}
 
 } // namespace
+
+SurfacePiece::SurfacePiece(std::vector<SurfaceNode> of_cloud, float min_noise)
+: nodes(normalized(std::move(of_cloud)))
+, grid(positionsOf(nodes), around_spacings)
+, noise(std::max(min_noise, medianNoise(nodes)))
+, tolerance(0.15f + 0.5f * noise)
+, node_noise(0.05f + 0.5f * noise)
+, gap_limit(stepLimit(noise))
+, min_size(minSize(nodes.size()))
+{}
+
+NodeIndices
+SurfacePiece::allNodes() const
+{
+  NodeIndices all(nodes.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return all;
+}
+
+bool
+SurfacePiece::isOne(const NodeIndices& some) const
+{
+  const ShapePrimitive plane = fitTo(sampleOf(*this, some), PrimitiveType::Plane);
+  if (plane.type != PrimitiveType::None) {
+    const auto size = static_cast<double>(some.size());
+    const auto inliers = static_cast<double>(inliersOf(*this, plane, some).size());
+    if (inliers >= all_but_noise * size)
+      return true;
+    if (inliers > mostly_plane * size)
+      return false;
+  }
+  return residualAsOne(some) < tolerance;
+}
+
+float
+SurfacePiece::residualAsOne(const NodeIndices& some) const
+{
+  const PrimitiveSample sample = sampleOf(*this, some);
+  float residual = std::numeric_limits<float>::infinity();
+  for (const PrimitiveType type : {PrimitiveType::Cylinder, PrimitiveType::Sphere}) {
+    ShapePrimitive surface = fitTo(sample, type);
+    if (surface.type == PrimitiveType::None)
+      continue;
+    refine(sample, surface);
+    residual = std::min(residual, residualOf(surface, some));
+  }
+  if (residual < tolerance)
+    return residual;
+  return std::min(residual, static_cast<float>(coneResidual(sample)));
+}
+
+float
+SurfacePiece::residualOf(const ShapePrimitive& surface, const NodeIndices& some) const
+{
+  float squares = 0.0f;
+  for (const std::uint32_t k : some) {
+    const SurfaceNode& node = nodes[k];
+    squares += (footOn(surface, node.position) - node.position).squaredNorm() /
+               (node.spacing * node.spacing);
+  }
+  return std::sqrt(squares / static_cast<float>(some.size()));
+}
+
+void
+SurfacePiece::refit(SurfacePart& part) const
+{
+  refine(sampleOf(*this, part.nodes), part.surface);
+}
+
+float
+SurfacePiece::distanceTo(const ShapePrimitive& surface, std::uint32_t node) const
+{
+  const Eigen::Vector3f& position = nodes[node].position;
+  if (!(std::abs(normalOf(surface, position).dot(nodes[node].normal)) > same_surface))
+    return std::numeric_limits<float>::infinity();
+  return (footOn(surface, position) - position).norm() / nodes[node].spacing;
+}
 
 std::vector<SurfacePart>
 SurfacePiece::parts() const
 {
-  NodeIndices left = nodes();
+  NodeIndices left = allNodes();
   std::vector<SurfacePart> parts;
-  while (left.size() >= leastSize()) {
-    SurfacePart part = largestPart(left);
-    if (part.nodes.size() < least_nodes)
+  while (left.size() >= min_size) {
+    SurfacePart part = largestPart(*this, left);
+    if (part.nodes.size() < min_part_nodes)
       break;
-    if (parts.size() == most_parts)
+    if (parts.size() == max_parts)
       return {};
     NodeIndices others;
     std::set_difference(left.begin(),
@@ -194,56 +235,6 @@ SurfacePiece::parts() const
     parts.push_back(std::move(part));
   }
   return parts;
-}
-
-/** The connected nodes of a primitive that are most; of the simplest if others have
- * not many more. */
-SurfacePart
-SurfacePiece::largestPart(const NodeIndices& nodes) const
-{
-  const PrimitiveSample sample = sampleOf(nodes);
-  SurfacePart best;
-  for (const PrimitiveType type :
-       {PrimitiveType::Plane, PrimitiveType::Cylinder, PrimitiveType::Sphere}) {
-    SurfacePart part;
-    part.surface = fitTo(sample, type);
-    if (part.surface.type == PrimitiveType::None)
-      continue;
-    part.nodes = mostConnected(inliersOf(part.surface, nodes));
-    const double factor = best.nodes.empty() ? 0.0 : simpler;
-    if (static_cast<double>(part.nodes.size()) >
-        factor * static_cast<double>(best.nodes.size()))
-      best = std::move(part);
-    if (static_cast<double>(best.nodes.size()) >=
-        all_but_noise * static_cast<double>(nodes.size()))
-      break;
-  }
-  return best;
-}
-
-NodeIndices
-SurfacePiece::mostConnected(const NodeIndices& nodes) const
-{
-  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> place(nodes_.size(), none);
-  for (std::uint32_t k = 0; k < nodes.size(); ++k)
-    place[nodes[k]] = k;
-  DisjointSets sets(nodes.size());
-  for (std::uint32_t k = 0; k < nodes.size(); ++k)
-    forEachAround(nodes[k], [&](std::uint32_t other) {
-      if (place[other] != none)
-        sets.unite(k, place[other]);
-    });
-  std::vector<std::size_t> sizes(nodes.size(), 0);
-  for (std::uint32_t k = 0; k < nodes.size(); ++k)
-    ++sizes[sets.find(k)];
-  const auto largest = static_cast<std::uint32_t>(
-      std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
-  NodeIndices connected;
-  for (std::uint32_t k = 0; k < nodes.size(); ++k)
-    if (sets.find(k) == largest)
-      connected.push_back(nodes[k]);
-  return connected;
 }
 
 } // namespace pcl::segmentation

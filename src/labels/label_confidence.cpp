@@ -6,10 +6,10 @@
 #include "common/parallel.h"
 #include "common/statistics.h"
 #include "edges/edge_types.h"
+#include "features/local_spacing.h"
 #include "geometry/point_grid.h"
-#include "labels/label_weights.h"
-
 #include "labels/label_evidence.h"
+#include "labels/label_weights.h"
 
 #include <algorithm>
 #include <cmath>

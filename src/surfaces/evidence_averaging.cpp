@@ -1,109 +1,87 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Averages of evidence over a surface that do not cross its edges.
 
 #include "surfaces/evidence_averaging.h"
 
 #include "common/finite.h"
 #include "common/parallel.h"
 #include "common/statistics.h"
+#include "geometry/point_choice.h"
+#include "geometry/point_grid.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <utility>
+#include <cstdint>
 
 namespace pcl::segmentation {
 namespace {
 
 using detail::FieldInput;
-using Eigen::Vector3f;
+using Floats = std::vector<float>;
 
-// doc/method.md has the reason of each number.
-constexpr float node_spacings = 1.5f;
-constexpr float reach_spacings = 5.0f;
-constexpr float across_weight = 0.05f;    // of an edge point, and of another direction
-constexpr float same_direction = 0.7071f; // cosine of 45 degrees
+constexpr float node_spacings = 1.5f;  // about every eighth point: 35 in reach
+constexpr float reach_spacings = 5.0f; // that of the surfaces' normals
+constexpr int rounds = 4;              // the evidence spreads over a face
+// Of an edge point, and of one on another face: faces do not speak for each other.
+constexpr float across_weight = 0.05f;
+constexpr float same_face = 0.7071f; // cosine of 45 degrees
 
-std::vector<std::size_t>
-chooseNodes(const XYZView& points, float cell, const std::vector<bool>& is_known)
-{
-  const auto offCenter = [&](std::size_t i) {
-    const Eigen::Array3f p = positionOf(points, i).array() / cell;
-    return (p - p.floor() - 0.5f).matrix().squaredNorm();
+/** The points that stand for all. Their values are in the order of a grid over them. */
+struct Nodes {
+  struct Node {
+    Eigen::Vector3f position;
+    std::uint32_t point;
   };
-  std::map<std::array<float, 3>, std::size_t> nodes;
-  for (std::size_t i = 0; i < points.size; ++i) {
-    if (!is_known[i])
-      continue;
-    const Eigen::Array3f c = (positionOf(points, i).array() / cell).floor();
-    const auto [node, is_new] =
-        nodes.try_emplace(std::array<float, 3>{c.x(), c.y(), c.z()}, i);
-    if (!is_new && offCenter(i) < offCenter(node->second))
-      node->second = i;
-  }
-  std::vector<std::size_t> chosen;
-  chosen.reserve(nodes.size());
-  for (const auto& [key, i] : nodes)
-    chosen.push_back(i);
-  return chosen;
-}
 
-PointGrid
-gridOf(const XYZView& points, const std::vector<std::size_t>& nodes, float cell)
-{
-  std::vector<Vector3f> positions;
-  positions.reserve(nodes.size());
-  for (const std::size_t i : nodes)
-    positions.push_back(positionOf(points, i));
-  const float* first = positions.empty() ? nullptr : positions[0].data();
-  return {{first, 3, positions.size()}, cell};
-}
-
-} // namespace
-
-EvidenceNodes::EvidenceNodes(const FieldInput& input,
-                             const ShapeField& edges,
-                             const std::vector<bool>& is_known)
-: input_(input)
-, edges_(edges)
-, points_(chooseNodes(input.points, node_spacings * median(edges.spacings), is_known))
-, grid_(gridOf(input.points, points_, reach_spacings * median(edges.spacings)))
-{
-  std::vector<std::size_t> in_order;
-  in_order.reserve(points_.size());
-  for (const std::uint32_t k : grid_.order()) {
-    const std::size_t i = points_[k];
-    in_order.push_back(i);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      positions_[axis].push_back(input.points[i][axis]);
-      normals_[axis].push_back(edges.normals[i][static_cast<Eigen::Index>(axis)]);
+  Nodes(const FieldInput& input, const ShapeField& edges, std::vector<Node> nodes)
+  : grid(positionsOf(nodes), reach_spacings * median(edges.spacings))
+  {
+    for (const std::uint32_t k : grid.order()) {
+      const std::size_t i = nodes[k].point;
+      points.push_back(nodes[k].point);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        positions[axis].push_back(input.points[i][axis]);
+        normals[axis].push_back(edges.normals[i][static_cast<Eigen::Index>(axis)]);
+      }
+      weights.push_back(edges.edge_likelihood[i] > 0.5f ? across_weight : 1.0f);
     }
-    weights_.push_back(edges.edge_likelihood[i] > 0.5f ? across_weight : 1.0f);
   }
-  points_ = std::move(in_order);
-}
 
-float
-EvidenceNodes::reachOf(std::size_t point) const
+  PointGrid grid;
+  std::vector<std::uint32_t> points;
+  std::array<Floats, 3> positions, normals; ///< x, y, z of each
+  Floats weights;                           ///< of each, whatever its direction
+  std::vector<Floats> values;               ///< of each, class by class
+};
+
+Nodes
+nodesOf(const FieldInput& input,
+        const ShapeField& edges,
+        const std::vector<std::uint32_t>& known)
 {
-  return reach_spacings * edges_.spacings[point];
+  std::vector<Nodes::Node> nodes;
+  for (const std::uint32_t i :
+       centralPoints(input.points, known, node_spacings * median(edges.spacings)))
+    nodes.push_back({positionOf(input.points, i), i});
+  return {input, edges, std::move(nodes)};
 }
 
+/** What nodes from one on count at a point: nothing beyond its radius. */
 void
-EvidenceNodes::weigh(std::size_t first,
-                     std::size_t point,
-                     float squared_radius,
-                     std::vector<float>& weights) const
+weigh(const Nodes& nodes,
+      std::size_t first,
+      const float* p,
+      const float* n,
+      float squared_radius,
+      Floats& weights)
 {
-  const float* p = input_.points[point];
-  const float* n = edges_.normals[point].data();
-  const float *x = &positions_[0][first], *y = &positions_[1][first],
-              *z = &positions_[2][first];
-  const float *nx = &normals_[0][first], *ny = &normals_[1][first],
-              *nz = &normals_[2][first];
-  const float* weight = &weights_[first];
+  const float *x = &nodes.positions[0][first], *y = &nodes.positions[1][first],
+              *z = &nodes.positions[2][first];
+  const float *nx = &nodes.normals[0][first], *ny = &nodes.normals[1][first],
+              *nz = &nodes.normals[2][first];
+  const float* weight = &nodes.weights[first];
   float* result = weights.data();
   const float px = p[0], py = p[1], pz = p[2], qx = n[0], qy = n[1], qz = n[2];
   const std::size_t count = weights.size();
@@ -112,37 +90,14 @@ EvidenceNodes::weigh(std::size_t first,
     const float dx = x[k] - px, dy = y[k] - py, dz = z[k] - pz;
     const float squared = dx * dx + (dy * dy + dz * dz);
     const float cosine = nx[k] * qx + (ny[k] * qy + nz[k] * qz);
-    const float turn = std::abs(cosine) > same_direction ? 1.0f : across_weight;
+    const float turn = std::abs(cosine) > same_face ? 1.0f : across_weight;
     const float near = squared < squared_radius ? 1.0f : 0.0f;
     result[k] = weight[k] * turn * near;
   }
 }
 
-namespace {
-
-using detail::FieldInput;
-
-constexpr int rounds = 4; // doc/method.md has the reason
-
-std::vector<bool>
-knownPoints(const FieldInput& input,
-            const ShapeField& edges,
-            const std::vector<float>& evidence,
-            std::size_t classes)
-{
-  std::vector<bool> is_known(input.points.size);
-  for (std::size_t i = 0; i < is_known.size(); ++i)
-    is_known[i] = kernels::isFinite(input.points[i]) &&
-                  !std::isnan(evidence[i * classes]) &&
-                  kernels::isFinite(edges.normals[i].data());
-  return is_known;
-}
-
-/** A value for each node, class by class. */
-using NodeValues = std::vector<std::vector<float>>;
-
 float
-sumOf(const std::vector<float>& weights)
+sumOf(const Floats& weights)
 {
   const std::size_t count = weights.size();
   const float* weight = weights.data();
@@ -154,7 +109,7 @@ sumOf(const std::vector<float>& weights)
 }
 
 float
-productOf(const std::vector<float>& weights, const float* values)
+productOf(const Floats& weights, const float* values)
 {
   const std::size_t count = weights.size();
   const float* weight = weights.data();
@@ -165,41 +120,55 @@ productOf(const std::vector<float>& weights, const float* values)
   return sum;
 }
 
-/** The mean over the nodes that a point hears of; false if there is none. */
+/** The mean of the nodes' values that count at a point.
+ * \return false if no node is near */
 bool
-meanAt(std::size_t point,
-       const EvidenceNodes& nodes,
-       const NodeValues& values,
-       std::vector<float>& scratch,
-       float* mean)
+meanAt(const FieldInput& input,
+       const ShapeField& edges,
+       const Nodes& nodes,
+       std::size_t point,
+       Floats& scratch,
+       Floats& mean)
 {
+  const float radius = reach_spacings * edges.spacings[point];
   float total = 0.0f;
-  std::fill_n(mean, values.size(), 0.0f);
-  const auto add = [&](std::size_t first, const std::vector<float>& weights) {
-    total += sumOf(weights);
-    for (std::size_t c = 0; c < values.size(); ++c)
-      mean[c] += productOf(weights, &values[c][first]);
-  };
-  nodes.forEachRange(point, scratch, add);
-  for (std::size_t c = 0; c < values.size(); ++c)
-    mean[c] /= total;
+  mean.assign(nodes.values.size(), 0.0f);
+  nodes.grid.forEachRangeWithin(positionOf(input.points, point),
+                                radius,
+                                [&](std::uint32_t begin, std::uint32_t end) {
+                                  scratch.resize(end - begin);
+                                  weigh(nodes,
+                                        begin,
+                                        input.points[point],
+                                        edges.normals[point].data(),
+                                        radius * radius,
+                                        scratch);
+                                  total += sumOf(scratch);
+                                  for (std::size_t c = 0; c < mean.size(); ++c)
+                                    mean[c] +=
+                                        productOf(scratch, &nodes.values[c][begin]);
+                                });
+  for (float& value : mean)
+    value /= total;
   return total > 0.0f;
 }
 
-NodeValues
-averaged(const NodeValues& values, const EvidenceNodes& nodes, unsigned threads)
+/** use(k, mean) with the mean at each of some points, if nodes are near. */
+template <typename Use>
+void
+forEachMean(const FieldInput& input,
+            const ShapeField& edges,
+            const Nodes& nodes,
+            const std::vector<std::uint32_t>& points,
+            const Use& use)
 {
-  NodeValues result(values.size(), std::vector<float>(nodes.size()));
   kernels::parallelForRanges(
-      nodes.size(), threads, [&](std::size_t begin, std::size_t end) {
-        std::vector<float> scratch, mean(values.size());
-        for (std::size_t k = begin; k < end; ++k) {
-          meanAt(nodes.point(k), nodes, values, scratch, mean.data());
-          for (std::size_t c = 0; c < values.size(); ++c)
-            result[c][k] = mean[c];
-        }
+      points.size(), input.threads, [&](std::size_t begin, std::size_t end) {
+        Floats scratch, mean;
+        for (std::size_t k = begin; k < end; ++k)
+          if (meanAt(input, edges, nodes, points[k], scratch, mean))
+            use(k, mean);
       });
-  return result;
 }
 
 } // namespace
@@ -210,21 +179,27 @@ averageEvidence(const FieldInput& input,
                 std::vector<float> evidence,
                 std::size_t classes)
 {
-  const std::vector<bool> is_known = knownPoints(input, edges, evidence, classes);
-  const EvidenceNodes nodes(input, edges, is_known);
-  NodeValues values(classes);
-  for (std::size_t c = 0; c < classes; ++c)
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      values[c].push_back(evidence[nodes.point(k) * classes + c]);
-  for (int round = 1; round < rounds; ++round)
-    values = averaged(values, nodes, input.threads);
-  kernels::parallelForRanges(
-      input.points.size, input.threads, [&](std::size_t begin, std::size_t end) {
-        std::vector<float> scratch, mean(classes);
-        for (std::size_t i = begin; i < end; ++i)
-          if (is_known[i] && meanAt(i, nodes, values, scratch, mean.data()))
-            std::copy_n(mean.data(), classes, &evidence[i * classes]);
-      });
+  std::vector<std::uint32_t> known;
+  for (std::uint32_t i = 0; i < input.points.size; ++i)
+    if (kernels::isFinite(input.points[i]) && !std::isnan(evidence[i * classes]) &&
+        kernels::isFinite(edges.normals[i].data()))
+      known.push_back(i);
+  Nodes nodes = nodesOf(input, edges, known);
+  nodes.values.resize(classes);
+  for (const std::uint32_t i : nodes.points)
+    for (std::size_t c = 0; c < classes; ++c)
+      nodes.values[c].push_back(evidence[i * classes + c]);
+  for (int round = 1; round < rounds; ++round) {
+    std::vector<Floats> means = nodes.values;
+    forEachMean(input, edges, nodes, nodes.points, [&](std::size_t k, const Floats& m) {
+      for (std::size_t c = 0; c < classes; ++c)
+        means[c][k] = m[c];
+    });
+    nodes.values = std::move(means);
+  }
+  forEachMean(input, edges, nodes, known, [&](std::size_t k, const Floats& mean) {
+    std::copy(mean.begin(), mean.end(), &evidence[known[k] * classes]);
+  });
   return evidence;
 }
 

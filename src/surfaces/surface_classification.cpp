@@ -3,6 +3,7 @@
 // The posteriors of the classes of surfaces, by back-projection inside the faces.
 
 #include "surfaces/surface_classification.h"
+
 #include "common/parallel.h"
 #include "common/statistics.h"
 #include "features/class_evidence.h"
@@ -76,9 +77,9 @@ pcl::largestCurvedRadius(const ShapeField& field)
 {
   constexpr float curved_spacings = 20.0f; // see doc/method.md
   const bool is_known =
-      std::any_of(field.spacings.begin(),
-                  field.spacings.end(),
-                  [](float spacing) { return std::isfinite(spacing); });
+      std::any_of(field.spacings.begin(), field.spacings.end(), [](float spacing) {
+        return std::isfinite(spacing);
+      });
   return is_known ? curved_spacings * segmentation::medianSpacing(field.spacings)
                   : 0.0f;
 }

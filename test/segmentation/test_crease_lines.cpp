@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Crease lines on analytic creases: their number, length, angle and ends.
 
 #include "detection_scenes.h"
 #include "support/errors.h"
@@ -162,7 +162,7 @@ TEST(CreaseLines, BadCreasePointsAreRefused)
     ShapeEdgeDetection<PointXYZ> detection;
     Lines lines;
     const std::string error = errorsOf([&] { lines = detection.linesOf(edges); });
-    expectParts(error, {"linesOf", "crease point 7", "allowed"});
+    expectParts(error, {"linesOf", "crease point 7", "must be"});
     EXPECT_TRUE(lines.empty());
   };
   refuse([](auto& p) { p.position[1] = NAN; },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Crease lines of generated scenes beside their exact creases.
 
 #include "detection_scenes.h"
 #include "scene/creases.h"
@@ -48,7 +48,7 @@ struct Followed {
 };
 
 /** \param[in] toWorld from the cloud's frame
- * \param[in] near how far off a line may be, metres */
+ * \param[in] near how far off a line may be, meters */
 template <typename ToWorld>
 Followed
 compared(const Lines& lines,

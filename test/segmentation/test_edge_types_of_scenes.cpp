@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Kinds of edges of generated scenes beside their exact creases.
 
 #include "crease_truth.h"
 #include "detection_scenes.h"
@@ -40,7 +40,7 @@ struct Shares {
   Share creases, corners, rim, inside, right_corners;
 
   /** \brief A point of a scene: a type is a matter of points that were found to be
-   * edges. \param[in] spacing mean distance of points, metres */
+   * edges. \param[in] spacing mean distance of points, meters */
   void
   addEdge(EdgeType type,
           const Vec3& p,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Points in cells, and evidence averaged over a few of them, beside all points.
 
+#include "common/statistics.h"
+#include "geometry/point_choice.h"
 #include "geometry/point_grid.h"
 #include "support/shapes.h"
 #include "surfaces/evidence_averaging.h"
@@ -12,7 +14,6 @@
 #include <limits>
 #include <set>
 
-// Points in cells, and the nodes that evidence is averaged over, beside all points.
 namespace {
 
 using namespace pcl;
@@ -139,38 +140,8 @@ protected:
   std::vector<bool> is_known;
 };
 
-TEST_F(EvidenceAveraging, WeightsAreThoseOfTheMethod)
-{
-  const detail::AdaptiveInput input{neighborhoods, surface.points(), surface.size(), 1};
-  const EvidenceNodes nodes(input, edges, is_known);
-  ASSERT_GT(nodes.size(), 100U);
-  ASSERT_LT(nodes.size(), surface.size() / 4);
-  std::vector<float> scratch;
-  std::size_t weighted = 0;
-  for (std::size_t i = 0; i < surface.size(); i += 17) {
-    std::vector<float> found(nodes.size(), 0.0f);
-    nodes.forEachRange(
-        i, scratch, [&](std::size_t first, const std::vector<float>& weights) {
-          for (std::size_t k = 0; k < weights.size(); ++k)
-            found.at(first + k) += weights[k];
-        });
-    const double reach = 5.0 * static_cast<double>(edges.spacings[i]);
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      const std::size_t j = nodes.point(k);
-      ASSERT_TRUE(is_known[j]);
-      const double distance = (surface.position(i) - surface.position(j)).norm();
-      if (std::abs(distance - reach) < 1e-6)
-        continue;
-      const bool is_same = std::abs(surface.normal(i).dot(surface.normal(j))) > 0.7071;
-      const double weight =
-          (edges.likelihood[j] > 0.5f ? 0.05 : 1.0) * (is_same ? 1.0 : 0.05);
-      EXPECT_NEAR(distance < reach ? weight : 0.0, static_cast<double>(found[k]), 1e-6);
-      weighted += distance < reach ? 1 : 0;
-    }
-  }
-  EXPECT_GT(weighted, 1000U);
-}
-
+/** The weights of the method over the points nearest to the middles of cells, and their
+ * sums in double. */
 TEST_F(EvidenceAveraging, FourRoundsAreThoseInDouble)
 {
   const detail::AdaptiveInput input{neighborhoods, surface.points(), surface.size(), 2};
@@ -182,27 +153,41 @@ TEST_F(EvidenceAveraging, FourRoundsAreThoseInDouble)
                                      : std::numeric_limits<float>::quiet_NaN());
   const std::vector<float> found = averageEvidence(input, edges, evidence, 2);
 
-  const EvidenceNodes nodes(input, edges, is_known);
-  std::vector<float> scratch;
+  std::vector<std::uint32_t> known;
+  for (std::uint32_t i = 0; i < surface.size(); ++i)
+    if (is_known[i])
+      known.push_back(i);
+  const std::vector<std::uint32_t> nodes =
+      centralPoints(input.points, known, 1.5f * median(edges.spacings));
+  ASSERT_GT(nodes.size(), 100U);
+  ASSERT_LT(nodes.size(), surface.size() / 4);
+  std::size_t weighted = 0;
+  const auto weightOf = [&](std::size_t i, std::size_t j) {
+    const float reach = 5.0f * edges.spacings[i];
+    const Vector3f d = positionOf(input.points, j) - positionOf(input.points, i);
+    if (!(d.x() * d.x() + (d.y() * d.y() + d.z() * d.z()) < reach * reach))
+      return 0.0;
+    ++weighted;
+    const bool is_same = std::abs(surface.normal(i).dot(surface.normal(j))) > 0.7071;
+    return (edges.likelihood[j] > 0.5f ? 0.05 : 1.0) * (is_same ? 1.0 : 0.05);
+  };
   const auto meanAt = [&](std::size_t i, const std::vector<double>& values) {
     double sum = 0.0, total = 0.0;
-    nodes.forEachRange(
-        i, scratch, [&](std::size_t first, const std::vector<float>& weights) {
-          for (std::size_t k = 0; k < weights.size(); ++k) {
-            sum += static_cast<double>(weights[k]) * values[first + k];
-            total += static_cast<double>(weights[k]);
-          }
-        });
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const double weight = weightOf(i, nodes[k]);
+      sum += weight * values[k];
+      total += weight;
+    }
     return sum / total;
   };
   for (std::size_t c = 0; c < 2; ++c) {
     std::vector<double> values;
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      values.push_back(static_cast<double>(evidence[2 * nodes.point(k) + c]));
+    for (const std::uint32_t node : nodes)
+      values.push_back(static_cast<double>(evidence[2 * node + c]));
     for (int round = 1; round < 4; ++round) {
       std::vector<double> next;
-      for (std::size_t k = 0; k < nodes.size(); ++k)
-        next.push_back(meanAt(nodes.point(k), values));
+      for (const std::uint32_t node : nodes)
+        next.push_back(meanAt(node, values));
       values = next;
     }
     for (std::size_t i = 0; i < surface.size(); ++i)
@@ -211,6 +196,37 @@ TEST_F(EvidenceAveraging, FourRoundsAreThoseInDouble)
       else
         EXPECT_TRUE(std::isnan(found[2 * i + c]));
   }
+  EXPECT_GT(weighted, 1000U);
+}
+
+TEST(CentralPoints, AreNearestToTheMiddlesOfCells)
+{
+  const float xyz[] = {1.5f,
+                       0.5f,
+                       0.5f, // the second cell
+                       0.1f,
+                       0.5f,
+                       0.5f,
+                       0.25f,
+                       0.5f,
+                       0.5f, // as near as the next one
+                       0.75f,
+                       0.5f,
+                       0.5f,
+                       -0.1f,
+                       0.5f,
+                       0.5f, // the cell before
+                       0.5f,
+                       0.5f,
+                       0.5f}; // no candidate
+  const XYZView points{xyz, 3, 6};
+  using Indices = std::vector<std::uint32_t>;
+  EXPECT_EQ((Indices{4, 2, 0}), centralPoints(points, {0, 1, 2, 4}, 1.0f));
+  EXPECT_EQ((Indices{5}), centralPoints(points, {3, 5, 2}, 1.0f));
+  EXPECT_EQ((Indices{3}), centralPoints(points, {3, 2}, 1.0f)) << "the first one";
+  Indices order{0, 1, 2, 3, 4, 5};
+  sortByPosition(points, order);
+  EXPECT_EQ((Indices{4, 1, 2, 5, 3, 0}), order);
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Nodes of surfaces, the smooth pieces that they are linked to, and limits.
 
 #include "common/disjoint_sets.h"
 #include "small_surfaces.h"
@@ -61,7 +61,7 @@ TEST(SurfaceNodes, OneInEachCellOnTheMeansOfMembers)
   const auto nodes = nodesIn(input, std::vector<char>(flat.size(), 1));
   ASSERT_EQ(64U, nodes.size());
   for (const SurfaceNode& node : nodes) {
-    EXPECT_NEAR(node.center.z(), 0.1f, 1e-6f);
+    EXPECT_NEAR(node.position.z(), 0.1f, 1e-6f);
     EXPECT_NEAR(node.normal.z(), 1.0f, 1e-6f);
     EXPECT_EQ(1.0f, node.spacing);
     EXPECT_LT(node.noise, 1e-3f);
@@ -78,7 +78,7 @@ TEST(SurfaceNodes, LeaveOutWhatIsNoMemberAndWhatIsAlone)
   const auto nodes = nodesIn(input, members);
   ASSERT_EQ(32U, nodes.size());
   for (const SurfaceNode& node : nodes)
-    EXPECT_LT(node.center.x(), 6.0f);
+    EXPECT_LT(node.position.x(), 6.0f);
   std::fill(members.begin(), members.end(), 0);
   std::fill_n(members.begin(), 4, 1);
   EXPECT_TRUE(nodesIn(input, members).empty());

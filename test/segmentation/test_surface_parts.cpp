@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Parts of a piece: nodes assigned to them, and parts joined again.
 
 #include "instances/piece_splitting.h"
 #include "small_surfaces.h"
@@ -101,8 +101,9 @@ joined(const Surface& first,
 {
   const auto middle = static_cast<std::uint32_t>(first.size());
   const SurfacePiece piece(nodesOf(together(first, second)), 0.0f);
-  return joinParts(
-      piece, {{on_first, range(0, middle)}, {on_second, range(middle, piece.size())}});
+  const auto end = static_cast<std::uint32_t>(piece.nodes.size());
+  return joinParts(piece,
+                   {{on_first, range(0, middle)}, {on_second, range(middle, end)}});
 }
 
 TEST(PartBorders, OnePlaneInTwoPartsIsOne)
@@ -146,7 +147,7 @@ TEST(PartBorders, PartsOfACylinderAreOne)
   for (std::uint32_t k = 0; k < nodes.size(); ++k)
     (k % 40 < 20 ? left : right).push_back(k);
   const SurfacePiece piece(nodes, 0.0f);
-  const Eigen::Vector3f to_first = nodes[0].center;
+  const Eigen::Vector3f to_first = nodes[0].position;
   const ShapePrimitive surface{PrimitiveType::Cylinder,
                                {-18.0f - to_first.x(), -to_first.y(), 0, 0, 0, 1, 18},
                                0};

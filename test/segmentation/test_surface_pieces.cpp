@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Pieces that are one primitive or several, and how they are cut.
 
 #include "instances/piece_splitting.h"
 #include "small_surfaces.h"
@@ -22,7 +22,7 @@ TEST(SurfacePiece, OnePrimitiveDescribesPlaneCylinderAndSphere)
   Random random(22);
   const auto isOne = [](const Surface& surface) {
     const SurfacePiece piece(nodesOf(surface), 0.0f);
-    return piece.isOne(piece.nodes());
+    return piece.isOne(piece.allNodes());
   };
   EXPECT_TRUE(isOne(floorPatch(0, 0, 0, 12, 12, 1.5)));
   EXPECT_TRUE(isOne(sphere(200, 6.0, random)));
@@ -37,7 +37,7 @@ TEST(SurfacePiece, ARightAngleIsTwoPlanes)
   const SurfacePiece piece(nodesOf(together(floorPatch(1.5, 0, 0, 12, 12, 1.5),
                                             wallPatch(0, 1.5, true, 12, 10, 1.5))),
                            0.0f);
-  EXPECT_EQ(26U, piece.leastSize()); // a tenth of 264
+  EXPECT_EQ(26U, piece.min_size); // a tenth of 264
   const std::vector<SurfacePart> parts = piece.parts();
   ASSERT_EQ(2U, parts.size());
   EXPECT_EQ(range(0, 144), parts[0].nodes);
@@ -56,7 +56,7 @@ TEST(SurfacePiece, DistancesAreInSpacingsAndOnlyWhereNormalsAgree)
   const SurfacePiece piece(nodes, 0.0f);
   const ShapePrimitive below{PrimitiveType::Plane, {0, 0, 1, 0.5f}, 0};
   EXPECT_FLOAT_EQ(0.5f, piece.distanceTo(below, 0)); // 0 is the first node's place
-  EXPECT_FLOAT_EQ(0.5f, piece.residualOf(below, piece.nodes()));
+  EXPECT_FLOAT_EQ(0.5f, piece.residualOf(below, piece.allNodes()));
   const ShapePrimitive beside{PrimitiveType::Plane, {1, 0, 0, 0}, 0};
   EXPECT_EQ(std::numeric_limits<float>::infinity(), piece.distanceTo(beside, 0));
 }

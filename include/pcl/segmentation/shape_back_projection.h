@@ -41,7 +41,7 @@ public:
 protected:
   void toClasses(const std::vector<float>& values, float* likelihoods) const override;
 
-  std::size_t classOf(const float* likelihoods) const override;
+  std::size_t classOf(const float* likelihoods, std::size_t classes) const override;
 
   std::vector<std::vector<float>> likelihoodsOf(const ShapeField& field) const override;
 

@@ -256,8 +256,8 @@ protected:
                          float* likelihoods) const = 0;
 
   /** \brief The position in getClasses() of the class of a point with these
-   * likelihoods. */
-  virtual std::size_t classOf(const float* likelihoods) const = 0;
+   * likelihoods, of so many classes. */
+  virtual std::size_t classOf(const float* likelihoods, std::size_t classes) const = 0;
 
   /** \brief Whether a field needs no classes, and which of its models is set. */
   virtual bool

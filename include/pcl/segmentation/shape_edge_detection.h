@@ -64,7 +64,7 @@ protected:
 
   void toClasses(const std::vector<float>& values, float* likelihoods) const override;
 
-  std::size_t classOf(const float* likelihoods) const override;
+  std::size_t classOf(const float* likelihoods, std::size_t classes) const override;
 
   bool
   edgesOnly() const override

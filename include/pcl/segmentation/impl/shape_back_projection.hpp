@@ -53,12 +53,12 @@ ShapeBackProjection<PointT, PointNT>::toClasses(const std::vector<float>& values
 
 template <typename PointT, typename PointNT>
 std::size_t
-ShapeBackProjection<PointT, PointNT>::classOf(const float* likelihoods) const
+ShapeBackProjection<PointT, PointNT>::classOf(const float* likelihoods,
+                                              std::size_t classes) const
 {
-  const std::size_t classes = this->mode_ == this->DEFAULT ? getClasses().size()
-                              : this->model_ ? this->model_->classes().size()
-                                             : 1;
-  if (classes == 1)
+  const bool has_one_histogram = this->mode_ == this->PAPER &&
+                                 (!this->model_ || this->model_->classes().size() == 1);
+  if (has_one_histogram)
     return likelihoods[0] >= this->threshold_ ? 0 : 1;
   const float* likeliest = std::max_element(likelihoods, likelihoods + classes);
   return static_cast<std::size_t>(likeliest - likelihoods);

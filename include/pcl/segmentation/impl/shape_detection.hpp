@@ -231,7 +231,8 @@ ShapeDetection<PointT, PointNT>::classesOf(
     for (std::size_t c = 0; c < values.size(); ++c)
       values[c] = likelihoods[c][i];
     if (!std::isnan(values[0]))
-      classes[classOf(values.data())].indices.push_back((*this->indices_)[i]);
+      classes[classOf(values.data(), values.size())].indices.push_back(
+          (*this->indices_)[i]);
   }
   return classes;
 }

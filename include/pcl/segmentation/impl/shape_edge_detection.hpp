@@ -63,7 +63,8 @@ ShapeEdgeDetection<PointT, PointNT>::toClasses(const std::vector<float>& values,
 
 template <typename PointT, typename PointNT>
 std::size_t
-ShapeEdgeDetection<PointT, PointNT>::classOf(const float* likelihoods) const
+ShapeEdgeDetection<PointT, PointNT>::classOf(const float* likelihoods,
+                                             std::size_t) const
 {
   return likelihoods[1] < this->threshold_ ? 0 : 1;
 }

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Points chosen by where they are, whatever their order in the cloud.
+
+#include "geometry/point_choice.h"
+
+#include "geometry/point_grid.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+namespace pcl::segmentation {
+
+void
+sortByPosition(const XYZView& points, std::vector<std::uint32_t>& indices)
+{
+  std::sort(indices.begin(), indices.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const float* p = points[a];
+    const float* q = points[b];
+    return std::tie(p[0], p[1], p[2], a) < std::tie(q[0], q[1], q[2], b);
+  });
+}
+
+std::vector<std::uint32_t>
+centralPoints(const XYZView& points,
+              const std::vector<std::uint32_t>& candidates,
+              float cell)
+{
+  struct Entry {
+    std::array<float, 3> cell;
+    float off_center;
+    std::size_t rank; ///< among the candidates
+  };
+  std::vector<Entry> entries;
+  entries.reserve(candidates.size());
+  for (const std::uint32_t i : candidates) {
+    const Eigen::Array3f p = positionOf(points, i).array() / cell;
+    const Eigen::Array3f c = p.floor();
+    const float off_center = (p - c - 0.5f).matrix().squaredNorm();
+    entries.push_back({{c.x(), c.y(), c.z()}, off_center, entries.size()});
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return std::tie(a.cell, a.off_center, a.rank) <
+           std::tie(b.cell, b.off_center, b.rank);
+  });
+  std::vector<std::uint32_t> chosen;
+  for (std::size_t k = 0; k < entries.size(); ++k)
+    if (k == 0 || entries[k].cell != entries[k - 1].cell)
+      chosen.push_back(candidates[entries[k].rank]);
+  return chosen;
+}
+
+} // namespace pcl::segmentation

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Points chosen by where they are, whatever their order in the cloud.
+
+#pragma once
+
+#include <pcl/features/neighborhood_sweep.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl::segmentation {
+
+/** \brief Sort indices by the x, y and z of their points; points at the same place by
+ * their indices. */
+void sortByPosition(const XYZView& points, std::vector<std::uint32_t>& indices);
+
+/** \brief Of the candidates in each cell of space the one nearest to the middle of the
+ * cell, the first of several as near. Cells are in the order of their coordinates. */
+std::vector<std::uint32_t> centralPoints(const XYZView& points,
+                                         const std::vector<std::uint32_t>& candidates,
+                                         float cell);
+
+} // namespace pcl::segmentation
