@@ -32,6 +32,7 @@ constexpr std::size_t min_places = 3;      // of each direction: fewer are chanc
 // 6 of 16 sectors are 135 degrees: a straight end of the surface leaves 180 degrees
 // empty, random gaps inside about 30.
 constexpr float boundary_spacings = 2.5f;
+constexpr float near_spacings = 1.1f; // some 14 neighbors
 constexpr unsigned sectors = 16, empty_sectors = 6;
 
 using Directions = std::vector<Vector3f>;
@@ -96,7 +97,8 @@ hasGap(std::uint32_t taken)
   return (run & ((1U << sectors) - 1)) != 0;
 }
 
-/** True where the neighbors leave a wide sector of the tangent plane empty. */
+/** True where the neighbors leave a wide sector of the tangent plane empty. The nearest
+ * ones close the circle of most points: the others are looked at where they do not. */
 bool
 isOnBoundary(const ShapeField& edges, const PointGrid& grid, std::size_t i)
 {
@@ -104,16 +106,15 @@ isOnBoundary(const ShapeField& edges, const PointGrid& grid, std::size_t i)
   const Vector3f x = normal.unitOrthogonal(), y = normal.cross(x);
   const Vector3f center = positionOf(edges.points, i);
   std::uint32_t taken = 0;
-  bool has_gap = true; // until neighbors close it: most points need to look at few
-  grid.forEachWithin(
-      center, boundary_spacings * edges.spacings[i], [&](std::uint32_t j, float d2) {
-        if (!has_gap || d2 == 0.0f)
-          return;
-        const Vector3f d = positionOf(edges.points, j) - center;
-        taken |= 1U << sectorOf(d.dot(x), d.dot(y));
-        has_gap = hasGap(taken);
-      });
-  return has_gap;
+  const auto closes = [&](std::uint32_t, const Vector3f& position) {
+    const Vector3f d = position - center;
+    if (d.squaredNorm() == 0.0f)
+      return false;
+    taken |= 1U << sectorOf(d.dot(x), d.dot(y));
+    return !hasGap(taken);
+  };
+  return !grid.anyWithin(center, near_spacings * edges.spacings[i], closes) &&
+         !grid.anyWithin(center, boundary_spacings * edges.spacings[i], closes);
 }
 
 } // namespace
@@ -124,7 +125,8 @@ edgeTypes(const ShapeField& edges, double threshold, unsigned threads)
   float max_spacing = 0.0f; // NaN is unknown
   for (const float spacing : edges.spacings)
     max_spacing = std::max(max_spacing, spacing);
-  const PointGrid grid(edges.points, boundary_spacings * medianSpacing(edges.spacings));
+  const PointGrid grid(edges.points,
+                       2.0f * near_spacings * medianSpacing(edges.spacings));
   const PointGrid creases(positionsOf(edges.creases),
                           fitSpacings(edges.noise) * max_spacing);
   std::vector<EdgeType> types(edges.points.size, EdgeType::None);

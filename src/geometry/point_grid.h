@@ -39,6 +39,22 @@ public:
     });
   }
 
+  /** \brief Whether is(index, position) for one of the points nearer than the radius;
+   * those after it are not asked. */
+  template <typename Is>
+  bool
+  anyWithin(const Eigen::Vector3f& center, float radius, const Is& is) const
+  {
+    const float r2 = radius * radius;
+    return anyRangeWithin(center, radius, [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t i = begin; i < end; ++i)
+        if ((positions_[i] - center).squaredNorm() < r2 &&
+            is(indices_[i], positions_[i]))
+          return true;
+      return false;
+    });
+  }
+
   /** \brief visit(begin, end) for ranges of order() that hold all points nearer than
    * the radius, and others; in the order of forEachWithin(). */
   template <typename Visit>
@@ -47,15 +63,10 @@ public:
                      float radius,
                      const Visit& visit) const
   {
-    const Eigen::Array3i low = cellOf(center.array() - radius);
-    const Eigen::Array3i high = cellOf(center.array() + radius);
-    for (int z = low.z(); z <= high.z(); ++z) {
-      for (int y = low.y(); y <= high.y(); ++y) {
-        const CellRange cells = cellsOf(low.x(), high.x(), y, z);
-        if (cells.begin < cells.end)
-          visit(begins_[cells.begin], begins_[cells.end]);
-      }
-    }
+    anyRangeWithin(center, radius, [&](std::uint32_t begin, std::uint32_t end) {
+      visit(begin, end);
+      return false;
+    });
   }
 
   /** \brief The indices of the points, cell by cell. */
@@ -67,6 +78,21 @@ public:
 
 private:
   static constexpr int axis_bits = 21;
+
+  template <typename Is>
+  bool
+  anyRangeWithin(const Eigen::Vector3f& center, float radius, const Is& is) const
+  {
+    const Eigen::Array3i low = cellOf(center.array() - radius);
+    const Eigen::Array3i high = cellOf(center.array() + radius);
+    for (int z = low.z(); z <= high.z(); ++z)
+      for (int y = low.y(); y <= high.y(); ++y) {
+        const CellRange cells = cellsOf(low.x(), high.x(), y, z);
+        if (cells.begin < cells.end && is(begins_[cells.begin], begins_[cells.end]))
+          return true;
+      }
+    return false;
+  }
 
   static std::uint64_t
   keyOf(int x, int y, int z)
