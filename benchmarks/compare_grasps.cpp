@@ -62,16 +62,16 @@ public:
         arguments_.noise == "none" ? scene::Noise::None : scene::Noise::Kinect;
     const scene::GraspScene scene = scene::graspScene(options);
     const Cloud::Ptr cloud = cloudOf(scene);
-    pcl::ShapeBackProjection<pcl::PointXYZ> back_projection;
-    back_projection.setInputCloud(cloud);
-    const auto surfaces = pcl::make_shared<pcl::Surfaces>();
-    back_projection.classify(*surfaces);
+    pcl::ShapeFieldEstimation<pcl::PointXYZ> field_estimation;
+    field_estimation.setInputCloud(cloud);
+    const auto field = pcl::make_shared<pcl::ShapeField>();
+    field_estimation.compute(*field);
     for (const std::size_t target : scene.targets) {
       const auto points = pcl::make_shared<pcl::Indices>();
       for (std::size_t i = 0; i < cloud->size(); ++i)
         if (scene.object[i] == static_cast<int>(target))
           points->push_back(static_cast<pcl::index_t>(i));
-      addTarget(scene, cloud, target, points, surfaces, seed);
+      addTarget(scene, cloud, target, points, field, seed);
     }
   }
 
@@ -98,7 +98,7 @@ private:
             const Cloud::Ptr& cloud,
             std::size_t target,
             const pcl::IndicesPtr& points,
-            const pcl::shared_ptr<const pcl::Surfaces>& surfaces,
+            const pcl::ShapeField::ConstPtr& field,
             std::uint64_t seed)
   {
     Outcome outcome;
@@ -109,7 +109,7 @@ private:
     pcl::SuctionGraspEstimation<pcl::PointXYZ> estimation;
     estimation.setInputCloud(cloud);
     estimation.setIndices(points);
-    estimation.setInputSurfaces(surfaces);
+    estimation.setShapeField(field);
     estimation.setCupRadius(arguments_.cup_radius);
     std::vector<pcl::SuctionGrasp> grasps;
     const auto start = std::chrono::steady_clock::now();
@@ -124,11 +124,8 @@ private:
                                            arguments_.cup_radius);
     }
     if (!points->empty()) {
-      outcome.is_centroid_on_one_face =
-          isOnOneFace(scene,
-                      target,
-                      centroidGrasp(*cloud, *points, *surfaces),
-                      arguments_.cup_radius);
+      outcome.is_centroid_on_one_face = isOnOneFace(
+          scene, target, centroidGrasp(*cloud, *points, *field), arguments_.cup_radius);
     }
     note(outcome);
     if (arguments_.verbose)

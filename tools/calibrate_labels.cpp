@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // PURPOSE
 
+#include "labels/label_evidence.h"
 #include "scene/scene.h"
 #include "scene/surface_samples.h"
 
 #include <pcl/point_types.h>
-#include <pcl/segmentation/label_confidence.h>
 
 #include <Eigen/Dense>
 
@@ -49,14 +49,14 @@ truthAt(const scene::Scene& scene, std::size_t i)
   return is_surface ? scene.surface[i] : 0;
 }
 
-Surfaces
-surfacesOf(const PointCloud<PointXYZ>::Ptr& cloud)
+ShapeField
+fieldOf(const PointCloud<PointXYZ>::Ptr& cloud)
 {
-  ShapeBackProjection<PointXYZ> detection;
-  detection.setInputCloud(cloud);
-  Surfaces surfaces;
-  detection.classify(surfaces);
-  return surfaces;
+  ShapeFieldEstimation<PointXYZ> estimation;
+  estimation.setInputCloud(cloud);
+  ShapeField field;
+  estimation.compute(field);
+  return field;
 }
 
 void
@@ -71,9 +71,8 @@ addScene(const scene::Scene& scene, std::vector<Examples>& examples)
     cloud->push_back(PointXYZ(p[0], p[1], p[2]));
     truth.push_back(truthAt(scene, i));
   }
-  const Surfaces surfaces = surfacesOf(cloud);
-  const XYZView points{&(*cloud)[0].x, sizeof(PointXYZ) / sizeof(float), cloud->size()};
-  const auto evidence = detail::labelEvidence({points, surfaces});
+  const ShapeField field = fieldOf(cloud);
+  const auto evidence = detail::labelEvidence({field});
   // Planar points are many and alike.
   const std::size_t steps[classes] = {5, 2, 1};
   for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -86,7 +85,7 @@ addScene(const scene::Scene& scene, std::vector<Examples>& examples)
       values[static_cast<Eigen::Index>(f) + 1] = evidence.features[i][f];
     examples[label - 1].push_back({values, label == truth[i] ? 1.0 : 0.0});
   }
-  std::cerr << cloud->size() << " points, noise " << surfaces.noise << '\n';
+  std::cerr << cloud->size() << " points, noise " << field.noise << '\n';
 }
 
 double

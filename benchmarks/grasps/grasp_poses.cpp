@@ -37,7 +37,7 @@ isOnOneFace(const scene::GraspScene& scene,
 }
 
 Pose
-centroidGrasp(const Cloud& cloud, const pcl::Indices& target, const pcl::Surfaces& of)
+centroidGrasp(const Cloud& cloud, const pcl::Indices& target, const pcl::ShapeField& of)
 {
   Vector3f mean = Vector3f::Zero();
   for (const pcl::index_t i : target) {
@@ -49,9 +49,9 @@ centroidGrasp(const Cloud& cloud, const pcl::Indices& target, const pcl::Surface
   for (const pcl::index_t i : target) {
     const auto at = static_cast<std::size_t>(i);
     const float squared = (cloud[at].getVector3fMap() - mean).squaredNorm();
-    if (squared < least && of.normals[at].getNormalVector3fMap().allFinite()) {
+    if (squared < least && of.normals[at].allFinite()) {
       least = squared;
-      pose = {cloud[at].getVector3fMap(), -of.normals[at].getNormalVector3fMap()};
+      pose = {cloud[at].getVector3fMap(), -of.normals[at]};
     }
   }
   return pose;

@@ -28,7 +28,8 @@ bool isOnOneFace(const pcl::scene::GraspScene& scene,
 
 /** The centroid method: the point of the target nearest to the mean of its points,
  * along the normal there. Normals are those of the default mode. */
-Pose
-centroidGrasp(const Cloud& cloud, const pcl::Indices& target, const pcl::Surfaces& of);
+Pose centroidGrasp(const Cloud& cloud,
+                   const pcl::Indices& target,
+                   const pcl::ShapeField& of);
 
 } // namespace grasps

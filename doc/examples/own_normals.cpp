@@ -41,6 +41,7 @@ main(int argc, char** argv)
 
   pcl::ShapeBackProjection<pcl::PointXYZ> surfaces;
   surfaces.setInputCloud(cloud);
+  surfaces.setMode(surfaces.PAPER);
   surfaces.setInputINAD(inad);
   std::vector<pcl::PointIndices> classes;
   surfaces.segment(classes); // planar, curved

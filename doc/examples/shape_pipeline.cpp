@@ -11,6 +11,7 @@
 #include <pcl/point_types.h>
 #include <pcl/segmentation/shape_back_projection.h>
 #include <pcl/segmentation/shape_edge_detection.h>
+#include <pcl/segmentation/shape_field_estimation.h>
 
 #include <iostream>
 
@@ -25,13 +26,20 @@ main(int argc, char** argv)
   }
 
   // [pipeline]
+  pcl::ShapeFieldEstimation<pcl::PointXYZ> estimation;
+  estimation.setInputCloud(cloud); // no radius: neighborhoods follow density and noise
+  const auto field = pcl::make_shared<pcl::ShapeField>();
+  estimation.compute(*field); // once, for every task
+
   pcl::ShapeBackProjection<pcl::PointXYZ> surfaces;
-  surfaces.setInputCloud(cloud); // no radius: it follows density and noise
+  surfaces.setInputCloud(cloud);
+  surfaces.setShapeField(field);
   std::vector<pcl::PointIndices> classes;
   surfaces.segment(classes); // planar, curved
 
   pcl::ShapeEdgeDetection<pcl::PointXYZ> edge_detection;
   edge_detection.setInputCloud(cloud);
+  edge_detection.setShapeField(field); // without one, it makes its own
   pcl::PointIndices edges;
   edge_detection.segment(edges);
   // [pipeline]

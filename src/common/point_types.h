@@ -10,7 +10,8 @@
 // clang-format off
 #define PCL_SHAPE_POINT_TYPES \
   (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZRGB)(pcl::PointXYZRGBA)(pcl::PointXYZL) \
-  (pcl::PointNormal)(pcl::PointXYZRGBNormal)
+  (pcl::PointXYZRGBL)(pcl::PointNormal)(pcl::PointXYZINormal)(pcl::PointXYZRGBNormal) \
+  (pcl::PointXYZLNormal)
 #define PCL_SHAPE_NORMAL_TYPES \
   (pcl::Normal)(pcl::PointNormal)(pcl::PointXYZRGBNormal)
 // clang-format on

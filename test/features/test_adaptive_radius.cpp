@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // PURPOSE
 
+#include "features/local_spacing.h"
 #include "support/clouds.h"
 #include "support/errors.h"
 
@@ -9,12 +10,13 @@
 #include <pcl/features/normal_3d_sweep.h>
 #include <pcl/features/shape_model.h>
 #include <pcl/search/kdtree.h>
-#include <pcl/features/impl/cloud_neighborhoods.hpp>
+#include <pcl/features/impl/neighborhoods.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace {
 
@@ -131,7 +133,12 @@ TEST(AdaptiveRadius, TheSpacingIsTheDistanceToThe12thNeighborSoftened)
 TEST(AdaptiveRadius, NoiseIsMeasuredInSpacings)
 {
   const auto noise = [](double sigma) {
-    return detail::noiseOfCloud<PointXYZ>(toCloud<PointXYZ>(noisyFold(sigma)), 1);
+    const Surface fold = noisyFold(sigma);
+    Indices all(fold.size());
+    std::iota(all.begin(), all.end(), 0);
+    const detail::Neighborhoods neighborhoods(fold.points(), fold.points(), all, 1);
+    return detail::noiseOf(neighborhoods,
+                           detail::localSpacings(neighborhoods, all.size()));
   };
   EXPECT_LT(noise(0.0), 1e-4);
   // 6000 points on 2 x 0.16 x 0.16 m: d is about 2 * 2.9 mm.

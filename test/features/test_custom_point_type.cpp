@@ -124,6 +124,7 @@ TEST_F(CustomPointType, SearchMethod)
 TEST_F(CustomPointType, Detection)
 {
   ShapeEdgeDetection<LaserPoint> edges;
+  edges.setMode(ShapeEdgeDetection<LaserPoint>::PAPER);
   edges.setInputCloud(cloud_);
   edges.setInputNormals(trueNormalsOf<Normal>(surface_));
   PointIndices found;

@@ -2,9 +2,8 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // PURPOSE
 
+#include "features/listed_neighborhoods.h"
 #include "support/shapes.h"
-
-#include <pcl/features/listed_neighborhoods.h>
 
 #include <gtest/gtest.h>
 

@@ -54,8 +54,11 @@ using Types = testing::Types<PointXYZ,
                              PointXYZRGB,
                              PointXYZRGBA,
                              PointXYZL,
+                             PointXYZRGBL,
                              PointNormal,
-                             PointXYZRGBNormal>;
+                             PointXYZINormal,
+                             PointXYZRGBNormal,
+                             PointXYZLNormal>;
 TYPED_TEST_SUITE(PointTypes, Types);
 
 TYPED_TEST(PointTypes, AllGiveTheSame)

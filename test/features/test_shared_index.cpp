@@ -12,7 +12,7 @@
 #include <pcl/search/kdtree.h>
 #include <pcl/segmentation/shape_back_projection.h>
 #include <pcl/segmentation/shape_edge_detection.h>
-#include <pcl/features/impl/cloud_neighborhoods.hpp>
+#include <pcl/features/impl/neighborhoods.hpp>
 
 #include <gtest/gtest.h>
 
@@ -107,10 +107,11 @@ TEST_F(SharedIndex, OfSomeOfThePointsIsThatOfAll)
   for (std::size_t i = 0; i < all.size(); ++i)
     all[i] = static_cast<index_t>(i);
   some.assign(all.begin(), all.begin() + 100);
-  detail::CloudNeighborhoods<PointXYZ> neighborhoods(cloud_, cloud_, all, 1);
+  const XYZView points = detail::xyzOf(*cloud_);
+  detail::Neighborhoods neighborhoods(points, points, all, 1);
   neighborhoods.setIndex(index_);
   std::vector<float> distances(all.size());
-  neighborhoods.among(some)->computeDistanceToNearest(12, distances.data());
+  neighborhoods.among(some).computeDistanceToNearest(12, distances.data());
   EXPECT_EQ(index_->getSortCount(), 1u);
   neighborhoods.computeDistanceToNearest(12, distances.data());
   EXPECT_EQ(index_->getSortCount(), 1u);
@@ -119,6 +120,7 @@ TEST_F(SharedIndex, OfSomeOfThePointsIsThatOfAll)
 TEST_F(SharedIndex, OfADetectorWithNormalsServesItsINAD)
 {
   ShapeBackProjection<PointXYZ, Normal> detection;
+  detection.setMode(ShapeBackProjection<PointXYZ, Normal>::PAPER);
   detection.setInputNormals(normals_);
   detection.setRadius(0.01);
   EXPECT_EQ(sortsOfDetection(detection), 1u);
@@ -129,6 +131,7 @@ TEST_F(SharedIndex, OfADetectorWithNormalsServesItsINAD)
 TEST_F(SharedIndex, OfADetectorServesItsNormals)
 {
   ShapeEdgeDetection<PointXYZ, Normal> detection;
+  detection.setMode(ShapeEdgeDetection<PointXYZ, Normal>::PAPER);
   detection.setNormalRadius(0.15);
   detection.setRadius(0.005);
   EXPECT_EQ(sortsOfDetection(detection), 2u);
@@ -137,8 +140,7 @@ TEST_F(SharedIndex, OfADetectorServesItsNormals)
 TEST_F(SharedIndex, OfAnAdaptiveDetectorIsUsed)
 {
   ShapeEdgeDetection<PointXYZ, Normal> detection;
-  detection.setInputCloud(cloud_);
-  ASSERT_TRUE(detection.isAdaptive());
+  ASSERT_EQ(detection.getMode(), detection.DEFAULT);
   EXPECT_GE(sortsOfDetection(detection), 1u);
 }
 

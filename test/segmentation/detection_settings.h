@@ -19,13 +19,15 @@
 /** What the tests of settings and of models share. */
 namespace pcl::test {
 
-/** \brief 100 points in a plane; INAD in bins 0 to 9 of mu, ten points each. */
+/** \brief The paper's method on 100 points in a plane; INAD in bins 0 to 9 of mu, ten
+ * points each. */
 template <typename Class>
 class DetectionSettings : public testing::Test {
 protected:
   DetectionSettings()
   {
     detection_.setInputCloud(toCloud<PointXYZ>(grid(10, 0.004)));
+    detection_.setMode(Class::PAPER);
     inad_->resize(100);
     for (std::size_t i = 0; i < 100; ++i) {
       (*inad_)[i].mu =

@@ -55,10 +55,10 @@ graspTrials(std::uint64_t seed, scene::Noise noise, double radius)
   const auto cloud = make_shared<PointCloud<PointXYZ>>();
   for (std::size_t i = 0; i < scene.object.size(); ++i)
     cloud->emplace_back(scene.xyz[3 * i], scene.xyz[3 * i + 1], scene.xyz[3 * i + 2]);
-  ShapeBackProjection<PointXYZ> back_projection;
-  back_projection.setInputCloud(cloud);
-  const auto surfaces = make_shared<Surfaces>();
-  back_projection.classify(*surfaces);
+  ShapeFieldEstimation<PointXYZ> field_estimation;
+  field_estimation.setInputCloud(cloud);
+  const auto field = make_shared<ShapeField>();
+  field_estimation.compute(*field);
   std::vector<GraspTrial> trials;
   for (const std::size_t target : scene.targets) {
     const auto points = make_shared<Indices>();
@@ -71,7 +71,7 @@ graspTrials(std::uint64_t seed, scene::Noise noise, double radius)
     SuctionGraspEstimation<PointXYZ> estimation;
     estimation.setInputCloud(cloud);
     estimation.setIndices(points);
-    estimation.setInputSurfaces(surfaces);
+    estimation.setShapeField(field);
     estimation.setCupRadius(radius);
     estimation.compute(trial.grasps);
     trial.is_on_one_face = !trial.grasps.empty() &&

@@ -101,19 +101,34 @@ TEST(AdaptiveDetection, IndicesAnotherInputAndASearchMethod)
   EXPECT_GE(static_cast<double>(same), 0.999 * static_cast<double>(listed.size()));
 }
 
-TEST(AdaptiveDetection, GivenRadiiMakeItThePapersMethod)
+TEST(AdaptiveDetection, GivenRadiiNeedThePapersMethod)
 {
-  ShapeEdgeDetection<PointXYZ> detection;
-  EXPECT_TRUE(detection.isAdaptive());
+  using Detection = ShapeEdgeDetection<PointXYZ>;
+  const auto cloud = cloudOf(sampledScene(3));
+  Detection detection;
+  EXPECT_EQ(Detection::DEFAULT, detection.getMode());
   detection.setRadius(0.006);
-  EXPECT_FALSE(detection.isAdaptive());
-  ShapeEdgeDetection<PointXYZ> fixed;
-  fixed.setRadiusMode(ShapeEdgeDetection<PointXYZ>::FIXED);
-  EXPECT_FALSE(fixed.isAdaptive());
+  EXPECT_EQ(Detection::DEFAULT, detection.getMode());
+  Likelihoods found(1);
+  expectParts(errorsOf([&] { found = likelihoodsOf(detection, cloud); }),
+              {"a radius is set", "setMode(PAPER)"});
+  EXPECT_TRUE(found.empty());
+  detection.setMode(Detection::PAPER);
+  EXPECT_EQ("", errorsOf([&] { found = likelihoodsOf(detection, cloud); }));
+  EXPECT_EQ(2U, found.size());
+  Detection fixed;
+  fixed.setMode(Detection::PAPER);
+  fixed.setRadiusMode(Detection::FIXED);
   EXPECT_EQ(0.015, fixed.getParameters().normal_radius);
-  ShapeEdgeDetection<PointXYZ> paper;
-  paper.setMode(ShapeEdgeDetection<PointXYZ>::PAPER);
-  EXPECT_FALSE(paper.isAdaptive());
+}
+
+ShapeField::Ptr
+fieldOf(ShapeFieldEstimation<PointXYZ>& estimation, const Cloud::Ptr& cloud)
+{
+  const auto field = make_shared<ShapeField>();
+  estimation.setInputCloud(cloud);
+  EXPECT_TRUE(estimation.compute(*field));
+  return field;
 }
 
 TEST(AdaptiveDetection, SurfacesInOneGoAreThoseOfBothDetectors)
@@ -125,59 +140,80 @@ TEST(AdaptiveDetection, SurfacesInOneGoAreThoseOfBothDetectors)
   ShapeBackProjection<PointXYZ> detection;
   detection.setIndices(some);
   const Likelihoods expected = likelihoodsOf(detection, cloud);
-  Surfaces surfaces;
-  detection.classify(surfaces);
+  ShapeFieldEstimation<PointXYZ> estimation;
+  estimation.setIndices(some);
+  const ShapeField::Ptr field = fieldOf(estimation, cloud);
   const std::vector<float> edges = edgesOf(cloud);
-  ASSERT_EQ(surfaces.likelihoods.size(), 2u);
-  ASSERT_EQ(surfaces.normals.size(), some->size());
-  ASSERT_EQ(surfaces.spacings.size(), some->size());
-  ASSERT_EQ(surfaces.edge_likelihood.size(), some->size());
+  ASSERT_EQ(field->likelihoods.size(), 2u);
+  ASSERT_EQ(field->normals.size(), cloud->size());
+  ASSERT_EQ(field->spacings.size(), cloud->size());
+  ASSERT_EQ(field->edge_likelihood.size(), cloud->size());
   std::size_t known = 0, with_edges = 0;
   for (std::size_t i = 0; i < some->size(); ++i) {
     const auto at = static_cast<std::size_t>((*some)[i]);
     const bool is_known = !std::isnan(expected[0][i]);
-    EXPECT_EQ(std::isnan(surfaces.likelihoods[0][i]), !is_known);
-    EXPECT_EQ(std::isnan(surfaces.edge_likelihood[i]), std::isnan(edges[at]));
+    EXPECT_EQ(std::isnan(field->likelihoods[0][at]), !is_known);
+    EXPECT_EQ(std::isnan(field->edge_likelihood[at]), std::isnan(edges[at]));
     if (!is_known)
       continue;
     ++known;
-    EXPECT_EQ(surfaces.likelihoods[0][i], expected[0][i]);
-    EXPECT_EQ(surfaces.likelihoods[1][i], expected[1][i]);
+    EXPECT_EQ(field->likelihoods[0][at], expected[0][i]);
+    EXPECT_EQ(field->likelihoods[1][at], expected[1][i]);
     // A surface is known where the neighborhood of an edge is too small, too.
     if (std::isnan(edges[at]))
       continue;
-    EXPECT_EQ(surfaces.edge_likelihood[i], edges[at]);
+    EXPECT_EQ(field->edge_likelihood[at], edges[at]);
     ++with_edges;
-    EXPECT_NEAR(surfaces.normals[i].getNormalVector3fMap().norm(), 1.0f, 1e-5f);
-    EXPECT_LT(
-        surfaces.normals[i].getNormalVector3fMap().dot((*cloud)[at].getVector3fMap()),
-        0.0f);
-    EXPECT_GT(surfaces.spacings[i], 0.0f);
+    EXPECT_NEAR(field->normals[at].norm(), 1.0f, 1e-5f);
+    EXPECT_LT(field->normals[at].dot((*cloud)[at].getVector3fMap()), 0.0f);
+    EXPECT_GT(field->spacings[at], 0.0f);
   }
   EXPECT_GT(known, some->size() / 2);
   EXPECT_GT(with_edges, known * 99 / 100);
 }
 
-TEST(AdaptiveDetection, SurfacesInOneGoNeedTheDefaultMode)
+TEST(AdaptiveDetection, AFieldNeedsTheDefaultMode)
 {
+  const auto cloud = cloudOf(sampledScene(3));
+  ShapeFieldEstimation<PointXYZ> estimation;
   ShapeBackProjection<PointXYZ> detection;
-  detection.setInputCloud(cloudOf(sampledScene(3)));
+  detection.setShapeField(fieldOf(estimation, cloud));
+  EXPECT_EQ(2U, likelihoodsOf(detection, cloud).size());
   detection.setRadius(0.02);
-  Surfaces surfaces;
-  surfaces.noise = 1.0;
-  detection.classify(surfaces);
-  EXPECT_TRUE(surfaces.likelihoods.empty());
-  EXPECT_TRUE(surfaces.normals.empty());
-  EXPECT_EQ(surfaces.noise, 0.0);
+  EXPECT_TRUE(likelihoodsOf(detection, cloud).empty());
+  detection.setMode(ShapeBackProjection<PointXYZ>::PAPER);
+  EXPECT_TRUE(likelihoodsOf(detection, cloud).empty());
+  detection.setShapeField(nullptr);
+  EXPECT_EQ(2U, likelihoodsOf(detection, cloud).size());
+}
+
+TEST(AdaptiveDetection, AnErrorGivesAnEmptyField)
+{
+  ShapeFieldEstimation<PointXYZ> estimation;
+  ShapeField field;
+  field.noise = 1.0;
+  field.normals.resize(3);
+  field.likelihoods.resize(2);
+  expectParts(errorsOf([&] { EXPECT_FALSE(estimation.compute(field)); }),
+              {"[pcl::ShapeFieldEstimation::compute]", "no input cloud is set"});
+  EXPECT_TRUE(field.likelihoods.empty());
+  EXPECT_TRUE(field.normals.empty());
+  EXPECT_EQ(field.noise, 0.0);
 }
 
 TEST(AdaptiveDetection, SurfacesMayHaveAnEdgeModelOfTheirOwn)
 {
   const auto cloud = cloudOf(sampledScene(26));
-  ShapeBackProjection<PointXYZ> usual, same, other;
+  const auto surfacesWith = [&](const ShapeModel& model) {
+    ShapeFieldEstimation<PointXYZ> estimation;
+    estimation.setEdgeModel(model);
+    ShapeBackProjection<PointXYZ> projection;
+    projection.setShapeField(fieldOf(estimation, cloud));
+    return likelihoodsOf(projection, cloud).at(0);
+  };
+  ShapeBackProjection<PointXYZ> usual;
   const Likelihoods expected = likelihoodsOf(usual, cloud);
-  same.setEdgeModel(ShapeModel::defaultEdges());
-  EXPECT_TRUE(sameBits(expected.at(0), likelihoodsOf(same, cloud).at(0)));
+  EXPECT_TRUE(sameBits(expected.at(0), surfacesWith(ShapeModel::defaultEdges())));
   // With the classes exchanged, faces are the edges.
   const ShapeModel& edges = ShapeModel::defaultEdges();
   ShapeModel exchanged(edges.parameters());
@@ -185,32 +221,35 @@ TEST(AdaptiveDetection, SurfacesMayHaveAnEdgeModelOfTheirOwn)
   exchanged.setFloor(edges.floor());
   exchanged.add("edge", edges.classes()[1].histogram);
   exchanged.add("rest", edges.classes()[0].histogram);
-  other.setEdgeModel(exchanged);
-  EXPECT_FALSE(sameBits(expected[0], likelihoodsOf(other, cloud).at(0)));
+  EXPECT_FALSE(sameBits(expected[0], surfacesWith(exchanged)));
 }
 
 TEST(AdaptiveDetection, BadEdgeModelsAreRefused)
 {
   const auto cloud = cloudOf(sampledScene(26));
   const auto refuse = [&](const ShapeModel& model,
-                          ShapeBackProjection<PointXYZ>::Mode mode,
                           const std::vector<std::string>& parts) {
-    ShapeBackProjection<PointXYZ> projection;
-    projection.setMode(mode);
-    projection.setEdgeModel(model);
+    ShapeFieldEstimation<PointXYZ> estimation;
+    estimation.setInputCloud(cloud);
+    estimation.setEdgeModel(model);
+    ShapeField field;
+    expectParts(errorsOf([&] { EXPECT_FALSE(estimation.compute(field)); }), parts);
+    EXPECT_TRUE(field.edge_likelihood.empty());
+    ShapeEdgeDetection<PointXYZ> detection;
+    detection.setModel(model);
     Likelihoods found;
-    expectParts(errorsOf([&] { found = likelihoodsOf(projection, cloud); }), parts);
+    expectParts(errorsOf([&] { found = likelihoodsOf(detection, cloud); }), parts);
     EXPECT_TRUE(found.empty());
   };
-  using Projection = ShapeBackProjection<PointXYZ>;
-  refuse(ShapeModel::idealPlane(INADParameters::edges()),
-         Projection::DEFAULT,
-         {"edge model", "1 classes", "two"});
-  refuse(ShapeModel::defaultEdges(), Projection::PAPER, {"edge model", "DEFAULT"});
-  ShapeModel metres{INADParameters::edges()};
-  metres.add("edge", ShapeModel::defaultEdges().classes()[0].histogram);
-  metres.add("rest", ShapeModel::defaultEdges().classes()[1].histogram);
-  refuse(metres, Projection::DEFAULT, {"edge model", "DENSITY"});
+  const ShapeModel& edges = ShapeModel::defaultEdges();
+  ShapeModel one(edges.parameters());
+  one.add("edge", edges.classes()[0].histogram);
+  refuse(one, {"edge model", "1 classes", "two"});
+  refuse(ShapeModel::idealPlane(INADParameters::edges()), {"edge model", "DENSITY"});
+  ShapeModel meters{INADParameters::edges()};
+  meters.add("edge", edges.classes()[0].histogram);
+  meters.add("rest", edges.classes()[1].histogram);
+  refuse(meters, {"edge model", "DENSITY"});
 }
 
 } // namespace

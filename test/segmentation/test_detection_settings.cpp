@@ -82,10 +82,13 @@ TYPED_TEST(DetectionSettings, WithoutAModelAnyRadiiWillDo)
 
 TYPED_TEST(DetectionSettings, Threshold)
 {
-  for (const auto& [threshold, text] :
-       {std::pair(-0.1, "-0.1"), std::pair(1.1, "1.1"), std::pair(nan, "nan")}) {
-    this->detection_.setThreshold(threshold);
-    this->expectRefused({std::string("threshold is ") + text, "0 to 1 is allowed"});
+  for (const auto mode : {TypeParam::PAPER, TypeParam::DEFAULT}) {
+    this->detection_.setMode(mode);
+    for (const auto& [threshold, text] :
+         {std::pair(-0.1, "-0.1"), std::pair(1.1, "1.1"), std::pair(nan, "nan")}) {
+      this->detection_.setThreshold(threshold);
+      this->expectRefused({std::string("threshold is ") + text, "must be 0 to 1"});
+    }
   }
 }
 
@@ -98,7 +101,10 @@ TYPED_TEST(DetectionSettings, ModelWithoutAClass)
 TYPED_TEST(DetectionSettings, GivenNormalsAndINADOfAnotherSize)
 {
   this->detection_.setInputNormals(make_shared<PointCloud<Normal>>(99, 1));
-  this->expectRefused({"99 normals", "100 points", "one for each"});
+  for (const auto mode : {TypeParam::DEFAULT, TypeParam::PAPER}) {
+    this->detection_.setMode(mode);
+    this->expectRefused({"99 normals", "100 points", "one for each"});
+  }
   this->detection_.setInputNormals(nullptr);
   this->detection_.setInputINAD(make_shared<PointCloud<INAD>>(101, 1));
   this->expectRefused({"101 INAD", "100 points", "one for each"});
@@ -134,29 +140,40 @@ TYPED_TEST(DetectionSettings, OutlierRate)
 
 TYPED_TEST(DetectionSettings, CloudsAndIndices)
 {
-  this->detection_.setIndices(indicesOf({3, 100}));
-  this->expectRefused({"index 100", "position 1", "0 to 99"});
-  this->detection_.setInputCloud(make_shared<PointCloud<PointXYZ>>());
-  this->expectRefused({"the input cloud is empty"});
-  const PointXYZ bad(0, std::numeric_limits<float>::infinity(), 0);
-  this->detection_.setInputCloud(make_shared<PointCloud<PointXYZ>>(100, 1, bad));
-  this->expectRefused({"the input cloud has no finite point"});
-  this->detection_.setInputCloud(nullptr);
-  this->expectRefused({"no input cloud is set", "setInputCloud()"});
+  const TypeParam usual = this->detection_;
+  for (const auto mode : {TypeParam::PAPER, TypeParam::DEFAULT}) {
+    this->detection_ = usual;
+    this->detection_.setMode(mode);
+    this->detection_.setIndices(indicesOf({3, 100}));
+    this->expectRefused({"index 100", "position 1", "0 to 99"});
+    this->detection_.setInputCloud(make_shared<PointCloud<PointXYZ>>());
+    this->expectRefused({"the input cloud is empty"});
+    const PointXYZ bad(0, std::numeric_limits<float>::infinity(), 0);
+    this->detection_.setInputCloud(make_shared<PointCloud<PointXYZ>>(100, 1, bad));
+    this->expectRefused({"the input cloud has no finite point"});
+    this->detection_.setInputCloud(nullptr);
+    this->expectRefused({"no input cloud is set", "setInputCloud()"});
+  }
 }
 
 TYPED_TEST(DetectionSettings, SearchSurface)
 {
   this->detection_.setSearchSurface(make_shared<PointCloud<PointXYZ>>());
-  this->expectRefused({"the search surface is empty"});
+  for (const auto mode : {TypeParam::PAPER, TypeParam::DEFAULT}) {
+    this->detection_.setMode(mode);
+    this->expectRefused({"the search surface is empty"});
+  }
 }
 
 TYPED_TEST(DetectionSettings, AnErrorDoesNotStick)
 {
-  this->detection_.setThreshold(7);
-  this->expectRefused({"threshold is 7"});
-  this->detection_.setThreshold(0.5);
-  this->expectAccepted();
+  for (const auto mode : {TypeParam::PAPER, TypeParam::DEFAULT}) {
+    this->detection_.setMode(mode);
+    this->detection_.setThreshold(7);
+    this->expectRefused({"threshold is 7"});
+    this->detection_.setThreshold(0.5);
+    this->expectAccepted();
+  }
 }
 
 } // namespace

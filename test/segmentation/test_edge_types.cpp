@@ -71,10 +71,10 @@ TEST(EdgeTypes, NeedTheDefaultMode)
 {
   ShapeEdgeDetection<PointXYZ> detection;
   detection.setInputCloud(toCloud<PointXYZ>(grid(10, 0.004)));
-  detection.setRadius(0.01);
+  detection.setMode(ShapeEdgeDetection<PointXYZ>::PAPER);
   Edges edges;
   expectParts(errorsOf([&] { detection.detect(edges); }),
-              {"detect", "DEFAULT", "radii"});
+              {"ShapeEdgeDetection", "kinds of edges", "DEFAULT"});
   EXPECT_TRUE(edges.types.empty());
 }
 

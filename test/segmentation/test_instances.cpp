@@ -162,14 +162,15 @@ TEST(Instances, BadSettingsAreRefused)
       errorOf([](Segmentation& s) { s.setClass("round"); }),
       {"[pcl::ShapeInstanceSegmentation::segment]", "'round'", "planar, curved"});
   expectParts(errorOf([](Segmentation& s) { s.setThresholds(0.4, 0.6); }),
-              {"thresholds", "low <= high", "allowed"});
+              {"thresholds", "low <= high", "must hold"});
   expectParts(errorOf([](Segmentation& s) {
                 s.setThresholds(std::numeric_limits<double>::quiet_NaN(), 0.5);
               }),
-              {"thresholds", "allowed"});
-  expectParts(errorOf([](Segmentation& s) { s.setMinPoints(0); }), {"0", "allowed"});
+              {"thresholds", "must hold"});
+  expectParts(errorOf([](Segmentation& s) { s.setMinPoints(0); }),
+              {"0", "must be 1 or more"});
   expectParts(errorOf([](Segmentation& s) { s.setModel(ShapeModel::idealPlane()); }),
-              {"DENSITY", "allowed"});
+              {"DENSITY", "use one that was"});
   expectParts(errorOf([](Segmentation& s) { s.setInputCloud(nullptr); }),
               {"no input cloud"});
   expectParts(errorOf([](Segmentation& s) {

@@ -3,11 +3,12 @@
 // PURPOSE
 
 #include "detection_scenes.h"
+#include "features/local_spacing.h"
 
 #include <pcl/features/inad.h>
 #include <pcl/features/normal_3d_sweep.h>
 #include <pcl/segmentation/shape_back_projection.h>
-#include <pcl/features/impl/cloud_neighborhoods.hpp>
+#include <pcl/features/impl/neighborhoods.hpp>
 
 #include <gtest/gtest.h>
 
@@ -105,6 +106,7 @@ likelihoodsWith(const INADParameters& parameters,
   ShapeModel model(parameters);
   model.add("ball", histogram);
   ShapeBackProjection<PointXYZ> projection;
+  projection.setMode(ShapeBackProjection<PointXYZ>::PAPER);
   projection.setModel(model);
   return likelihoodsOf(projection, cloud).at(0);
 }
@@ -126,7 +128,7 @@ TEST(AdaptiveDetection, RadiiOfOneClassGrowWithNoise)
   growing.normal_radius_noise = 4.0;
   growing.radius_noise = 6.0;
   const INADParameters grown =
-      detail::withNoise(growing, detail::noiseOfCloud<PointXYZ>(cloud, 1));
+      detail::withNoiseOfCloud(growing, detail::xyzOf(*cloud), 1);
   ASSERT_GT(grown.radius, 1.1 * small.radius);
   const ShapeHistogram histogram = histogramOf(ball, small);
   const auto expected = likelihoodsWith(grown, histogram, cloud);

@@ -114,6 +114,7 @@ medianLikelihood(const ShapeModel& model,
                  const IsInside& is_inside)
 {
   ShapeBackProjection<PointXYZ> projection;
+  projection.setMode(ShapeBackProjection<PointXYZ>::PAPER);
   projection.setModel(model);
   projection.setInputCloud(toCloud<PointXYZ>(scene));
   projection.setIndices(indicesInside(scene, is_inside));

@@ -8,6 +8,8 @@
 #include "support/shapes.h"
 #include "surfaces/evidence_averaging.h"
 
+#include <pcl/features/impl/neighborhoods.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -88,31 +90,6 @@ TEST(PointGrid, WithoutFinitePoints)
   EXPECT_TRUE(grid.order().empty());
 }
 
-class NoNeighborhoods : public detail::NeighborhoodStatistics {
-public:
-  bool
-  computeNormals(const NeighborhoodSize&, float*, float*, std::size_t) const override
-  {
-    return false;
-  }
-
-  bool
-  computeINAD(const NeighborhoodSize&, const XYZView&, double, float*) const override
-  {
-    return false;
-  }
-
-  void
-  computeDistanceToNearest(std::size_t, float*) const override
-  {}
-
-  std::unique_ptr<NeighborhoodStatistics>
-  among(const pcl::Indices&) const override
-  {
-    return nullptr;
-  }
-};
-
 /** A floor and a wall; points near where they meet are edges. */
 class EvidenceAveraging : public testing::Test {
 protected:
@@ -125,18 +102,19 @@ protected:
     upright.rotate(Eigen::AngleAxisd(-pi / 2, Eigen::Vector3d::UnitY()));
     wall.move(upright);
     surface.append(wall);
-    edges.normals = surface.normals;
     for (std::size_t i = 0; i < surface.size(); ++i) {
       const Eigen::Vector3d p = surface.position(i);
-      edges.likelihood.push_back(p.x() < 0.01 && p.z() < 0.01 ? 1.0f : 0.0f);
+      edges.normals.push_back(surface.normal(i).cast<float>());
+      edges.edge_likelihood.push_back(p.x() < 0.01 && p.z() < 0.01 ? 1.0f : 0.0f);
       edges.spacings.push_back(0.007f + 0.01f * static_cast<float>(p.y()));
       is_known.push_back(i % 11 != 0);
     }
   }
 
-  const NoNeighborhoods neighborhoods{};
+  const Indices none;
+  const detail::Neighborhoods neighborhoods{{}, {}, none, 1};
   Surface surface;
-  detail::AdaptiveEdges edges;
+  ShapeField edges;
   std::vector<bool> is_known;
 };
 
@@ -144,7 +122,7 @@ protected:
  * sums in double. */
 TEST_F(EvidenceAveraging, FourRoundsAreThoseInDouble)
 {
-  const detail::AdaptiveInput input{neighborhoods, surface.points(), surface.size(), 2};
+  const detail::FieldInput input{neighborhoods, surface.points(), {}, 2};
   Random random(44);
   std::vector<float> evidence;
   for (std::size_t i = 0; i < surface.size(); ++i)

@@ -3,8 +3,10 @@
 // PURPOSE
 
 #include "detection_scenes.h"
+#include "geometry/voxel_means.h"
 #include "support/errors.h"
 
+#include <pcl/segmentation/shape_back_projection.h>
 #include <pcl/segmentation/shape_instance_segmentation.h>
 #include <pcl/segmentation/shape_labeling.h>
 #include <pcl/segmentation/suction_grasp_estimation.h>
@@ -76,7 +78,7 @@ TEST(Thinning, MeansOfCells)
     sum.position += p;
     sum.count += 1;
   }
-  const std::vector<float> thin = detail::thinned(surface.points(), size);
+  const std::vector<float> thin = detail::voxelMeans(surface.points(), size);
   ASSERT_EQ(3 * cells.size(), thin.size());
   std::size_t k = 0;
   for (const auto& [cell, sum] : cells) {
@@ -89,16 +91,16 @@ TEST(Thinning, MeansOfCells)
 TEST(Thinning, TheOrderDoesNotMatterAndPointsThatAreNotFiniteAreLeftOut)
 {
   std::vector<float> xyz = scatteredPoints(5000).xyz;
-  const std::vector<float> expected = detail::thinned({xyz.data(), 3, 5000}, 0.2);
+  const std::vector<float> expected = detail::voxelMeans({xyz.data(), 3, 5000}, 0.2);
   xyz.insert(xyz.end(), {0.5f, nan, 2.5f});
   xyz = shuffled(xyz);
-  EXPECT_TRUE(sameBits(expected, detail::thinned({xyz.data(), 3, 5001}, 0.2)));
+  EXPECT_TRUE(sameBits(expected, detail::voxelMeans({xyz.data(), 3, 5001}, 0.2)));
 }
 
 TEST(Thinning, CellsOfOnePointKeepIt)
 {
   const std::vector<float> xyz{-3.25f, 1e-3f, 7.0f, 5.0f, -2.0f, 8.5f};
-  const std::vector<float> thin = detail::thinned({xyz.data(), 3, 2}, 1e-3);
+  const std::vector<float> thin = detail::voxelMeans({xyz.data(), 3, 2}, 1e-3);
   ASSERT_EQ(6U, thin.size());
   for (std::size_t i = 0; i < 6; ++i)
     EXPECT_NEAR(xyz[i], thin[i], 1e-9 + 6e-8 * std::abs(xyz[i]));
@@ -119,7 +121,7 @@ TYPED_TEST(Resolution, IsASearchSurfaceOfMeans)
   EXPECT_EQ(resolution, detection.getResolution());
   const Likelihoods found = likelihoodsOf(detection, cloud);
 
-  const std::vector<float> xyz = detail::thinned(
+  const std::vector<float> xyz = detail::voxelMeans(
       {cloud->front().data, sizeof(PointXYZ) / sizeof(float), cloud->size()},
       resolution);
   const auto surface = make_shared<Cloud>();
@@ -181,26 +183,26 @@ TYPED_TEST(Resolution, BadOnesAreRefused)
   detection.setResolution(2.0);
   expectRefused({"resolution is 2 m", "less than the cloud's extent"});
   detection.setResolution(0.01);
-  detection.setRadius(0.03);
-  expectRefused({"a resolution is set", "DEFAULT mode without radii"});
+  detection.setMode(TypeParam::PAPER);
+  expectRefused({"a resolution is set", "DEFAULT mode"});
 }
 
 TEST(Resolution, SurfacesOfADenseDepthImage)
 {
   const scene::Scene scene = denseScene(28, 1280);
-  ShapeBackProjection<PointXYZ> projection;
-  projection.setInputCloud(cloudOf(scene));
-  Surfaces surfaces;
-  projection.classify(surfaces);
-  const double own = f1(surfaces.likelihoods[1], scene.surface, 2, 1);
-  const float own_radius = largestCurvedRadius(surfaces);
-  projection.setResolution(0.002);
-  projection.classify(surfaces);
-  const double coarse = f1(surfaces.likelihoods[1], scene.surface, 2, 1);
+  ShapeFieldEstimation<PointXYZ> estimation;
+  estimation.setInputCloud(cloudOf(scene));
+  ShapeField field;
+  ASSERT_TRUE(estimation.compute(field));
+  const double own = f1(field.likelihoods[1], scene.surface, 2, 1);
+  const float own_radius = largestCurvedRadius(field);
+  estimation.setResolution(0.002);
+  ASSERT_TRUE(estimation.compute(field));
+  const double coarse = f1(field.likelihoods[1], scene.surface, 2, 1);
   EXPECT_GE(coarse, 0.95);
   EXPECT_GT(coarse, own);
-  EXPECT_GT(largestCurvedRadius(surfaces), own_radius);
-  EXPECT_NEAR(largestCurvedRadius(surfaces), 0.08, 0.02);
+  EXPECT_GT(largestCurvedRadius(field), own_radius);
+  EXPECT_NEAR(largestCurvedRadius(field), 0.08, 0.02);
 }
 
 /** The steps of a Kinect's depth, sampled so densely that each looks like a face of its

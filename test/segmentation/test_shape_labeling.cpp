@@ -53,14 +53,16 @@ protected:
 Cloud::Ptr OneScene::cloud_;
 PointLabels OneScene::labels_;
 
+constexpr auto default_confidence =
+    static_cast<float>(ShapeLabeling<PointXYZ>::default_confidence);
+
 TEST_F(OneScene, OneLabelAPointAndVoidBelowTheConfidence)
 {
   ASSERT_EQ(labels_.labels.size(), cloud_->size());
   ASSERT_EQ(labels_.confidence.size(), cloud_->size());
   for (std::size_t i = 0; i < cloud_->size(); ++i) {
     ASSERT_LE(labels_.labels[i], edge);
-    ASSERT_EQ(labels_.labels[i] != 0,
-              labels_.confidence[i] >= static_cast<float>(detail::usual_confidence));
+    ASSERT_EQ(labels_.labels[i] != 0, labels_.confidence[i] >= default_confidence);
     if (!isFinite((*cloud_)[i]))
       ASSERT_EQ(labels_.confidence[i], 0.0f);
   }
@@ -197,13 +199,16 @@ TEST_F(OneScene, BadSettingsAreRefused)
   };
   expect([](Labeling& l) { l.setInputCloud(nullptr); }, "setInputCloud");
   expect([](Labeling& l) { l.setInputCloud(pcl::make_shared<Cloud>()); }, "empty");
-  expect([](Labeling& l) { l.setConfidence(1.5); }, "0 to 1 is allowed");
+  expect([](Labeling& l) { l.setConfidence(1.5); }, "it must be 0 to 1");
   expect([](Labeling& l) { l.setConfidence(std::numeric_limits<double>::quiet_NaN()); },
-         "0 to 1 is allowed");
+         "it must be 0 to 1");
   expect([](Labeling& l) { l.setIndices(pcl::make_shared<Indices>(1, 1 << 20)); },
          std::to_string(1 << 20));
   expect([](Labeling& l) { l.setModel(ShapeModel::idealPlane(INADParameters())); },
-         "several classes");
+         "DENSITY mode");
+  ShapeModel one(ShapeModel::defaultSurfaces().parameters());
+  one.add("planar", ShapeModel::defaultSurfaces().classes()[0].histogram);
+  expect([&](Labeling& l) { l.setModel(one); }, "has 1 classes: use one with several");
   expect([](Labeling& l) { l.setModel(ShapeModel::defaultEdges()); }, "edge");
 }
 

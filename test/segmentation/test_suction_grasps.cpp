@@ -31,6 +31,16 @@ areSame(const Grasps& one, const Grasps& other)
                     });
 }
 
+ShapeField::Ptr
+fieldOf(const Cloud::Ptr& cloud)
+{
+  ShapeFieldEstimation<PointXYZ> estimation;
+  estimation.setInputCloud(cloud);
+  const auto field = make_shared<ShapeField>();
+  EXPECT_TRUE(estimation.compute(*field));
+  return field;
+}
+
 TEST(SuctionGrasps, OfAPlaneAreOnItAndPointAgainstItsNormal)
 {
   Random random(901);
@@ -122,17 +132,14 @@ TEST(SuctionGrasps, UseSurfacesThatAreKnown)
   Estimation estimation = seenFromAbove(cloud);
   estimation.setIndices(target);
   const Grasps grasps = graspsOf(estimation);
-  ShapeBackProjection<PointXYZ> back_projection;
-  back_projection.setInputCloud(cloud);
-  const auto surfaces = make_shared<Surfaces>();
-  back_projection.classify(*surfaces);
-  estimation.setInputSurfaces(surfaces);
+  const auto field = fieldOf(cloud);
+  estimation.setShapeField(field);
   EXPECT_FALSE(grasps.empty());
   EXPECT_TRUE(areSame(grasps, graspsOf(estimation)));
 
-  const auto curved = make_shared<Surfaces>(*surfaces);
+  const auto curved = make_shared<ShapeField>(*field);
   std::swap(curved->likelihoods[0], curved->likelihoods[1]);
-  estimation.setInputSurfaces(curved);
+  estimation.setShapeField(curved);
   const Grasps others = graspsOf(estimation);
   ASSERT_FALSE(others.empty());
   EXPECT_EQ(others[0].surface, 2U) << "they are used";
@@ -145,18 +152,15 @@ TEST(SuctionGrasps, PointsOfWhichNothingIsKnownDoNotCount)
   const std::size_t known = cloud->size();
   for (std::size_t i = 0; i < 2 * known; ++i)
     cloud->push_back(PointXYZ(0.3f, 0.001f * static_cast<float>(i), 0.0f));
-  ShapeBackProjection<PointXYZ> back_projection;
-  back_projection.setInputCloud(cloud);
-  const auto surfaces = make_shared<Surfaces>();
-  back_projection.classify(*surfaces);
+  const auto field = fieldOf(cloud);
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   for (std::size_t i = known; i < cloud->size(); ++i) {
-    surfaces->likelihoods[0][i] = surfaces->likelihoods[1][i] = nan;
-    surfaces->edge_likelihood[i] = surfaces->spacings[i] = nan;
-    surfaces->normals[i] = Normal(nan, nan, nan);
+    field->likelihoods[0][i] = field->likelihoods[1][i] = nan;
+    field->edge_likelihood[i] = field->spacings[i] = nan;
+    field->normals[i].setConstant(nan);
   }
   Estimation estimation = seenFromAbove(cloud);
-  estimation.setInputSurfaces(surfaces);
+  estimation.setShapeField(field);
   const Grasps grasps = graspsOf(estimation);
   ASSERT_FALSE(grasps.empty());
   for (const SuctionGrasp& grasp : grasps)
@@ -214,8 +218,8 @@ TEST(SuctionGrasps, RefuseWhatCannotBeUsed)
   refused("too sparse", [](Estimation& e) { e.setCupRadius(1e-4); });
   refused("compliance", [](Estimation& e) { e.setCompliance(1.5); });
   refused("index 5000", [](Estimation& e) { e.setIndices(indicesOf({0, 5000})); });
-  refused("surfaces",
-          [](Estimation& e) { e.setInputSurfaces(make_shared<const Surfaces>()); });
+  refused("the shape field is of another cloud",
+          [](Estimation& e) { e.setShapeField(make_shared<const ShapeField>()); });
   refused("no input cloud", [](Estimation& e) { e.setInputCloud(nullptr); });
 }
 

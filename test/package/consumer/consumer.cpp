@@ -11,6 +11,7 @@
 #include <pcl/point_types.h>
 #include <pcl/segmentation/shape_back_projection.h>
 #include <pcl/segmentation/shape_edge_detection.h>
+#include <pcl/segmentation/shape_field_estimation.h>
 #include <pcl/segmentation/shape_ground_segmentation.h>
 #include <pcl/segmentation/shape_instance_segmentation.h>
 #include <pcl/segmentation/shape_labeling.h>
@@ -79,6 +80,7 @@ hasSurfacesAndEdges(const Cloud::ConstPtr& cloud, const std::string& model_file)
 {
   pcl::ShapeModel::idealPlane().save(model_file);
   pcl::ShapeBackProjection<pcl::PointXYZ> surfaces;
+  surfaces.setMode(surfaces.PAPER);
   surfaces.setModel(pcl::ShapeModel::load(model_file));
   surfaces.setInputCloud(cloud);
   std::vector<pcl::PointIndices> classes;
@@ -120,9 +122,16 @@ hasGrasps(const Cloud::ConstPtr& cloud)
 bool
 hasLabels(const Cloud::ConstPtr& cloud)
 {
+  const auto field = pcl::make_shared<pcl::ShapeField>();
+  pcl::ShapeFieldEstimation<pcl::PointXYZ> estimation;
+  estimation.setInputCloud(cloud);
+  if (!estimation.compute(*field))
+    return false;
+
   pcl::PointLabels labels;
   pcl::ShapeLabeling<pcl::PointXYZ> labeling;
   labeling.setInputCloud(cloud);
+  labeling.setShapeField(field);
   labeling.label(labels);
   const auto planar = std::count(labels.labels.begin(), labels.labels.end(), 1U);
   std::cout << planar << " points are labelled planar\n";

@@ -11,6 +11,7 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>
 #include <pcl/segmentation/shape_back_projection.h>
+#include <pcl/segmentation/shape_field_estimation.h>
 
 #include <cmath>
 #include <iostream>
@@ -27,25 +28,29 @@ main(int argc, char** argv)
   }
 
   // [classify]
+  pcl::ShapeFieldEstimation<Point> estimation;
+  estimation.setInputCloud(cloud);
+  const auto field = pcl::make_shared<pcl::ShapeField>();
+  if (!estimation.compute(*field))
+    return 1;
+
   pcl::ShapeBackProjection<Point> back_projection;
   back_projection.setInputCloud(cloud);
-  pcl::Surfaces surfaces;
-  back_projection.classify(surfaces);
+  back_projection.setShapeField(field);
+  std::vector<std::vector<float>> likelihoods;
+  back_projection.compute(likelihoods);
   // [classify]
-  if (surfaces.likelihoods.empty())
-    return 1;
 
   // [classes]
   const std::vector<std::string> names = back_projection.getClasses();
-  const std::vector<pcl::PointIndices> classes =
-      back_projection.classesOf(surfaces.likelihoods);
+  const std::vector<pcl::PointIndices> classes = back_projection.classesOf(likelihoods);
   std::size_t unknown = 0;
-  for (const float likelihood : surfaces.likelihoods[0])
+  for (const float likelihood : likelihoods[0])
     unknown += std::isnan(likelihood);
   for (std::size_t c = 0; c < classes.size(); ++c)
     std::cout << names[c] << ": " << classes[c].indices.size() << " points\n";
   std::cout << "unknown: " << unknown << " points\n"
-            << "noise: " << surfaces.noise << " spacings\n";
+            << "noise: " << field->noise << " spacings\n";
   // [classes]
 
   // [extract]

@@ -127,6 +127,7 @@ main()
   std::vector<std::size_t> ends;
   const Cloud::Ptr cloud = threeSheets(ends);
   pcl::ShapeBackProjection<pcl::PointXYZ> back_projection;
+  back_projection.setMode(back_projection.PAPER); // the radii are given
   back_projection.setModel(pcl::ShapeModel::load("sheets.json"));
   back_projection.setInputCloud(cloud);
   std::vector<pcl::PointIndices> classes;
