@@ -147,7 +147,7 @@ TEST_F(EvidenceAveraging, FourRoundsAreThoseInDouble)
       return 0.0;
     ++weighted;
     const bool is_same = std::abs(surface.normal(i).dot(surface.normal(j))) > 0.7071;
-    return (edges.likelihood[j] > 0.5f ? 0.05 : 1.0) * (is_same ? 1.0 : 0.05);
+    return (edges.edge_likelihood[j] > 0.5f ? 0.05 : 1.0) * (is_same ? 1.0 : 0.05);
   };
   const auto meanAt = [&](std::size_t i, const std::vector<double>& values) {
     double sum = 0.0, total = 0.0;
