@@ -23,7 +23,7 @@ using Estimation = pcl::SuctionGraspEstimation<pcl::PointXYZ>;
 using Grasps = std::vector<pcl::SuctionGrasp>;
 
 constexpr std::uint64_t default_grasps = 10;
-constexpr std::uint64_t max_grasps = 1000000;
+constexpr std::uint64_t grasp_limit = 1000000; // more than any list is read for
 const char* const three_numbers = "three numbers of meters, X,Y,Z";
 
 Estimation
@@ -39,7 +39,7 @@ makeEstimation(const Arguments& arguments, Report& report)
   estimation.setCompliance(
       arguments.number("compliance", probability).value_or(estimation.getCompliance()));
   const std::uint64_t max_grasps =
-      arguments.integer("max_grasps", 1, max_grasps).value_or(default_grasps);
+      arguments.integer("max_grasps", 1, grasp_limit).value_or(default_grasps);
   estimation.setMaximumGrasps(max_grasps);
   const double resolution = resolutionOf(arguments);
   estimation.setResolution(resolution);
