@@ -4,8 +4,8 @@
 
 #include "cli/app.h"
 #include "cli/atomic_file.h"
+#include "cli/errors.h"
 #include "cli/filter_app.h"
-#include "cli/pcl_errors.h"
 #include "detection/resolution.h"
 #include "io/pcd.h"
 #include "results/result_files.h"
@@ -23,7 +23,7 @@ using Estimation = pcl::SuctionGraspEstimation<pcl::PointXYZ>;
 using Grasps = std::vector<pcl::SuctionGrasp>;
 
 constexpr std::uint64_t default_grasps = 10;
-constexpr std::uint64_t grasps_limit = 1000000;
+constexpr std::uint64_t grasp_limit = 1000000; // more than any list is read for
 const char* const three_numbers = "three numbers of meters, X,Y,Z";
 
 Estimation
@@ -39,7 +39,7 @@ makeEstimation(const Arguments& arguments, Report& report)
   estimation.setCompliance(
       arguments.number("compliance", probability).value_or(estimation.getCompliance()));
   const std::uint64_t max_grasps =
-      arguments.integer("max_grasps", 1, grasps_limit).value_or(default_grasps);
+      arguments.integer("max_grasps", 1, grasp_limit).value_or(default_grasps);
   estimation.setMaximumGrasps(max_grasps);
   const double resolution = resolutionOf(arguments);
   estimation.setResolution(resolution);
@@ -86,7 +86,8 @@ findGrasps(Estimation& estimation, const CloudFile& file, const Arguments& argum
   estimation.setIndices(selectedPoints(file, *points, arguments));
   setViewPoint(estimation, file, arguments);
   Grasps grasps;
-  withPclErrors(file.path, [&] { return estimation.compute(grasps); });
+  if (!estimation.compute(grasps))
+    throw InputError(file.path + ": refused for the reason given above");
   return grasps;
 }
 

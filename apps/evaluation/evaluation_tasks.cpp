@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <set>
 #include <utility>
@@ -25,46 +24,27 @@ constexpr std::uint32_t planar = 1;
 constexpr std::uint32_t curved = 2;
 constexpr std::uint32_t crease = 3;
 
+using Label = std::optional<std::uint32_t>;
+
 /** The label of a true value, or nothing if it is left out. */
-using TruthRule = std::function<std::optional<std::uint32_t>(std::uint32_t)>;
+using TruthRule = Label (*)(std::uint32_t);
 
-std::optional<std::uint32_t>
-zeroOrOne(std::uint32_t value)
-{
-  return value <= 1 ? std::optional<std::uint32_t>(value) : std::nullopt;
-}
-
-std::optional<std::uint32_t>
-creaseOfSurface(std::uint32_t surface)
-{
-  return surface > 0 ? std::optional<std::uint32_t>(surface == crease) : std::nullopt;
-}
-
-std::optional<std::uint32_t>
-strictSurface(std::uint32_t surface)
-{
-  return surface == planar || surface == curved ? std::optional<std::uint32_t>(surface)
-                                                : std::nullopt;
-}
-
-std::optional<std::uint32_t>
-paperSurface(std::uint32_t surface)
-{
-  return surface > 0 ? std::optional<std::uint32_t>(std::min(surface, curved))
-                     : std::nullopt;
-}
-
-std::optional<std::uint32_t>
-knownLabel(std::uint32_t label)
-{
-  return label != unknown_label ? std::optional<std::uint32_t>(label) : std::nullopt;
-}
-
-std::optional<std::uint32_t>
-everyLabel(std::uint32_t label)
-{
-  return label;
-}
+constexpr TruthRule zero_or_one = [](std::uint32_t value) {
+  return value <= 1 ? Label(value) : std::nullopt;
+};
+constexpr TruthRule crease_of_surface = [](std::uint32_t surface) {
+  return surface > 0 ? Label(surface == crease) : std::nullopt;
+};
+constexpr TruthRule strict_surface = [](std::uint32_t surface) {
+  return surface == planar || surface == curved ? Label(surface) : std::nullopt;
+};
+constexpr TruthRule paper_surface = [](std::uint32_t surface) {
+  return surface > 0 ? Label(std::min(surface, curved)) : std::nullopt;
+};
+constexpr TruthRule known_label = [](std::uint32_t label) {
+  return label != unknown_label ? Label(label) : std::nullopt;
+};
+constexpr TruthRule every_label = [](std::uint32_t label) { return Label(label); };
 
 /** How a prediction says that it does not know. */
 enum class Unknown {
@@ -91,13 +71,13 @@ taskOf(const std::string& name, Convention convention)
     return {paper ? "surface" : "edge",
             "edge",
             Unknown::likelihood_nan,
-            paper ? creaseOfSurface : zeroOrOne,
+            paper ? crease_of_surface : zero_or_one,
             {{"edge", 1, {}}}};
   if (name == "planar" || name == "curved") {
     Task task{"surface",
               "surface",
               Unknown::label_zero,
-              paper ? paperSurface : strictSurface,
+              paper ? paper_surface : strict_surface,
               {planar_class, curved_class}};
     if (name == "curved")
       std::swap(task.classes[0], task.classes[1]);
@@ -108,10 +88,10 @@ taskOf(const std::string& name, Convention convention)
                      "'; expected strict, or -task edge, planar or curved");
   if (name == "ground")
     return {
-        "ground", "ground", Unknown::likelihood_nan, zeroOrOne, {{"ground", 1, {}}}};
+        "ground", "ground", Unknown::likelihood_nan, zero_or_one, {{"ground", 1, {}}}};
   if (name == "label")
-    return {"label", "label", Unknown::label_zero, knownLabel, {}};
-  return {"instance", "instance", Unknown::never, everyLabel, {}};
+    return {"label", "label", Unknown::label_zero, known_label, {}};
+  return {"instance", "instance", Unknown::never, every_label, {}};
 }
 
 [[noreturn]] void
@@ -175,7 +155,7 @@ labelsOfScene(const CloudFile& truth)
   Labels labels = labelsOf(truth, "edge");
   for (std::size_t i = 0; i < labels.size(); ++i)
     labels[i] = labels[i] == is_edge ? crease
-                : labels[i] == 0 ? strictSurface(surfaces[i]).value_or(unknown_label)
+                : labels[i] == 0 ? strict_surface(surfaces[i]).value_or(unknown_label)
                                  : unknown_label;
   return labels;
 }

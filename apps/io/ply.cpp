@@ -8,6 +8,7 @@
 #include "io/pcd.h"
 #include "io/text.h"
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -51,142 +52,133 @@ nameOf(std::uint8_t datatype)
   return nullptr;
 }
 
-/** Reads a header line by line. */
-class Header {
-public:
-  explicit Header(const std::string& path) { cloud_.path = path; }
-
-  /** \return false after the last line */
-  bool
-  add(const Words& words)
-  {
-    if (words.empty() || words[0] == "comment")
-      readComment(words);
-    else if (words[0] == "format")
-      readFormat(words);
-    else if (words[0] == "obj_info")
-      readInfo(words);
-    else if (words[0] == "element")
-      readElement(words);
-    else if (words[0] == "property")
-      readProperty(words);
-    else if (words[0] != "end_header")
-      fail("the header has a line " + inQuotes(words[0]),
-           "format, comment, obj_info, element, property or end_header");
-    return words.empty() || words[0] != "end_header";
-  }
-
-  /** What was read: all but the points. */
-  CloudFile finish();
-
-  bool
-  isText() const
-  {
-    return is_text_;
-  }
-
-private:
-  [[noreturn]] void
-  fail(const std::string& what, const std::string& expected) const
-  {
-    throw InputError(cloud_.path + ": " + what + "; expected " + expected);
-  }
-
-  void
-  readFormat(const Words& words)
-  {
-    if (words.size() != 3 ||
-        (words[1] != "ascii" && words[1] != "binary_little_endian"))
-      fail("format " + inQuotes(words.size() > 1 ? words[1] : ""),
-           "ascii 1.0 or binary_little_endian 1.0");
-    has_format_ = true;
-    is_text_ = words[1] == "ascii";
-  }
-
-  /** The viewpoint, as encodePly() writes it. */
-  void
-  readComment(const Words& words)
-  {
-    if (words.size() != 2 + cloud_.viewpoint.size() || words[1] != "viewpoint")
-      return;
-    std::array<float, 7> viewpoint{};
-    for (std::size_t i = 0; i < viewpoint.size(); ++i) {
-      const auto value = parseValue<float>(words[i + 2]);
-      if (!value || !std::isfinite(*value))
-        return;
-      viewpoint[i] = *value;
-    }
-    cloud_.viewpoint = viewpoint;
-  }
-
-  void
-  readInfo(const Words& words)
-  {
-    const auto value = words.size() == 3 ? parseValue<std::uint32_t>(words[2])
-                                         : std::optional<std::uint32_t>();
-    if (value && words[1] == "num_cols")
-      columns_ = *value;
-    else if (value && words[1] == "num_rows")
-      rows_ = *value;
-  }
-
-  void readElement(const Words& words);
-
-  void readProperty(const Words& words);
-
-  CloudFile cloud_;
-  std::uint64_t points_ = 0;
-  std::uint32_t columns_ = 0, rows_ = 0;
-  std::size_t elements_ = 0;
-  bool has_format_ = false, is_text_ = false;
+/** What the lines of a header say. */
+struct Header {
+  CloudFile cloud; ///< all but the points
+  std::uint64_t points = 0;
+  std::uint32_t columns = 0, rows = 0;
+  std::size_t elements = 0;
+  std::string format;
 };
 
-void
-Header::readElement(const Words& words)
+[[noreturn]] void
+fail(const CloudFile& cloud, const std::string& what, const std::string& expected)
 {
-  ++elements_;
-  if (elements_ > 1)
+  throw InputError(cloud.path + ": " + what + "; expected " + expected);
+}
+
+/** The viewpoint, as encodePly() writes it. */
+void
+readViewpoint(const Words& words, CloudFile& cloud)
+{
+  std::array<float, 7> viewpoint{};
+  if (words.size() != 2 + viewpoint.size() || words[1] != "viewpoint")
+    return;
+  for (std::size_t i = 0; i < viewpoint.size(); ++i) {
+    const auto value = parseValue<float>(words[i + 2]);
+    if (!value || !std::isfinite(*value))
+      return;
+    viewpoint[i] = *value;
+  }
+  cloud.viewpoint = viewpoint;
+}
+
+/** Only the first element is read, and it must be vertex. */
+void
+readElement(const Words& words, Header& header)
+{
+  if (++header.elements > 1)
     return;
   if (words.size() != 3 || words[1] != "vertex")
-    fail("the first element is " + inQuotes(words.size() > 1 ? words[1] : ""),
+    fail(header.cloud,
+         "the first element is " + inQuotes(words.size() > 1 ? words[1] : ""),
          "vertex");
   const auto points = parseValue<std::uint64_t>(words[2]);
   if (!points || *points == 0 || *points > max_points)
-    fail("element vertex is " + inQuotes(words[2]),
+    fail(header.cloud,
+         "element vertex is " + inQuotes(words[2]),
          "a whole number from 1 to " + std::to_string(max_points));
-  points_ = *points;
+  header.points = *points;
 }
 
 void
-Header::readProperty(const Words& words)
+readProperty(const Words& words, Header& header)
 {
-  if (elements_ != 1)
+  if (header.elements != 1)
     return;
-  const auto datatype =
-      words.size() == 3 ? datatypeOf(words[1]) : std::optional<std::uint8_t>();
+  const auto datatype = words.size() == 3 ? datatypeOf(words[1]) : std::nullopt;
   if (!datatype)
-    fail("property " + inQuotes(words.back()) + " of vertex has type " +
+    fail(header.cloud,
+         "property " + inQuotes(words.back()) + " of vertex has type " +
              inQuotes(words.size() > 1 ? words[1] : ""),
          "char, uchar, short, ushort, int, uint, float or double");
-  if (findField(cloud_, std::string(words[2])))
-    fail("property " + inQuotes(words[2]) + " is there twice", "each name once");
-  addField(cloud_, std::string(words[2]), *datatype);
+  if (findField(header.cloud, std::string(words[2])))
+    fail(header.cloud, "property " + inQuotes(words[2]) + " is there twice", "each once");
+  addField(header.cloud, std::string(words[2]), *datatype);
 }
 
-CloudFile
-Header::finish()
+void
+readLine(const Words& words, Header& header)
 {
-  if (!has_format_ || elements_ == 0 || cloud_.blob.fields.empty())
-    fail("the header has no format, vertex or property", "a complete PLY header");
-  if (points_ * cloud_.blob.point_step > max_bytes)
-    fail("element vertex " + std::to_string(points_) + " of " +
-             std::to_string(cloud_.blob.point_step) + " bytes",
+  const std::string_view keyword = words.front();
+  if (keyword == "comment")
+    readViewpoint(words, header.cloud);
+  else if (keyword == "element")
+    readElement(words, header);
+  else if (keyword == "property")
+    readProperty(words, header);
+  else if (keyword == "format") {
+    header.format = words.size() == 3 ? words[1] : "";
+    if (header.format != "ascii" && header.format != "binary_little_endian")
+      fail(header.cloud,
+           "format " + inQuotes(words.size() > 1 ? words[1] : ""),
+           "ascii 1.0 or binary_little_endian 1.0");
+  }
+  else if (keyword == "obj_info") {
+    const auto value =
+        words.size() == 3 ? parseValue<std::uint32_t>(words[2]) : std::nullopt;
+    if (value && words[1] == "num_cols")
+      header.columns = *value;
+    else if (value && words[1] == "num_rows")
+      header.rows = *value;
+  }
+  else
+    fail(header.cloud,
+         "the header has a line " + inQuotes(keyword),
+         "format, comment, obj_info, element, property or end_header");
+}
+
+/** Takes the header off the file. */
+Header
+readHeader(const std::string& path, std::string_view& file)
+{
+  Header header;
+  CloudFile& cloud = header.cloud;
+  cloud.path = path;
+  if (splitWords(takeLine(file)) != Words{"ply"})
+    fail(cloud, "the first line is not 'ply'", "a PLY file");
+  for (Words words; words.empty() || words.front() != "end_header";) {
+    if (!words.empty())
+      readLine(words, header);
+    if (file.empty())
+      fail(cloud, "the header has no end_header", "a complete PLY header");
+    words = splitWords(takeLine(file));
+  }
+  if (header.format.empty() || header.elements == 0 || cloud.blob.fields.empty())
+    fail(
+        cloud, "the header has no format, vertex or property", "a complete PLY header");
+  if (header.points * cloud.blob.point_step > max_bytes)
+    fail(cloud,
+         "element vertex " + std::to_string(header.points) + " of " +
+             std::to_string(cloud.blob.point_step) + " bytes",
          "less than 4 GiB: divide the cloud into tiles");
-  const bool is_organized = rows_ > 1 && std::uint64_t{columns_} * rows_ == points_;
-  cloud_.blob.width = is_organized ? columns_ : static_cast<std::uint32_t>(points_);
-  cloud_.blob.height = is_organized ? rows_ : 1;
-  cloud_.blob.row_step = cloud_.blob.width * cloud_.blob.point_step;
-  return std::move(cloud_);
+  const bool is_organized =
+      header.rows > 1 && std::uint64_t{header.columns} * header.rows == header.points;
+  cloud.blob.width =
+      is_organized ? header.columns : static_cast<std::uint32_t>(header.points);
+  cloud.blob.height = is_organized ? header.rows : 1;
+  cloud.blob.row_step = cloud.blob.width * cloud.blob.point_step;
+  return header;
 }
 
 /** The first `count` lines that are not empty. */
@@ -204,23 +196,12 @@ firstLines(std::string_view body, std::size_t count)
 CloudFile
 decodePly(const std::string& path, std::string_view file)
 {
-  std::string_view rest = file;
-  if (splitWords(takeLine(rest)) != Words{"ply"})
-    throw InputError(path + ": the first line is not 'ply'; expected a PLY file");
-  Header header(path);
-  for (bool more = true; more;) {
-    if (rest.empty())
-      throw InputError(path + ": the header has no end_header; expected a complete PLY "
-                              "header");
-    more = header.add(splitWords(takeLine(rest)));
-  }
-  const bool is_text = header.isText();
-  CloudFile cloud = header.finish();
-  if (is_text)
-    readAsciiPoints(cloud, firstLines(rest, cloud.size()));
+  Header header = readHeader(path, file);
+  if (header.format == "ascii")
+    readAsciiPoints(header.cloud, firstLines(file, header.cloud.size()));
   else
-    readBinaryPoints(cloud, rest);
-  return cloud;
+    readBinaryPoints(header.cloud, file);
+  return std::move(header.cloud);
 }
 
 namespace {
