@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Loops over indices, or parts of a range, on several threads.
 
 #pragma once
 
@@ -47,7 +47,7 @@ template <typename Body>
 void
 parallelForRanges(std::size_t count, unsigned threads, const Body& body)
 {
-  constexpr std::size_t part = 8192;
+  constexpr std::size_t part = 8192; // little for a thread, much for its start
   parallelFor((count + part - 1) / part, threads, [&](std::size_t i) {
     body(i * part, std::min(count, (i + 1) * part));
   });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Walks over the queries block by block, each with the surface points around it.
 
 #include "sweep/block_sweep.h"
 
@@ -26,60 +26,48 @@ setRadius(SweepBlock& block, float r2)
 
 } // namespace
 
-BlockSweep::BlockSweep(const RowIndex& surface,
-                       const RowIndex& queries,
-                       const NeighborhoodSize& neighborhood,
-                       const KernelTable& kernels)
-: surface_(surface)
-, queries_(queries)
-, neighborhood_(neighborhood)
-, kernels_(kernels)
-{}
-
 SweepBlock
 BlockSweep::queriesOf(std::size_t index) const
 {
   SweepBlock block{};
-  block.x = surface_.x.data();
-  block.y = surface_.y.data();
-  block.z = surface_.z.data();
-  block.order = surface_.order.data();
-  block.cluster_begin = surface_.clusters.begin.data();
+  block.x = surface.x.data();
+  block.y = surface.y.data();
+  block.z = surface.z.data();
+  block.order = surface.order.data();
+  block.cluster_begin = surface.clusters.begin.data();
   for (std::size_t side = 0; side < 6; ++side)
-    block.cluster_box[side] = surface_.clusters.box[side].data();
-  block.queries_on_surface = on_surface_;
-  block.rows_by_radius = rows_by_radius_;
-  if (normals_) {
-    block.nx = normals_->x.data();
-    block.ny = normals_->y.data();
-    block.nz = normals_->z.data();
+    block.cluster_box[side] = surface.clusters.box[side].data();
+  block.queries_on_surface = queries_on_surface;
+  block.rows_by_radius = rows_by_radius;
+  if (normals) {
+    block.nx = normals->x.data();
+    block.ny = normals->y.data();
+    block.nz = normals->z.data();
   }
-  const Clusters& clusters = queries_.clusters;
-  const std::uint32_t begin = clusters.begin[index];
-  block.size = clusters.begin[index + 1] - begin;
+  const std::uint32_t begin = queries.clusters.begin[index];
+  block.size = queries.clusters.begin[index + 1] - begin;
   block.box = boxOf(index);
-  // A whole block each time, with what follows the queries: compilers make vectors of
-  // it.
-  std::copy_n(queries_.x.data() + begin, block_size, block.qx);
-  std::copy_n(queries_.y.data() + begin, block_size, block.qy);
-  std::copy_n(queries_.z.data() + begin, block_size, block.qz);
-  if (normals_ && &queries_ == &surface_) {
+  // Whole blocks, with what follows the queries: compilers make vectors of them.
+  std::copy_n(queries.x.data() + begin, block_size, block.qx);
+  std::copy_n(queries.y.data() + begin, block_size, block.qy);
+  std::copy_n(queries.z.data() + begin, block_size, block.qz);
+  if (normals && &queries == &surface) {
     std::copy_n(block.nx + begin, block_size, block.qnx);
     std::copy_n(block.ny + begin, block_size, block.qny);
     std::copy_n(block.nz + begin, block_size, block.qnz);
   }
-  if (neighborhood_.k == 0)
-    setRadius(block, squared(neighborhood_.radius));
-  if (neighborhood_.radii)
+  if (neighborhood.k == 0)
+    setRadius(block, squared(neighborhood.radius));
+  if (neighborhood.radii)
     for (std::size_t i = 0; i < block.size; ++i)
-      block.r2[i] = squared(neighborhood_.radii[queries_.order[begin + i]]);
+      block.r2[i] = squared(neighborhood.radii[queries.order[begin + i]]);
   return block;
 }
 
 Box
 BlockSweep::boxOf(std::size_t block) const
 {
-  const auto& box = queries_.clusters.box;
+  const auto& box = queries.clusters.box;
   return {box[0][block],
           box[3][block],
           box[1][block],
@@ -91,9 +79,11 @@ BlockSweep::boxOf(std::size_t block) const
 BlockSweep::BlockGroup
 BlockSweep::groupFrom(std::size_t first, std::size_t end) const
 {
-  constexpr std::size_t most_blocks = 8;
+  // The runs of a longer group hold clusters that are far from most of its blocks.
+  constexpr std::size_t max_blocks = 8;
+  constexpr double max_edges = 8.0;
   BlockGroup group{first, first + 1, boxOf(first)};
-  while (group.end < std::min(end, first + most_blocks)) {
+  while (group.end < std::min(end, first + max_blocks)) {
     const Box next = boxOf(group.end);
     const Box both{std::min(group.box.x_min, next.x_min),
                    std::max(group.box.x_max, next.x_max),
@@ -103,7 +93,7 @@ BlockSweep::groupFrom(std::size_t first, std::size_t end) const
                    std::max(group.box.z_max, next.z_max)};
     const double longest = std::max(
         {both.x_max - both.x_min, both.y_max - both.y_min, both.z_max - both.z_min});
-    if (!(longest <= 8.0 * queries_.edge))
+    if (!(longest <= max_edges * queries.edge))
       break;
     group.box = both;
     ++group.end;
@@ -114,35 +104,36 @@ BlockSweep::groupFrom(std::size_t first, std::size_t end) const
 double
 BlockSweep::largestRadius(const BlockGroup& group) const
 {
-  if (!neighborhood_.radii)
-    return std::sqrt(static_cast<double>(squared(neighborhood_.radius)));
-  const auto& begin = queries_.clusters.begin;
+  if (!neighborhood.radii)
+    return std::sqrt(static_cast<double>(squared(neighborhood.radius)));
+  const auto& begin = queries.clusters.begin;
   float largest = 0.0f;
   for (std::uint32_t i = begin[group.begin]; i < begin[group.end]; ++i)
-    largest = std::max(largest, squared(neighborhood_.radii[queries_.order[i]]));
+    largest = std::max(largest, squared(neighborhood.radii[queries.order[i]]));
   return std::sqrt(static_cast<double>(largest));
 }
 
 bool
 BlockSweep::findNearest(SweepBlock& block, RunFinder& finder, double& reach) const
 {
+  const KernelTable& kernels = chosenKernels();
   bool is_far_enough = true;
   setRadius(block, squared(reach));
   // Beyond the largest float every distance has been looked at.
-  while (!kernels_.nearest(block, neighborhood_.k) && !std::isinf(squared(reach))) {
+  while (!kernels.nearest(block, neighborhood.k) && !std::isinf(squared(reach))) {
     is_far_enough = false;
-    reach *= 1.5;
+    reach *= 1.5; // about twice the points of a surface
     const auto& runs = finder.find(block.box, reach);
     block.runs = runs.data();
     block.run_count = runs.size();
     setRadius(block, squared(reach));
   }
   float largest = 0.0f;
-  for (std::size_t i = 0; i < block.size; ++i) {
-    largest =
-        std::isfinite(block.kth_d2[i]) ? std::max(largest, block.kth_d2[i]) : largest;
-  }
-  reach = std::max(1.1 * std::sqrt(static_cast<double>(largest)), 1e-3 * queries_.edge);
+  for (std::size_t i = 0; i < block.size; ++i)
+    if (std::isfinite(block.kth_d2[i]))
+      largest = std::max(largest, block.kth_d2[i]);
+  // Seldom too short for the next block; not 0, which would never grow.
+  reach = std::max(1.1 * std::sqrt(static_cast<double>(largest)), 1e-3 * queries.edge);
   return is_far_enough;
 }
 

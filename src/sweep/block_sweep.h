@@ -1,78 +1,52 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Walks over the queries block by block, each with the surface points around it.
 
 #pragma once
 
 #include "common/parallel.h"
-#include "sweep/index/row_index.h"
 #include "sweep/index/run_finder.h"
 #include "sweep/portable/neighborhood.h"
-#include "sweep/sweep_block.h"
-
-#include <vector>
 
 namespace pcl::kernels {
 
-/** \brief Walks over the queries' clusters with the surface points around them. */
-class BlockSweep {
-public:
-  /** \param[in] surface, queries sorted with the same edge
-   * \param[in] neighborhood radii are by position among the queries given to the index
-   */
-  BlockSweep(const RowIndex& surface,
-             const RowIndex& queries,
-             const NeighborhoodSize& neighborhood,
-             const KernelTable& kernels);
-
-  void
-  setNormals(const UnitNormals& normals)
-  {
-    normals_ = &normals;
-  }
-
-  void
-  setQueriesOnSurface(bool on_surface)
-  {
-    on_surface_ = on_surface;
-  }
-
-  void
-  setRowsByRadius(bool by_radius)
-  {
-    rows_by_radius_ = by_radius;
-  }
+/** \brief What to walk over: surface and queries sorted with the same edge. */
+struct BlockSweep {
+  const RowIndex& surface;
+  const RowIndex& queries;
+  NeighborhoodSize neighborhood;  ///< radii are by position among the queries given
+  bool queries_on_surface = true; ///< each query is a surface point
+  bool rows_by_radius = false;    ///< the rows' width follows from the radius alone
+  const UnitNormals* normals = nullptr; ///< of the surface, or null
 
   /** \brief visit(block, order): order[i] is the position of the block's query i. */
   template <typename Visit>
   void
   forEachBlock(unsigned threads, const Visit& visit) const
   {
-    constexpr std::size_t blocks_a_task = 64;
-    const std::size_t count = queries_.clusters.size();
+    constexpr std::size_t blocks_per_task = 64; // a thousand queries
+    const std::size_t count = queries.clusters.size();
     parallelFor(
-        (count + blocks_a_task - 1) / blocks_a_task, threads, [&](std::size_t t) {
-          RunFinder finder(surface_, kernels_);
-          double reach = queries_.edge;
-          const std::size_t end = std::min(count, (t + 1) * blocks_a_task);
-          const auto visitBlock = [&](std::size_t b, SweepBlock& block) {
-            visit(block, queries_.order.data() + queries_.clusters.begin[b]);
-          };
-          for (std::size_t b = t * blocks_a_task; b < end;) {
+        (count + blocks_per_task - 1) / blocks_per_task, threads, [&](std::size_t t) {
+          RunFinder finder(surface);
+          double reach = queries.edge;
+          const std::size_t end = std::min(count, (t + 1) * blocks_per_task);
+          for (std::size_t b = t * blocks_per_task; b < end;) {
             const BlockGroup group = groupFrom(b, end);
+            // For k, with room for blocks that are a little less dense.
             const double group_reach =
-                neighborhood_.k > 0 ? 1.25 * reach : largestRadius(group);
+                neighborhood.k > 0 ? 1.25 * reach : largestRadius(group);
             const auto& runs = finder.find(group.box, group_reach);
             bool same_runs = true;
             for (; same_runs && b < group.end; ++b) {
               SweepBlock block = queriesOf(b);
               block.runs = runs.data();
               block.run_count = runs.size();
-              if (neighborhood_.k > 0) {
+              if (neighborhood.k > 0) {
                 reach = std::min(reach, group_reach);
                 same_runs = findNearest(block, finder, reach);
               }
-              visitBlock(b, block);
+              visit(block, queries.order.data() + queries.clusters.begin[b]);
             }
           }
         });
@@ -98,14 +72,6 @@ private:
    * \param[in,out] reach how far to look: about as far for the next block
    * \return false if that was not far enough: the finder's runs are others */
   bool findNearest(SweepBlock& block, RunFinder& finder, double& reach) const;
-
-  const RowIndex& surface_;
-  const RowIndex& queries_;
-  NeighborhoodSize neighborhood_;
-  const KernelTable& kernels_;
-  const UnitNormals* normals_ = nullptr;
-  bool on_surface_ = true;
-  bool rows_by_radius_ = false;
 };
 
 } // namespace pcl::kernels

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Checks the arguments of an INAD computation.
 
 #pragma once
 
 #include "common/number_text.h"
 
 #include <cmath>
-#include <cstddef>
 #include <stdexcept>
 #include <string>
 
 namespace pcl {
 
 /** \throws std::invalid_argument unless there is a normal for each surface point and
- * the rate is allowed */
+ * the rate is 0 or positive and finite */
 inline void
 checkINADInput(std::size_t surface, std::size_t normals, double outlier_rate)
 {

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// A block of queries with the points around them, and the kernels that work on it.
 
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace pcl::kernels {
 
+/** \brief Queries of a block, points of a cluster: the floats of an AVX-512 vector. */
 constexpr std::size_t block_size = 16;
 
-/** \brief A range of clusters [begin, end) of surface points (clusters.h). */
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+/** \brief A range of clusters [begin, end) of surface points (row_index.h). */
 struct ClusterRun {
   std::uint32_t begin;
   std::uint32_t end;
@@ -33,7 +37,7 @@ struct SweepBlock {
   const float *nx = nullptr, *ny = nullptr, *nz = nullptr; ///< its unit normals, or NaN
   const std::uint32_t* order = nullptr;                    ///< its original indices
   const std::uint32_t* cluster_begin = nullptr; ///< first point of each cluster
-  const float* cluster_box[6] = {};             ///< least x, y, z; most x, y, z
+  const float* cluster_box[6] = {};             ///< min x, y, z; max x, y, z
   const ClusterRun* runs = nullptr;
   std::size_t run_count = 0;
 
@@ -41,8 +45,8 @@ struct SweepBlock {
   Box box{};            ///< of the queries
   /** Queries, and behind them whatever comes next: its r2 is 0. */
   float qx[block_size] = {}, qy[block_size] = {}, qz[block_size] = {};
-  float qnx[block_size] = {}, qny[block_size] = {},
-        qnz[block_size] = {}; ///< if queries_on_surface
+  /** Normals of the queries, if queries_on_surface. */
+  float qnx[block_size] = {}, qny[block_size] = {}, qnz[block_size] = {};
   float r2[block_size] = {};
   float tie_d2[block_size] = {};
   std::uint32_t tie_index[block_size] = {};
@@ -55,9 +59,13 @@ struct NormalResult {
   float x, y, z, curvature;
 };
 
+constexpr NormalResult unknown_normal{nan, nan, nan, nan};
+
 struct INADResult {
   float mu, sigma;
 };
+
+constexpr INADResult unknown_inad{nan, nan};
 
 /** \brief The functions that a target (instruction set) provides. */
 struct KernelTable {
@@ -72,7 +80,7 @@ struct KernelTable {
    */
   void (*cells)(const float* coordinates,
                 std::size_t count,
-                double cells_a_metre,
+                double cells_per_meter,
                 std::int32_t* cells);
   /** How many of the first `count` values, at most block_size, are less than the bound.
    * block_size are read. */
@@ -99,9 +107,5 @@ NormalResult normalAt(const SweepBlock& block, std::size_t query);
 
 /** \brief Whether one of its neighbors is at the query's position. */
 bool isAtSurfacePoint(const SweepBlock& block, std::size_t query);
-
-/** \brief Narrow a query's neighbors to the k nearest; of equally far ones, to those of
- * the smallest indices. False if there are fewer. */
-bool narrowToNearest(SweepBlock& block, std::size_t query, std::size_t k);
 
 } // namespace pcl::kernels

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Keeps the sorted points of a surface from one computation to the next.
 
 #include "common/parallel.h"
 #include "sweep/index/row_index.h"
@@ -14,9 +14,9 @@ namespace {
 
 using namespace kernels;
 
-/** \brief Rows may be this many times as wide, or as narrow, as they are to be: what it
- * takes longer is less than sorting. */
-constexpr double times_wider = 4.0, times_narrower = 1.7;
+/** \brief Rows may be this many times as wide, or as narrow, as they are to be: it
+ * takes less longer than sorting. */
+constexpr double max_times_wider = 4.0, max_times_narrower = 1.7;
 
 bool
 areEqual(const RowIndex& rows, const XYZView& points, unsigned threads)
@@ -60,9 +60,10 @@ SweepIndex::keptFor(const XYZView& points,
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!rows_ || points_ != points.size || rows_->size() != finite_points)
     return nullptr;
-  const bool fits = width.is_exact ? rows_->edge == width.width
-                                   : rows_->edge <= times_wider * width.width &&
-                                         rows_->edge * times_narrower >= width.width;
+  const bool fits = width.is_exact
+                        ? rows_->edge == width.width
+                        : rows_->edge <= max_times_wider * width.width &&
+                              rows_->edge * max_times_narrower >= width.width;
   return fits ? rows_ : nullptr;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Counts the bytes that the test program, and the library in it, allocate.
 
 #include "support/heap_count.h"
 
@@ -9,7 +9,6 @@
 #include <malloc.h>
 #include <new>
 
-// Replaces the allocation functions of the test program, and so those of the library.
 namespace {
 
 std::atomic<std::ptrdiff_t> in_use{0};

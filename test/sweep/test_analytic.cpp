@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// INAD on spheres and cylinders, where means follow from the surface alone.
 
 #include "support/differences.h"
 #include "support/kernel_targets.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// What the sorted index is made with: radix sort, cells, rows.
 
-#include "../support/kernel_targets.h"
-#include "../support/random.h"
+#include "support/kernel_targets.h"
+#include "support/random.h"
 #include "sweep/index/radix_sort.h"
 #include "sweep/index/row_index.h"
 #include "sweep/portable/targets.h"
@@ -16,7 +16,6 @@
 #include <tuple>
 #include <vector>
 
-// What the sorted index is made with.
 namespace {
 
 using namespace pcl::kernels;
@@ -108,14 +107,14 @@ TEST_P(IndexKernels, CellsAreThoseOfEachCoordinate)
     coordinates.push_back(
         static_cast<float>(random.uniform(-1, 1) * std::pow(10.0, power)));
   }
-  for (const double cells_a_metre : {1.0, 4.0, 117.6470588, 1e-6, 1e12}) {
+  for (const double cells_per_meter : {1.0, 4.0, 117.6470588, 1e-6, 1e12}) {
     std::vector<std::int32_t> cells(coordinates.size());
     chosenKernels().cells(
-        coordinates.data(), coordinates.size(), cells_a_metre, cells.data());
+        coordinates.data(), coordinates.size(), cells_per_meter, cells.data());
     for (std::size_t i = 0; i < coordinates.size(); ++i) {
-      const double cell = std::floor(coordinates[i] * cells_a_metre);
-      EXPECT_EQ(std::clamp<double>(cell, -most_cell, most_cell), cells[i])
-          << coordinates[i] << " with " << cells_a_metre;
+      const double cell = std::floor(coordinates[i] * cells_per_meter);
+      EXPECT_EQ(std::clamp<double>(cell, -max_cell, max_cell), cells[i])
+          << coordinates[i] << " with " << cells_per_meter;
     }
   }
 }
@@ -157,8 +156,8 @@ expectInOrder(const RowIndex& index)
     if (r + 1 < index.rowCount())
       ASSERT_TRUE(row.iz < next.iz || (row.iz == next.iz && row.iy < next.iy));
     for (std::uint32_t i = row.begin; i < next.begin; ++i) {
-      ASSERT_EQ(cellOf(index.y[i], index.cellsAMetre()), row.iy);
-      ASSERT_EQ(cellOf(index.z[i], index.cellsAMetre()), row.iz);
+      ASSERT_EQ(cellOf(index.y[i], index.cellsPerMeter()), row.iy);
+      ASSERT_EQ(cellOf(index.z[i], index.cellsPerMeter()), row.iz);
       ASSERT_TRUE(i == row.begin ||
                   std::tie(index.x[i - 1], index.y[i - 1], index.z[i - 1]) <=
                       std::tie(index.x[i], index.y[i], index.z[i]));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// How wide rows are: of several densities, sizes and images.
 
 #include "sweep/index/row_width.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Points and normals that are not finite, and arguments out of range.
 
 #include "support/kernel_targets.h"
 #include "support/shapes.h"

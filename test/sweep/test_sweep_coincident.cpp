@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Thousands of points at the same place: results are right, memory stays small.
 
 #include "support/heap_count.h"
 #include "support/kernel_targets.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The sweep against the scalar reference, over shapes, densities and levels of noise.
 
 #include "support/differences.h"
 #include "support/kernel_targets.h"
@@ -13,8 +13,6 @@
 #include <functional>
 #include <tuple>
 
-// The sweep against the scalar reference: every shape at three densities and three
-// levels of noise.
 namespace {
 
 using namespace pcl;

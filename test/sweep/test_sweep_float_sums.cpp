@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Normals from sums of floats are as good as from exact sums.
 
 #include "support/kernel_targets.h"
 #include "support/random.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// k nearest points in depth images, whose density falls by a factor of 1000.
 
 #include "support/heap_count.h"
 #include "support/kernel_targets.h"

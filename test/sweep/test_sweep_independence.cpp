@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// What a result must not depend on: pose, order, signs, threads, far points.
 
 #include "support/differences.h"
 #include "support/kernel_targets.h"
@@ -13,7 +13,6 @@
 #include <cstring>
 #include <numeric>
 
-// What a result must not depend on: pose, order, signs, threads, far points.
 namespace {
 
 using namespace pcl;

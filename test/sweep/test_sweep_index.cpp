@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// An index that is shared changes the time, and nothing else.
 
 #include "support/bits.h"
 #include "support/heap_count.h"
@@ -14,7 +14,6 @@
 #include <limits>
 #include <thread>
 
-// An index that is shared changes the time, and nothing else.
 namespace {
 
 using namespace pcl;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The largest and the smallest coordinates and sizes that the sweep takes.
 
-#include "../support/kernel_targets.h"
-#include "../support/random.h"
-#include "../support/shapes.h"
-#include "../support/sweep.h"
+#include "support/kernel_targets.h"
+#include "support/random.h"
+#include "support/shapes.h"
+#include "support/sweep.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,6 @@
 #include <string>
 #include <vector>
 
-// The largest and the smallest numbers that are allowed.
 namespace {
 
 using namespace pcl;

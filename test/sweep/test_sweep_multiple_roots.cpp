@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Neighborhoods whose smallest variance is in more than one direction.
 
 #include "support/kernel_targets.h"
 #include "support/shapes.h"
@@ -12,7 +12,6 @@
 #include <cmath>
 #include <string>
 
-// Neighborhoods whose least variance is in more than one direction.
 namespace {
 
 using namespace pcl;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Distances to the k-th nearest points, exactly as brute force finds them.
 
 #include "support/kernel_targets.h"
 #include "support/reference.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Per-point radii, k, queries that are other points, and what the point itself is.
 
 #include "support/differences.h"
 #include "support/kernel_targets.h"
@@ -12,7 +12,6 @@
 
 #include <algorithm>
 
-// Per-point radii, k, queries that are other points, and what "the point itself" is.
 namespace {
 
 using namespace pcl;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Clouds of every small size: whole and partial vectors of each instruction set.
 
 #include "support/differences.h"
 #include "support/kernel_targets.h"

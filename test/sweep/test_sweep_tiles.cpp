@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// A tile with a halo equals the whole cloud, to the bit.
 
 #include "support/kernel_targets.h"
 #include "support/shapes.h"
@@ -12,7 +12,6 @@
 #include <cstring>
 #include <map>
 
-// A tile with a halo equals the whole cloud, to the bit.
 namespace {
 
 using namespace pcl;

@@ -36,8 +36,8 @@ struct XYZView {
 
 /** \brief The extent of a neighborhood: exactly one of the three is set. */
 struct NeighborhoodSize {
-  double radius = 0.0;          ///< metres, the same for every query
-  const float* radii = nullptr; ///< metres, one for every query
+  double radius = 0.0;          ///< meters, the same for every query
+  const float* radii = nullptr; ///< meters, one for every query
   std::size_t k = 0;            ///< nearest points, the query's own point included
 
   static NeighborhoodSize
@@ -62,10 +62,9 @@ struct NeighborhoodSize {
 /** \brief Statistics over the neighborhoods of many points at once, without a search
  * tree.
  *
- * The finite points of a surface are sorted into rows of cells; the neighbors of a
- * query are a few contiguous runs of them, and are consumed where they are found: no
- * list of neighbors is ever stored. The class knows nothing of point clouds: it reads
- * and writes plain arrays.
+ * The finite points of a surface are sorted into rows of cells. The neighbors of a
+ * query are a few contiguous runs of them, consumed where they are found: no list of
+ * neighbors is ever stored. The class works on plain arrays, without PCL's types.
  *
  * A neighbor is a finite surface point with
  * `(dx*dx + dy*dy) + dz*dz < (float)(r*r)`, in float and without fused operations: the
@@ -75,19 +74,20 @@ struct NeighborhoodSize {
  * point at distance 0, once.
  *
  * Angles are added up as whole numbers of 2^-23 rad, exactly, and so are products of
- * offsets, in 2^-20 of a power of two above the radius. But with one radius for all
- * points these are summed as floats, by cells that follow from the radius, and by x, y
+ * offsets, in 2^-20 of a power of two above the radius. Only normals with one radius
+ * for all points use sums of floats, by cells that follow from the radius, and by x, y
  * and z in them. Either way a result depends on the neighbors of its point only: not on
  * the order of the points (but for ties, see above and computeINAD()), nor on the
  * number of threads, nor on points further away.
  *
  * Fewer than five neighbors besides the point itself, or neighbors on a line through it
- * or at one place, give NaN. All methods that compute or count throw
- * std::invalid_argument unless exactly one of radius, radii and k is set, for a radius
- * that is not positive and finite, a k that is not in [1, number of finite surface
- * points], or more than 2^31 - 1 points or queries. computeINAD() also does for normals
- * of another number than the surface's points, and for an outlier rate that is negative
- * or not finite. Positions are in metres, angles in radians. \ingroup features
+ * or at one place, give NaN. Positions are in meters, angles in radians.
+ *
+ * All methods that compute or count throw std::invalid_argument unless exactly one of
+ * radius, radii and k is set, each radius is positive and finite, k is 1 to the number
+ * of finite surface points, and there are at most 2^31 - 1 points and queries.
+ * computeINAD() also needs one normal for each surface point, and an outlier rate that
+ * is 0 or positive and finite. \ingroup features
  */
 class PCL_SHAPE_EXPORTS NeighborhoodSweep {
 public:
@@ -107,10 +107,9 @@ public:
   }
 
   /** \brief Ask about some points of the query cloud only (of the surface, if no
-   * queries are set). \param[in] indices of the points, in the order of the results;
-   * not copied, and not checked: from 0 to below the number of points, else what
-   * happens is undefined
-   */
+   * queries are set).
+   * \param[in] indices of the points, in the order of the results; not copied and not
+   * checked: the caller sees to it that each is a point's */
   void
   setQueryIndices(const std::int32_t* indices, std::size_t size)
   {
@@ -126,8 +125,9 @@ public:
     threads_ = threads;
   }
 
-  /** \brief Take the surface as it was sorted before, if it is the same, and keep what
-   * is sorted here. \param[in] index null to sort it at each call */
+  /** \brief Use the surface as it was sorted before, if it is the same, and keep what
+   * is sorted here.
+   * \param[in] index null to sort at each call */
   void
   setIndex(const std::shared_ptr<SweepIndex>& index)
   {
@@ -143,11 +143,10 @@ public:
   }
 
   /** \brief Normals by principal component analysis of the neighbors and the point
-   * itself. \param[in] neighborhood extent of the neighborhoods \param[out] normals
-   * unit vectors of either sign, three floats every `stride` floats \param[out]
-   * curvature surface variation l0 / (l0 + l1 + l2), one float every `stride` \return
-   * whether all results are finite
-   */
+   * itself.
+   * \param[out] normals unit vectors of either sign, three floats every `stride` floats
+   * \param[out] curvature surface variation l0 / (l0 + l1 + l2), one every `stride`
+   * \return whether all results are finite */
   bool computeNormals(const NeighborhoodSize& neighborhood,
                       float* normals,
                       float* curvature,
@@ -160,26 +159,24 @@ public:
    * standard deviation; then, once, over the a_ij with |a_ij - mu| <= c sigma (1 +
    * 1e-5). Neighbors without a finite normal do not count. If the queries are not
    * points of the surface, n_i is the normal of the nearest surface point in the
-   * neighborhood. \param[in] neighborhood extent of the neighborhoods \param[in]
-   * normals one for each surface point, of any length but 0 \param[in] outlier_rate c,
-   * 0 for no rejection \param[out] mu_sigma two floats for each query \return whether
-   * all results are finite
-   */
+   * neighborhood.
+   * \param[in] normals one for each surface point, of any length but 0
+   * \param[in] outlier_rate c, 0 for no rejection
+   * \param[out] mu_sigma two floats for each query
+   * \return whether all results are finite */
   bool computeINAD(const NeighborhoodSize& neighborhood,
                    const XYZView& normals,
                    double outlier_rate,
                    float* mu_sigma) const;
 
   /** \brief The number of neighbors of each query, its own point not counted.
-   * \param[out] counts one for each query, 0 for a query that is not finite
-   */
+   * \param[out] counts one for each query, 0 for a query that is not finite */
   void countNeighbors(const NeighborhoodSize& neighborhood,
                       std::uint32_t* counts) const;
 
   /** \brief The distance from each query to the k-th nearest surface point, its own
-   * point counted as the first. \param[out] distances one for each query, NaN for a
-   * query that is not finite
-   */
+   * point counted as the first.
+   * \param[out] distances one for each query, NaN for a query that is not finite */
   void computeDistanceToNearest(std::size_t k, float* distances) const;
 
 private:

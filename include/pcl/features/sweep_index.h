@@ -21,9 +21,8 @@ namespace kernels {
 struct RowIndex;
 }
 
-/** \brief The points of a search surface, sorted for pcl::NeighborhoodSweep, kept from
- * one computation to the next: of one class with another radius, or of several classes
- * that work on the same cloud.
+/** \brief Keeps the sorted points of a search surface from one computation to the next:
+ * of one class with another radius, or of several classes that work on the same cloud.
  *
  * \code
  * const auto index = std::make_shared<pcl::SweepIndex>();
@@ -31,13 +30,13 @@ struct RowIndex;
  * inad_estimation.setSweepIndex(index);
  * \endcode
  *
- * Only the time changes, not a bit of the results: before it is used again every point
- * is compared with the surface, so that another cloud, or one that was edited in place,
- * is sorted anew. It is sorted anew, too, where its rows of cells would be far wider or
- * narrower than a neighborhood asks for; and normals over one radius for all points
- * need rows of their own: compute normals first. The last one sorted is kept until
- * clear() or the object's end: about 20 bytes a point of a surface, up to 60 where
- * points are sparse. Threads may share it; it helps those that work on the same cloud.
+ * Only the time changes, not a bit of the results. Before it is used again, every point
+ * is compared with the surface: another cloud, or one that was edited in place, is
+ * sorted anew. So are points whose rows of cells are far wider or narrower than a
+ * neighborhood asks for. Normals over one radius for all points need rows of their own:
+ * compute normals first. The last one sorted is kept until clear() or the object's end:
+ * about 20 bytes a point of a surface, up to 60 where points are sparse. Several
+ * threads may share it.
  *
  * \ingroup features
  */
@@ -56,7 +55,7 @@ public:
 private:
   friend class NeighborhoodSweep;
 
-  /** \brief How wide rows are to be, metres. */
+  /** \brief How wide rows are to be, meters. */
   struct RowWidth {
     double width;
     bool is_exact; ///< otherwise about as wide will do

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// A stable radix sort of keys with indices, by threads, and vectors for its arrays.
 
 #pragma once
 
 #include "common/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -35,13 +36,6 @@ struct RawAllocator : std::allocator<T> {
   construct(U* p) noexcept
   {
     ::new (static_cast<void*>(p)) U;
-  }
-
-  template <typename U, typename... Args>
-  void
-  construct(U* p, Args&&... args)
-  {
-    ::new (static_cast<void*>(p)) U{std::forward<Args>(args)...};
   }
 };
 
@@ -130,8 +124,8 @@ private:
   static std::size_t
   partsFor(std::size_t entries, unsigned threads)
   {
-    constexpr std::size_t least_a_part = 16384;
-    return std::clamp<std::size_t>(entries / least_a_part, 1, threadCount(threads));
+    constexpr std::size_t min_part = 16384;
+    return std::clamp<std::size_t>(entries / min_part, 1, threadCount(threads));
   }
 
   std::size_t
@@ -161,46 +155,40 @@ private:
   std::vector<std::vector<std::uint32_t>> histograms_;
 };
 
-/** \brief Stable sorts of few entries at a time, between two arrays. */
+/** \brief How wide the digits of keys are that are split into as few as may be. */
+inline int
+digitBits(int bits, int max_digit_bits)
+{
+  const int digits = (bits + max_digit_bits - 1) / max_digit_bits;
+  return digits > 0 ? (bits + digits - 1) / digits : 0;
+}
+
+/** Counts of digits of these widths stay in the first and in the second cache. */
+constexpr int max_bucket_digit_bits = 10, max_pass_digit_bits = 11;
+
+/** \brief Stable sort of few entries by their lowest bits, to and fro between two
+ * arrays. \return whether they end in the other one */
 template <typename Key>
-class BucketSort {
-public:
-  /** \param[in] bits the lowest ones, to sort by */
-  explicit BucketSort(int bits)
-  : passes_((bits + most_digit_bits - 1) / most_digit_bits)
-  , digit_bits_(passes_ > 0 ? (bits + passes_ - 1) / passes_ : 0)
-  {}
-
-  /** \brief Whether sorted entries end where they were not. */
-  bool
-  changesArray() const
-  {
-    return passes_ % 2 == 1;
+bool
+sortBucket(Keyed<Key>* entries, Keyed<Key>* other, std::size_t count, int bits)
+{
+  const int digit_bits = digitBits(bits, max_bucket_digit_bits);
+  const Key mask = static_cast<Key>((Key{1} << digit_bits) - 1);
+  bool is_in_other = false;
+  for (int shift = 0; shift < bits; shift += digit_bits) {
+    std::uint32_t position[std::size_t{1} << max_bucket_digit_bits] = {};
+    for (std::size_t i = 0; i < count; ++i)
+      ++position[(entries[i].key >> shift) & mask];
+    std::uint32_t sum = 0;
+    for (std::size_t digit = 0; digit <= mask; ++digit)
+      sum += std::exchange(position[digit], sum);
+    for (std::size_t i = 0; i < count; ++i)
+      other[position[(entries[i].key >> shift) & mask]++] = entries[i];
+    std::swap(entries, other);
+    is_in_other = !is_in_other;
   }
-
-  /** \brief Sort what is from here on; as many may be written to the other array. */
-  void
-  sort(Keyed<Key>* entries, Keyed<Key>* other, std::size_t count) const
-  {
-    for (int pass = 0; pass < passes_; ++pass, std::swap(entries, other)) {
-      const int shift = pass * digit_bits_;
-      const Key mask = static_cast<Key>((Key{1} << digit_bits_) - 1);
-      std::uint32_t position[std::size_t{1} << most_digit_bits] = {};
-      for (std::size_t i = 0; i < count; ++i)
-        ++position[(entries[i].key >> shift) & mask];
-      std::uint32_t sum = 0;
-      for (std::size_t digit = 0; digit <= mask; ++digit)
-        sum += std::exchange(position[digit], sum);
-      for (std::size_t i = 0; i < count; ++i)
-        other[position[(entries[i].key >> shift) & mask]++] = entries[i];
-    }
-  }
-
-private:
-  static constexpr int most_digit_bits = 10;
-
-  int passes_, digit_bits_;
-};
+  return is_in_other;
+}
 
 /** \brief Stable sort by one digit after the other, all entries in each pass. */
 template <typename Key>
@@ -210,9 +198,7 @@ sortByPasses(RawVector<Keyed<Key>>& entries,
              int bits,
              unsigned threads)
 {
-  constexpr int most_digit_bits = 11;
-  const int passes = (bits + most_digit_bits - 1) / most_digit_bits;
-  const int digit_bits = passes > 0 ? (bits + passes - 1) / passes : 0;
+  const int digit_bits = digitBits(bits, max_pass_digit_bits);
   for (int shift = 0; shift < bits; shift += digit_bits) {
     RadixPass<Key> pass(entries, shift, digit_bits, threads);
     if (pass.largestBucket() < entries.size()) {
@@ -230,11 +216,11 @@ template <typename Key>
 void
 radixSort(RawVector<Keyed<Key>>& entries, int bits, unsigned threads)
 {
-  constexpr int most_top_bits = 8;
-  constexpr std::size_t large = std::size_t{1} << 16;
+  constexpr int max_top_bits = 8;
+  constexpr std::size_t large = std::size_t{1} << 16; // what a cache of 1 MB holds
   if (entries.size() < 2)
     return;
-  const int top_bits = std::min(bits, most_top_bits);
+  const int top_bits = std::min(bits, max_top_bits);
   RawVector<Keyed<Key>> other(entries.size());
   RadixPass<Key> pass(entries, bits - top_bits, top_bits, threads);
   if (pass.largestBucket() > std::max(large, entries.size() / 4)) {
@@ -242,12 +228,13 @@ radixSort(RawVector<Keyed<Key>>& entries, int bits, unsigned threads)
     return;
   }
   const std::vector<std::uint32_t> ends = pass.scatter(other);
-  const BucketSort<Key> buckets(bits - top_bits);
+  std::atomic<bool> is_in_other{false}; // the same for all buckets
   parallelFor(ends.size(), threads, [&](std::size_t i) {
     const std::size_t begin = i > 0 ? ends[i - 1] : 0;
-    buckets.sort(other.data() + begin, entries.data() + begin, ends[i] - begin);
+    is_in_other = !sortBucket(
+        other.data() + begin, entries.data() + begin, ends[i] - begin, bits - top_bits);
   });
-  if (!buckets.changesArray())
+  if (is_in_other)
     std::swap(entries, other);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// How wide rows of cells should be: estimated from the density of a few points.
 
 #include "sweep/index/row_width.h"
 
@@ -30,12 +30,6 @@ struct SomePoints {
       }
     }
   }
-
-  std::size_t
-  size() const
-  {
-    return x.size();
-  }
 };
 
 /** \brief The k-th smallest of the distances from one of the points to others, those at
@@ -46,7 +40,7 @@ distanceToNearest(const SomePoints& points,
                   std::size_t k,
                   std::vector<float>& squares)
 {
-  const std::size_t size = points.size();
+  const std::size_t size = points.x.size();
   if (size < k)
     return std::numeric_limits<float>::infinity();
   squares.resize(size);
@@ -56,10 +50,11 @@ distanceToNearest(const SomePoints& points,
     const float d2 = (dx * dx + dy * dy) + dz * dz;
     squares[i] = d2 > 0.0f ? d2 : std::numeric_limits<float>::infinity();
   }
-  if (16 * k < size) {
-    std::vector<float> least(k);
-    std::partial_sort_copy(squares.begin(), squares.end(), least.begin(), least.end());
-    return std::sqrt(least.back());
+  if (16 * k < size) { // faster for few
+    std::vector<float> nearest(k);
+    std::partial_sort_copy(
+        squares.begin(), squares.end(), nearest.begin(), nearest.end());
+    return std::sqrt(nearest.back());
   }
   const auto kth = squares.begin() + static_cast<std::ptrdiff_t>(k - 1);
   std::nth_element(squares.begin(), kth, squares.end());
@@ -73,19 +68,19 @@ distanceToNearest(const SomePoints& points,
 double
 typicalDistance(const XYZView& surface, std::size_t k)
 {
-  constexpr std::size_t samples = 15;
-  constexpr std::size_t most_others = 4096;
-  const std::size_t stride = (surface.size + most_others - 1) / most_others;
+  // Enough for a median within a third, and little beside sorting all points.
+  constexpr std::size_t samples = 15, max_others = 4096;
+  const std::size_t stride = (surface.size + max_others - 1) / max_others;
   const std::size_t nearest = (k + stride - 1) / stride;
   const SomePoints points(surface, stride);
   std::vector<float> typical, squares;
-  for (std::size_t s = 0; s < std::min(samples, points.size()); ++s) {
+  for (std::size_t s = 0; s < std::min(samples, points.x.size()); ++s) {
     // Spread by the golden ratio, not evenly: that might be along one column of an
     // image.
     const double share =
         std::fmod(0.6180339887498949 * (static_cast<double>(s) + 0.5), 1.0);
     const auto from =
-        static_cast<std::size_t>(share * static_cast<double>(points.size()));
+        static_cast<std::size_t>(share * static_cast<double>(points.x.size()));
     const float distance = distanceToNearest(points, from, nearest, squares);
     if (std::isfinite(distance))
       typical.push_back(distance);
@@ -101,15 +96,15 @@ typicalDistance(const XYZView& surface, std::size_t k)
 double
 extentOf(const XYZView& points)
 {
-  float least = std::numeric_limits<float>::max();
-  float most = std::numeric_limits<float>::lowest();
+  float min = std::numeric_limits<float>::max();
+  float max = std::numeric_limits<float>::lowest();
   for (std::size_t i = 0; i < points.size; ++i) {
     for (int axis = 0; isFinite(points[i]) && axis < 3; ++axis) {
-      least = std::min(least, points[i][axis]);
-      most = std::max(most, points[i][axis]);
+      min = std::min(min, points[i][axis]);
+      max = std::max(max, points[i][axis]);
     }
   }
-  const double extent = static_cast<double>(most) - least;
+  const double extent = static_cast<double>(max) - min;
   return extent > 0.0 ? extent : 1.0;
 }
 
@@ -127,13 +122,15 @@ medianOf(const float* values, std::size_t size)
 double
 rowWidth(const NeighborhoodSize& size, const XYZView& surface, std::size_t queries)
 {
-  constexpr std::size_t least_points = 64;
-  constexpr double radii_a_row = 0.7;
-  const double dense = typicalDistance(surface, std::max(size.k, least_points));
+  constexpr std::size_t min_points = 64; // row_width.h
+  constexpr double radii_per_row = 0.7;  // the fastest on depth images
+  // In wider rows most points are no neighbors.
+  constexpr double max_radii_per_row = 16.0;
+  const double dense = typicalDistance(surface, std::max(size.k, min_points));
   if (size.k > 0)
     return dense > 0.0 ? dense : extentOf(surface);
   const double radius = size.radii ? medianOf(size.radii, queries) : size.radius;
-  return std::max(radii_a_row * radius, std::min(dense, 16.0 * radius));
+  return std::max(radii_per_row * radius, std::min(dense, max_radii_per_row * radius));
 }
 
 } // namespace pcl::kernels

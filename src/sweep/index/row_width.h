@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// How wide rows of cells should be.
 
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace pcl::kernels {
 
-/** \brief The width of rows: results don't depend on it, only the time that they take.
+/** \brief The width of rows. Only the time depends on it, not the results.
  *
  * Wide enough for a cluster of points to be about as long as the row is wide: the
  * distance to the 64th neighbor, where most points are. With larger neighborhoods, rows
@@ -24,8 +24,8 @@ rowWidth(const NeighborhoodSize& size, const XYZView& surface, std::size_t queri
 inline double
 rowWidthOf(double radius)
 {
-  constexpr double radii_a_row = 0.85;
-  return radii_a_row * radius;
+  constexpr double radii_per_row = 0.85; // the fastest on depth images
+  return radii_per_row * radius;
 }
 
 } // namespace pcl::kernels

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Finds the runs of clusters that lie within a distance of a box.
 
 #include "sweep/index/run_finder.h"
 
@@ -22,6 +22,7 @@ slide(const KernelTable& kernels,
       std::uint32_t guess,
       float bound)
 {
+  // Bounds of the next box mostly are a few clusters further, seldom nearer.
   constexpr std::uint32_t window = block_size, steps_back = 6;
   const bool is_short = end - begin <= window;
   const std::uint32_t first =
@@ -46,29 +47,32 @@ distance(double a_min, double a_max, double b_min, double b_max)
   return std::max({0.0, b_min - a_max, a_min - b_max});
 }
 
+/** Of coordinates' cells, in cells: far more than it is, far less than costs time. */
+constexpr double rounding = 1e-5;
+
 /** \brief The bounds of a cell, a little further out than rounding may put its points.
  */
 double
 lowerBound(std::int32_t cell, double edge)
 {
-  return cell <= -most_cell ? -std::numeric_limits<double>::infinity()
-                            : (cell - 1e-5) * edge;
+  return cell <= -max_cell ? -std::numeric_limits<double>::infinity()
+                           : (cell - rounding) * edge;
 }
 
 double
 upperBound(std::int32_t cell, double edge)
 {
-  return cell >= most_cell ? std::numeric_limits<double>::infinity()
-                           : (cell + 1.0 + 1e-5) * edge;
+  return cell >= max_cell ? std::numeric_limits<double>::infinity()
+                          : (cell + 1.0 + rounding) * edge;
 }
 
 /** \brief As a float, not less far that way (1 or -1): rounding moves it by at most
- * 2^-24 of it, or half the least positive float. */
+ * 2^-24 of it, or half the smallest positive float. */
 float
 roundedOutwards(double value, double way)
 {
-  constexpr double least = std::numeric_limits<float>::denorm_min();
-  return static_cast<float>(value + way * (0x1p-23 * std::abs(value) + least));
+  constexpr double min = std::numeric_limits<float>::denorm_min();
+  return static_cast<float>(value + way * (0x1p-23 * std::abs(value) + min));
 }
 
 } // namespace
@@ -77,18 +81,20 @@ roundedOutwards(double value, double way)
 RunFinder::Window
 RunFinder::windowOf(const Box& box, double far) const
 {
-  const double cells = surface_.cellsAMetre();
+  const double cells = surface_.cellsPerMeter();
   // From one end of the cells to the other, if need be.
-  const double steps = std::floor(std::min(2.0 * most_cell, far * cells + 1e-5)) + 1.0;
+  const double steps =
+      std::floor(std::min(2.0 * max_cell, far * cells + rounding)) + 1.0;
   const auto reach = static_cast<std::int64_t>(steps);
   const auto cell = [&](float v, std::int64_t offset) {
     const std::int64_t moved = cellOf(v, cells) + offset;
     return static_cast<std::int32_t>(
-        std::clamp<std::int64_t>(moved, -most_cell, most_cell));
+        std::clamp<std::int64_t>(moved, -max_cell, max_cell));
   };
-  const auto first = [&](float v) { return cell(v, -reach); };
-  const auto last = [&](float v) { return cell(v, reach); };
-  return {first(box.z_min), last(box.z_max), first(box.y_min), last(box.y_max)};
+  return {cell(box.z_min, -reach),
+          cell(box.z_max, reach),
+          cell(box.y_min, -reach),
+          cell(box.y_max, reach)};
 }
 
 void
@@ -136,8 +142,8 @@ RunFinder::find(const Box& box, double reach)
 
   const float x_first = roundedOutwards(box.x_min - far, -1.0);
   const float x_last = roundedOutwards(box.x_max + far, 1.0);
-  const float* least = surface_.clusters.box[0].data();
-  const float* most = surface_.clusters.box[3].data();
+  const float* x_min = surface_.clusters.box[0].data();
+  const float* x_max = surface_.clusters.box[3].data();
   runs_.clear();
   for (NearRow& row : rows_) {
     const double dy = distance(row.y_min, row.y_max, box.y_min, box.y_max);
@@ -145,9 +151,9 @@ RunFinder::find(const Box& box, double reach)
     if (dy * dy + dz * dz > far * far)
       continue;
     ClusterRun& run = row.cursor;
-    run.begin = slide(kernels_, most, row.begin, row.end, run.begin, x_first);
+    run.begin = slide(kernels_, x_max, row.begin, row.end, run.begin, x_first);
     run.end = slide(
-        kernels_, least, row.begin, row.end, std::max(run.begin, run.end), x_last);
+        kernels_, x_min, row.begin, row.end, std::max(run.begin, run.end), x_last);
     if (run.begin < run.end)
       runs_.push_back(run);
   }

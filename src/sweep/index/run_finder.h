@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Finds the runs of clusters that lie within a distance of a box.
 
 #pragma once
 
 #include "sweep/index/row_index.h"
-#include "sweep/sweep_block.h"
-
-#include <vector>
+#include "sweep/portable/targets.h"
 
 namespace pcl::kernels {
 
@@ -18,10 +16,7 @@ namespace pcl::kernels {
  */
 class RunFinder {
 public:
-  RunFinder(const RowIndex& surface, const KernelTable& kernels)
-  : surface_(surface)
-  , kernels_(kernels)
-  {}
+  explicit RunFinder(const RowIndex& surface) : surface_(surface) {}
 
   /** \brief Runs, in sorted order, that hold every point within `reach` of the box. */
   const std::vector<ClusterRun>& find(const Box& box, double reach);
@@ -43,7 +38,7 @@ private:
   void selectRows(const Window& window);
 
   const RowIndex& surface_;
-  const KernelTable& kernels_;
+  const KernelTable& kernels_ = chosenKernels();
   Window window_{1, 0, 1, 0};
   std::vector<NearRow> rows_;
   std::vector<ClusterRun> runs_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Angles between unit vectors, and exact statistics over them.
 
 #pragma once
 
@@ -11,25 +11,29 @@
 
 namespace pcl::kernels {
 
-/** \brief The acute angle between two unit vectors with squared chord t in [0, 2]:
- * 2 asin(sqrt(t) / 2) = sqrt(t) Q(t).
- *
- * Q is the minimax polynomial of degree 6; the error is below 1e-7 rad, and near 0
- * relative, where acos of a float is wrong by 5e-4 rad.
- */
+/** \brief Integers of twice the size, for sums and products that need them. */
+__extension__ using Wide = unsigned __int128;
+__extension__ using SignedWide = __int128;
+
+/** \brief Q, the minimax polynomial of 2 asin(sqrt(t) / 2) = sqrt(t) Q(t), lowest
+ * degree first. */
+constexpr float angle_polynomial[] = {1.000000898e+00f,
+                                      4.165096783e-02f,
+                                      4.766297369e-03f,
+                                      5.256729479e-04f,
+                                      3.057683521e-04f,
+                                      -8.097935841e-05f,
+                                      2.884860886e-05f};
+
+/** \brief The acute angle between two unit vectors with squared chord t in [0, 2]. The
+ * error is below 1e-7 rad, and near 0 relative, where acos of a float is wrong by 5e-4
+ * rad. */
 inline float
 angleOfChord(float t)
 {
-  constexpr float q[] = {1.000000898e+00f,
-                         4.165096783e-02f,
-                         4.766297369e-03f,
-                         5.256729479e-04f,
-                         3.057683521e-04f,
-                         -8.097935841e-05f,
-                         2.884860886e-05f};
-  float sum = q[6];
+  float sum = angle_polynomial[6];
   for (int i = 5; i >= 0; --i)
-    sum = sum * t + q[i];
+    sum = sum * t + angle_polynomial[i];
   return std::sqrt(t) * sum;
 }
 
@@ -53,18 +57,16 @@ toUnits(float angle)
   return static_cast<std::uint32_t>(std::lrint(angle * units_per_radian));
 }
 
-__extension__ using Wide = unsigned __int128;
-
-/** \brief Mean and standard deviation of angles, in units (angle.h). */
+/** \brief Mean and standard deviation of angles, in units. */
 struct Spread {
   double mean;
   double sd;
 };
 
-/** \brief Neighborhoods up to this size have sums of squares that fit in 64 bits. */
-constexpr std::uint64_t most_for_64_bits = 1u << 15;
+/** \brief The squares of this many angles, of 24 bits each, have a sum of 64 bits. */
+constexpr std::uint64_t max_for_64_bits = 1u << 15;
 
-/** \brief From exact sums over at most most_for_64_bits angles. The squares are taken
+/** \brief From exact sums over at most max_for_64_bits angles. The squares are taken
  * about the rounded mean, exactly, so that nothing cancels. */
 inline Spread
 spreadOf(std::uint64_t count, std::uint64_t sum, std::uint64_t squares)
@@ -90,7 +92,7 @@ struct AngleSums {
   Spread
   spread() const
   {
-    if (count <= most_for_64_bits)
+    if (count <= max_for_64_bits)
       return spreadOf(count, sum, static_cast<std::uint64_t>(squares));
     const auto n = static_cast<double>(count);
     const Wide scaled = count * squares - Wide{sum} * sum;
@@ -98,7 +100,11 @@ struct AngleSums {
   }
 };
 
-/** \brief The angles that outlier rejection keeps: |a - mean| <= c sd (1 + 1e-5). */
+/** \brief Rounding must not reject angles that are all alike. */
+constexpr double rejection_margin = 1.0 + 1e-5;
+
+/** \brief The angles that outlier rejection keeps: |a - mean| <= c sd times the margin.
+ */
 struct KeptRange {
   std::int32_t first = 0;
   std::int32_t last = std::numeric_limits<std::int32_t>::max();
@@ -116,10 +122,10 @@ keptRange(const Spread& spread, double outlier_rate)
 {
   if (outlier_rate == 0.0 || spread.sd == 0.0)
     return {};
-  const double width = outlier_rate * spread.sd * (1.0 + 1e-5);
-  constexpr double most = std::numeric_limits<std::int32_t>::max();
+  const double width = outlier_rate * spread.sd * rejection_margin;
+  constexpr double max = std::numeric_limits<std::int32_t>::max();
   return {static_cast<std::int32_t>(std::ceil(std::max(0.0, spread.mean - width))),
-          static_cast<std::int32_t>(std::floor(std::min(most, spread.mean + width)))};
+          static_cast<std::int32_t>(std::floor(std::min(max, spread.mean + width)))};
 }
 
 } // namespace pcl::kernels

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Whether neighbors spread over a surface, or are on a line.
 
 #pragma once
 
@@ -27,7 +27,7 @@ spansSurface(const Offsets& offsets)
     return false;
   const double x = longest->dx, y = longest->dy, z = longest->dz;
   const double length2 = x * x + y * y + z * z;
-  constexpr double tolerance2 = 1e-6;
+  constexpr double tolerance2 = 1e-6; // squared
   return std::any_of(offsets.begin(), offsets.end(), [&](const auto& d) {
     const double cx = y * d.dz - z * d.dy;
     const double cy = z * d.dx - x * d.dz;

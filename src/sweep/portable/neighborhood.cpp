@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Normal and INAD of one query, from a list of its neighbors.
 
 #include "sweep/portable/neighborhood.h"
 
@@ -12,15 +12,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pcl::kernels {
 namespace {
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr std::size_t min_neighbors = NeighborhoodSweep::min_neighbors;
 
-/** \brief What offsets are multiplied by to become integers of at most 20 bits, fewer
+/** \brief What offsets are multiplied by to become integers of offset_bits, fewer
  * if there are so many that sums of their squares would not fit in 63 bits. */
 double
 integerScale(const Neighbors& neighbors)
@@ -30,13 +28,11 @@ integerScale(const Neighbors& neighbors)
     longest = std::max(longest, n.d2);
   int exponent = 0;
   std::frexp(std::sqrt(longest), &exponent);
-  int bits = 20;
+  int bits = offset_bits;
   for (std::size_t n = neighbors.size() >> 22; n > 0; n >>= 2)
     --bits;
   return std::ldexp(1.0, bits - exponent);
 }
-
-__extension__ using SignedWide = __int128;
 
 /** \brief Covariance of the neighbors' offsets from the query, from exact sums of
  * integers: the order of the neighbors does not matter. */
@@ -98,7 +94,7 @@ sumIf(const std::vector<std::uint32_t>& angles, const KeptRange& range)
 {
   AngleSums sums;
   for (std::size_t i = 0; i < angles.size();) {
-    const std::size_t end = std::min<std::size_t>(angles.size(), i + most_for_64_bits);
+    const std::size_t end = std::min<std::size_t>(angles.size(), i + max_for_64_bits);
     std::uint64_t squares = 0;
     for (; i < end; ++i) {
       const std::uint64_t angle = range.contains(angles[i]) ? angles[i] : 0;
@@ -121,10 +117,12 @@ toINAD(const Spread& spread)
 }
 
 UnitNormal
-normalized(const float* normal)
+unitNormal(const float* normal)
 {
   const double x = normal[0], y = normal[1], z = normal[2];
   const double squared_length = x * x + y * y + z * z;
+  if (std::abs(squared_length - 1.0) < 2.5e-7)
+    return {normal[0], normal[1], normal[2]};
   const double length = std::sqrt(squared_length);
   if (!(length > 0.0) || !std::isfinite(length))
     return {nan, nan, nan};
@@ -166,7 +164,7 @@ NormalResult
 normalOf(const Neighbors& neighbors, bool contains_itself)
 {
   const std::size_t others = neighbors.size() - (contains_itself ? 1 : 0);
-  return others < min_neighbors ? NormalResult{nan, nan, nan, nan}
+  return others < min_neighbors ? unknown_normal
                                 : normalOfCovariance(covarianceOf(neighbors));
 }
 
@@ -178,11 +176,11 @@ inadOf(const Neighbors& neighbors,
        double outlier_rate)
 {
   if (std::isnan(own.x))
-    return {nan, nan};
+    return unknown_inad;
   thread_local std::vector<std::uint32_t> angles;
   collectAngles(neighbors, own, normals, contains_itself, angles);
   if (angles.size() < min_neighbors || !spansSurface(neighbors))
-    return {nan, nan};
+    return unknown_inad;
   const AngleSums all = sumIf(angles, {});
   const AngleSums kept = sumIf(angles, keptRange(all.spread(), outlier_rate));
   return toINAD((kept.count == 0 ? all : kept).spread());

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Normal and INAD of one query, from a list of its neighbors.
 
 #pragma once
 
 #include "sweep/index/row_index.h"
 #include "sweep/portable/angle.h"
-#include "sweep/sweep_block.h"
-
-#include <pcl/features/neighborhood_sweep.h>
-
-#include <cmath>
-#include <cstdint>
-#include <vector>
 
 namespace pcl::kernels {
 
@@ -34,6 +27,10 @@ neighborAt(const float* surface_point, const float* query, std::uint32_t positio
   return {dx, dy, dz, (dx * dx + dy * dy) + dz * dz, position};
 }
 
+/** \brief Offsets are counted in 2^-20 of a power of two that is at least as long as
+ * each: the products of two, of 40 bits, are exact, and so are sums of millions. */
+constexpr int offset_bits = 20;
+
 struct UnitNormal {
   float x, y, z;
 };
@@ -50,26 +47,16 @@ struct UnitNormals {
   }
 };
 
-/** \brief In radians. */
-INADResult toINAD(const Spread& spread);
+/** \brief NaN for a normal that is not finite or of length 0. One that floats cannot
+ * bring nearer to length 1 stays as it is. */
+UnitNormal unitNormal(const float* normal);
 
-/** \brief NaN for a normal that is not finite or of length 0. */
-UnitNormal normalized(const float* normal);
-
-/** \brief As normalized(); a normal that floats cannot bring nearer to length 1 as it
- * is. */
-inline UnitNormal
-unitNormal(const float* normal)
-{
-  const double x = normal[0], y = normal[1], z = normal[2];
-  const bool is_unit = std::abs(x * x + y * y + z * z - 1.0) < 2.5e-7;
-  return is_unit ? UnitNormal{normal[0], normal[1], normal[2]} : normalized(normal);
-}
-
-/** \brief The normals of points order[0], order[1], ...; of all points if order is
- * null. */
+/** \brief The normals of a surface's points in their order; of all if it is null. */
 UnitNormals
 unitNormals(const XYZView& normals, const RowIndex* surface, unsigned threads);
+
+/** \brief In radians. */
+INADResult toINAD(const Spread& spread);
 
 /** \brief Whether a neighbor is at the query's position. */
 bool anyAtQuery(const Neighbors& neighbors);
@@ -78,9 +65,8 @@ bool anyAtQuery(const Neighbors& neighbors);
 NormalResult normalOf(const Neighbors& neighbors, bool contains_itself);
 
 /** \param[in] own the query's normal
- * \param[in] contains_itself the query's own point is one of the neighbors, and left
- * out
- */
+ * \param[in] contains_itself the query's own point is one of the neighbors: it is left
+ * out */
 INADResult inadOf(const Neighbors& neighbors,
                   const UnitNormal& own,
                   const float* const normals[3],

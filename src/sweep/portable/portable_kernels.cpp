@@ -1,52 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The kernels in plain C++: one query after the other, from lists of its neighbors.
 
-#include "sweep/index/row_index.h"
 #include "sweep/portable/geometry_check.h"
 #include "sweep/portable/neighborhood.h"
-#include "sweep/sweep_block.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <utility>
-#include <vector>
 
 namespace pcl::kernels {
 
-// KernelTable (sweep_block.h) says what these are.
-
-void cellsOfCoordinates(const float* coordinates,
-                        std::size_t count,
-                        double cells_a_metre,
-                        std::int32_t* out);
-
-std::uint32_t countLess(const float* values, std::size_t count, float bound);
-
-void
-cellsOfCoordinates(const float* coordinates,
-                   std::size_t count,
-                   double cells_a_metre,
-                   std::int32_t* out)
-{
-  std::transform(coordinates, coordinates + count, out, [=](float coordinate) {
-    return cellOf(coordinate, cells_a_metre);
-  });
-}
-
-std::uint32_t
-countLess(const float* values, std::size_t count, float bound)
-{
-  return static_cast<std::uint32_t>(
-      std::count_if(values, values + count, [bound](float v) { return v < bound; }));
-}
-
 namespace {
-
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 Neighbor
 relativeTo(const SweepBlock& block, std::size_t query, std::uint32_t j)
@@ -133,15 +97,6 @@ nearestOf(const SweepBlock& block, const Neighbors& neighbors)
 }
 
 void
-setOwnPoint(OwnPoints& own, std::size_t i, const UnitNormal& normal, bool is_neighbor)
-{
-  own.nx[i] = normal.x;
-  own.ny[i] = normal.y;
-  own.nz[i] = normal.z;
-  own.is_neighbor[i] = is_neighbor && !std::isnan(normal.x) ? 1 : 0;
-}
-
-void
 inad(const SweepBlock& block, double outlier_rate, INADResult* results)
 {
   const float* const normals[] = {block.nx, block.ny, block.nz};
@@ -165,6 +120,25 @@ count(const SweepBlock& block, std::uint32_t* results)
   }
 }
 
+/** \brief Of equally far ones, those of the smallest indices. */
+bool
+narrowToNearest(SweepBlock& block, std::size_t query, std::size_t k)
+{
+  thread_local std::vector<std::pair<float, std::uint32_t>> distances;
+  distances.clear();
+  for (const Neighbor& n : findNeighbors(block, query))
+    distances.emplace_back(n.d2, block.order[n.position]);
+  if (distances.size() < k) {
+    block.kth_d2[query] = nan;
+    return false;
+  }
+  const auto kth = distances.begin() + static_cast<std::ptrdiff_t>(k - 1);
+  std::nth_element(distances.begin(), kth, distances.end());
+  block.kth_d2[query] = block.tie_d2[query] = block.r2[query] = kth->first;
+  block.tie_index[query] = kth->second;
+  return true;
+}
+
 bool
 nearest(SweepBlock& block, std::size_t k)
 {
@@ -174,6 +148,24 @@ nearest(SweepBlock& block, std::size_t k)
   return all;
 }
 
+void
+cells(const float* coordinates,
+      std::size_t count,
+      double cells_per_meter,
+      std::int32_t* out)
+{
+  std::transform(coordinates, coordinates + count, out, [=](float coordinate) {
+    return cellOf(coordinate, cells_per_meter);
+  });
+}
+
+std::uint32_t
+countLess(const float* values, std::size_t count, float bound)
+{
+  return static_cast<std::uint32_t>(
+      std::count_if(values, values + count, [bound](float v) { return v < bound; }));
+}
+
 } // namespace
 
 OwnPoints
@@ -181,17 +173,21 @@ ownPointsOf(const SweepBlock& block)
 {
   OwnPoints own{};
   for (std::size_t i = 0; i < block.size; ++i) {
-    if (block.queries_on_surface) {
-      setOwnPoint(own, i, {block.qnx[i], block.qny[i], block.qnz[i]}, true);
-      continue;
+    UnitNormal normal{block.qnx[i], block.qny[i], block.qnz[i]};
+    bool is_neighbor = true;
+    if (!block.queries_on_surface) {
+      const Neighbor* nearest = nearestOf(block, findNeighbors(block, i));
+      is_neighbor = nearest && nearest->d2 == 0.0f;
+      normal = {nan, nan, nan};
+      if (nearest) {
+        const std::uint32_t j = nearest->position;
+        normal = {block.nx[j], block.ny[j], block.nz[j]};
+      }
     }
-    const Neighbor* nearest = nearestOf(block, findNeighbors(block, i));
-    if (!nearest) {
-      setOwnPoint(own, i, {nan, nan, nan}, false);
-      continue;
-    }
-    const std::uint32_t j = nearest->position;
-    setOwnPoint(own, i, {block.nx[j], block.ny[j], block.nz[j]}, nearest->d2 == 0.0f);
+    own.nx[i] = normal.x;
+    own.ny[i] = normal.y;
+    own.nz[i] = normal.z;
+    own.is_neighbor[i] = is_neighbor && !std::isnan(normal.x) ? 1 : 0;
   }
   return own;
 }
@@ -215,29 +211,10 @@ isAtSurfacePoint(const SweepBlock& block, std::size_t query)
   return anyAtQuery(findNeighbors(block, query));
 }
 
-bool
-narrowToNearest(SweepBlock& block, std::size_t query, std::size_t k)
-{
-  thread_local std::vector<std::pair<float, std::uint32_t>> distances;
-  distances.clear();
-  for (const Neighbor& n : findNeighbors(block, query))
-    distances.emplace_back(n.d2, block.order[n.position]);
-  if (distances.size() < k) {
-    block.kth_d2[query] = nan;
-    return false;
-  }
-  const auto kth = distances.begin() + static_cast<std::ptrdiff_t>(k - 1);
-  std::nth_element(distances.begin(), kth, distances.end());
-  block.kth_d2[query] = block.tie_d2[query] = block.r2[query] = kth->first;
-  block.tie_index[query] = kth->second;
-  return true;
-}
-
 const KernelTable&
 portableKernels()
 {
-  static const KernelTable table{
-      normals, inad, count, nearest, cellsOfCoordinates, countLess};
+  static const KernelTable table{normals, inad, count, nearest, cells, countLess};
   return table;
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The normal that a covariance matrix has: eigenvalues in closed form, then a vector.
 
 #include "sweep/portable/symmetric_eigen.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace pcl::kernels {
 namespace {
@@ -78,10 +77,9 @@ kernelDirection(const std::array<Vector, 3>& rows)
 NormalResult
 normalOfCovariance(const Symmetric3& covariance)
 {
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   const double trace = covariance.xx + covariance.yy + covariance.zz;
   if (!(trace > 0.0) || !std::isfinite(trace))
-    return {nan, nan, nan, nan};
+    return unknown_normal;
   const double s = 1.0 / trace;
   const Symmetric3 m{covariance.xx * s,
                      covariance.xy * s,
@@ -91,7 +89,7 @@ normalOfCovariance(const Symmetric3& covariance)
                      covariance.zz * s};
   const Vector values = eigenvalues(m);
   if (!(values[1] > line_ratio * values[2]))
-    return {nan, nan, nan, nan};
+    return unknown_normal;
   const double l = values[0];
   const Vector v = kernelDirection(
       {{{m.xx - l, m.xy, m.xz}, {m.xy, m.yy - l, m.yz}, {m.xz, m.yz, m.zz - l}}});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The instruction sets that kernels are compiled for, and the one in use.
 
 #pragma once
 
@@ -18,15 +18,20 @@ namespace pcl::kernels {
 PCL_SHAPE_EXPORTS std::vector<std::string> availableTargets();
 
 /** \brief Use one of availableTargets() from now on, for tests and benchmarks; the
- * fastest for an empty name. Not while something is being computed. \throws
- * std::invalid_argument if the target is not available
- */
+ * fastest for an empty name. Not while something is being computed.
+ * \throws std::invalid_argument if the target is not available */
 PCL_SHAPE_EXPORTS void chooseTarget(const std::string& name);
 
 /** \brief The kernels of the target in use. */
 const KernelTable& chosenKernels();
 
-/** \brief The kernels for a Highway target, or null if they are not compiled in. */
-const KernelTable* simdKernels(const std::string& name);
+/** \brief An instruction set and its kernels. */
+struct Target {
+  const char* name;
+  const KernelTable* kernels;
+};
+
+/** \brief The SIMD targets of this build that this processor has, the fastest first. */
+std::vector<Target> simdTargets();
 
 } // namespace pcl::kernels

@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Angles between the normals of queries and of their neighbors, and statistics of them.
 
-#if defined(PCL_SHAPE_SWEEP_ANGLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef PCL_SHAPE_SWEEP_ANGLES_INL_H_
-#undef PCL_SHAPE_SWEEP_ANGLES_INL_H_
-#else
-#define PCL_SHAPE_SWEEP_ANGLES_INL_H_
-#endif
+// No include guard: inad-inl.h includes it once for each target.
 
 #include "sweep/portable/angle.h"
 #include "sweep/simd/candidates-inl.h"
-#include "sweep/simd/common-inl.h"
 
 #include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
 
-/** \brief What squared chords are at least: an angle of no unit, with an inverse. */
-constexpr float least_chord = 1e-30f;
+/** \brief The smallest squared chord: it has an inverse, and its angle is 0 units. */
+constexpr float min_chord = 1e-30f;
 
 /** \brief Angles of squared chords, in units (angle.h). */
 template <class V>
@@ -38,18 +32,16 @@ anglesOf(V chords)
   constexpr float scale = units_per_radian;
   const auto root = hn::Sqrt(chords);
 #endif
-  const auto coefficient = [&](float q) { return hn::Set(d, q * scale); };
-  auto q = coefficient(2.884860886e-05f);
-  q = hn::MulAdd(q, chords, coefficient(-8.097935841e-05f));
-  q = hn::MulAdd(q, chords, coefficient(3.057683521e-04f));
-  q = hn::MulAdd(q, chords, coefficient(5.256729479e-04f));
-  q = hn::MulAdd(q, chords, coefficient(4.766297369e-03f));
-  q = hn::MulAdd(q, chords, coefficient(4.165096783e-02f));
-  q = hn::MulAdd(q, chords, coefficient(1.000000898e+00f));
+  const auto coefficient = [&](int i) {
+    return hn::Set(d, angle_polynomial[i] * scale);
+  };
+  auto q = coefficient(6);
+  for (int i = 5; i >= 0; --i)
+    q = hn::MulAdd(q, chords, coefficient(i));
   return hn::BitCast(Words(), nearestInt(hn::Mul(root, q)));
 }
 
-/** \brief Squared chord between two normals, and least_chord more.
+/** \brief Squared chord between two normals, and min_chord more.
  * \tparam is_smooth both are known to be on the same side; otherwise they have either
  * sign: the nearer one counts */
 template <bool is_smooth, class V>
@@ -57,14 +49,17 @@ HWY_INLINE V
 squaredChords(V ax, V ay, V az, V bx, V by, V bz)
 {
   const auto mx = hn::Sub(ax, bx), my = hn::Sub(ay, by), mz = hn::Sub(az, bz);
-  const auto least = hn::Set(hn::DFromV<V>(), least_chord);
-  const auto chord = hn::MulAdd(mx, mx, hn::MulAdd(my, my, hn::MulAdd(mz, mz, least)));
+  const auto min = hn::Set(hn::DFromV<V>(), min_chord);
+  const auto chord = hn::MulAdd(mx, mx, hn::MulAdd(my, my, hn::MulAdd(mz, mz, min)));
   if constexpr (is_smooth)
     return chord;
   const auto px = hn::Add(ax, bx), py = hn::Add(ay, by), pz = hn::Add(az, bz);
   return hn::Min(chord,
-                 hn::MulAdd(px, px, hn::MulAdd(py, py, hn::MulAdd(pz, pz, least))));
+                 hn::MulAdd(px, px, hn::MulAdd(py, py, hn::MulAdd(pz, pz, min))));
 }
+
+/** 128 angles fit in 32 bits. */
+constexpr std::size_t additions_between_widening = 128;
 
 /** \brief Sums of angles and of their squares. Squares of even and odd lanes are added
  * up apart, in 64 bits. */
@@ -93,7 +88,7 @@ public:
     odd_squares_ = hn::Add(odd_squares_, hn::MulEven(odd, odd));
   }
 
-  /** \brief To be called at least every 128 additions: 128 angles fit in 32 bits. */
+  /** \brief To be called at least every additions_between_widening. */
   HWY_INLINE void
   widen()
   {
@@ -122,8 +117,6 @@ private:
   hn::VFromD<Longs> even_, odd_, even_squares_, odd_squares_;
 };
 
-constexpr std::size_t additions_between_widening = 128;
-
 /** \brief Points with a normal that may be neighbors of a block's queries, packed, and
  * apart those that surely are of all. */
 struct INADSlots {
@@ -133,12 +126,6 @@ struct INADSlots {
   std::size_t size;
   const std::uint32_t* sure; ///< where in the surface vectors of those that are begin
   std::size_t sure_size;     ///< how many vectors
-
-  std::size_t
-  total() const
-  {
-    return size + sure_size * lanes;
-  }
 };
 
 /** \brief Finds candidates with a normal, and whether all normals are on one side. */
@@ -167,7 +154,7 @@ public:
   INADSlots
   list(std::size_t begin, std::size_t count)
   {
-    return near_.hasTies() ? list<true>(begin, count) : list<false>(begin, count);
+    return near_.has_ties ? list<true>(begin, count) : list<false>(begin, count);
   }
 
   /** \brief Whether all normals make at most a right angle with all queries': theirs
@@ -175,23 +162,12 @@ public:
   bool
   isSmooth() const
   {
-    constexpr float margin = 1e-4f;
-    return own_cosine_ > 0.0f && least_cosine_ > 0.0f &&
-           own_cosine_ * own_cosine_ + least_cosine_ * least_cosine_ > 1.0f + margin;
+    constexpr float margin = 1e-4f; // more than floats lose
+    return own_cosine_ > 0.0f && min_cosine_ > 0.0f &&
+           own_cosine_ * own_cosine_ + min_cosine_ * min_cosine_ > 1.0f + margin;
   }
 
 private:
-  /** \brief Slots for that many points, and where to write them. */
-  INADSlots
-  emptySlots(std::size_t most, float** arrays) const
-  {
-    INADSlots slots{};
-    float* floats = simdScratch().slots.atLeast(INADSlots::array_count * most);
-    for (std::size_t array = 0; array < INADSlots::array_count; ++array)
-      slots.arrays[array] = arrays[array] = floats + array * most;
-    return slots;
-  }
-
   /** What the loop works with is local: what it writes might be a member. */
   template <bool with_ties>
   HWY_NOINLINE INADSlots
@@ -199,16 +175,19 @@ private:
   {
     const Floats d;
     const SweepBlock block = block_;
-    const std::size_t most = count * block_size + lanes;
+    const std::size_t max_size = count * block_size + lanes;
+    INADSlots slots{};
+    float* floats = simdScratch().slots.atLeast(INADSlots::array_count * max_size);
     float* out[INADSlots::array_count];
-    INADSlots slots = emptySlots(most, out);
-    std::uint32_t* sure_vectors = simdScratch().offsets.atLeast(most);
-    const std::uint32_t* near = near_.begin() + begin;
+    for (std::size_t array = 0; array < INADSlots::array_count; ++array)
+      slots.arrays[array] = out[array] = floats + array * max_size;
+    std::uint32_t* sure_vectors = simdScratch().offsets.atLeast(max_size);
+    const std::uint32_t* near = near_.clusters + begin;
     const BoxDistances distances(block.box);
-    const auto reach2 = hn::Set(d, near_.reach2());
-    const auto sure_reach2 = hn::Set(d, with_ties ? -1.0f : near_.sureReach2());
+    const auto reach2 = hn::Set(d, near_.reach2);
+    const auto sure_reach2 = hn::Set(d, with_ties ? -1.0f : near_.sure_reach2);
     const auto x = hn::Set(d, x_), y = hn::Set(d, y_), z = hn::Set(d, z_);
-    auto least_cosine = hn::Set(d, 1.0f);
+    auto min_cosine = hn::Set(d, 1.0f);
     std::size_t size = 0, sure_size = 0;
     for (std::size_t s = 0; s < count; ++s) {
       const std::uint32_t first = block.cluster_begin[near[s]];
@@ -219,13 +198,14 @@ private:
                    pz = hn::LoadU(d, block.z + j);
         const auto nx = hn::LoadU(d, block.nx + j), ny = hn::LoadU(d, block.ny + j),
                    nz = hn::LoadU(d, block.nz + j);
-        const auto squares = distances.of(px, py, pz);
         const auto mask = hn::And(hn::And(pointsOfCluster(points, i), hn::Eq(nx, nx)),
-                                  hn::Lt(squares.least2, reach2));
+                                  hn::Lt(distances.squared(px, py, pz), reach2));
         const auto cosine = hn::MulAdd(nx, x, hn::MulAdd(ny, y, hn::Mul(nz, z)));
-        least_cosine =
-            hn::Min(least_cosine, hn::IfThenElse(mask, cosine, hn::Set(d, 1.0f)));
-        if (hn::AllTrue(d, hn::And(hn::Lt(squares.most2, sure_reach2), mask))) {
+        min_cosine =
+            hn::Min(min_cosine, hn::IfThenElse(mask, cosine, hn::Set(d, 1.0f)));
+        const auto is_sure =
+            hn::Lt(distances.squaredToFurthest(px, py, pz), sure_reach2);
+        if (hn::AllTrue(d, hn::And(is_sure, mask))) {
           sure_vectors[sure_size++] = j;
           continue;
         }
@@ -243,7 +223,7 @@ private:
     }
     for (const auto array : {INADSlots::x, INADSlots::y, INADSlots::z})
       hn::StoreU(hn::NaN(d), d, out[array] + size);
-    least_cosine_ = hn::GetLane(hn::MinOfLanes(d, least_cosine));
+    min_cosine_ = hn::GetLane(hn::MinOfLanes(d, min_cosine));
     slots.size = size;
     slots.sure = sure_vectors;
     slots.sure_size = sure_size;
@@ -254,10 +234,10 @@ private:
   const NearClusters& near_;
   float x_, y_, z_; ///< a query's normal
   float own_cosine_ = 1.0f;
-  float least_cosine_ = 1.0f;
+  float min_cosine_ = 1.0f;
 };
 
-/** \brief Sums over the angles of each query of a block, in units (angle.h). */
+/** \brief Sums over the angles of each query of a block, in units. */
 struct BlockSums {
   std::uint64_t count[block_size];
   std::uint64_t sum[block_size];
@@ -270,9 +250,9 @@ struct BlockSpreads {
   double sd[block_size];
 };
 
-/** \brief Ranges of angles, [least, least + width]. */
+/** \brief Ranges of angles, [min, min + width]. */
 struct BlockRanges {
-  std::uint32_t least[block_size] = {};
+  std::uint32_t min[block_size] = {};
   std::uint32_t width[block_size] = {};
 };
 
@@ -293,7 +273,7 @@ struct ManySums {
   }
 };
 
-/** \brief From sums over at most most_for_64_bits angles. */
+/** \brief From sums over at most max_for_64_bits angles. */
 HWY_INLINE void
 spreadsOf(const BlockSums& sums, BlockSpreads& spreads)
 {
@@ -317,7 +297,7 @@ spreadsOf(const ManySums& sums, BlockSpreads& spreads)
 {
   BlockSums few{};
   for (std::size_t i = 0; i < block_size; ++i) {
-    if (sums.count[i] <= most_for_64_bits) {
+    if (sums.count[i] <= max_for_64_bits) {
       few.count[i] = sums.count[i];
       few.sum[i] = sums.sum[i];
       few.squares[i] = static_cast<std::uint64_t>(sums.squares[i]);
@@ -325,7 +305,7 @@ spreadsOf(const ManySums& sums, BlockSpreads& spreads)
   }
   spreadsOf(few, spreads);
   for (std::size_t i = 0; i < block_size; ++i) {
-    if (sums.count[i] > most_for_64_bits) {
+    if (sums.count[i] > max_for_64_bits) {
       const Spread spread =
           AngleSums{sums.count[i], sums.sum[i], sums.squares[i]}.spread();
       spreads.mean[i] = spread.mean;
@@ -341,81 +321,31 @@ keptRanges(const BlockSpreads& spreads, double outlier_rate)
   BlockRanges ranges;
   const Doubles d;
   const hn::Rebind<std::int32_t, Doubles> ints;
-  const auto most = hn::Set(d, std::numeric_limits<std::int32_t>::max());
+  const auto max = hn::Set(d, std::numeric_limits<std::int32_t>::max());
   for (std::size_t i = 0; i < block_size; i += double_lanes) {
     const auto mean = hn::LoadU(d, spreads.mean + i);
     const auto sd = hn::LoadU(d, spreads.sd + i);
-    const auto width = hn::Mul(sd, hn::Set(d, outlier_rate * (1.0 + 1e-5)));
+    const auto width = hn::Mul(sd, hn::Set(d, outlier_rate * rejection_margin));
     // The product may be infinite: with no deviation it would not be a number.
     const auto all =
         hn::Or(hn::Eq(sd, hn::Zero(d)), hn::Eq(hn::Set(d, outlier_rate), hn::Zero(d)));
     const auto first = hn::IfThenZeroElse(
-        all, hn::Ceil(hn::Min(most, hn::Max(hn::Zero(d), hn::Sub(mean, width)))));
+        all, hn::Ceil(hn::Min(max, hn::Max(hn::Zero(d), hn::Sub(mean, width)))));
     const auto last =
-        hn::IfThenElse(all, most, hn::Floor(hn::Min(most, hn::Add(mean, width))));
+        hn::IfThenElse(all, max, hn::Floor(hn::Min(max, hn::Add(mean, width))));
     const auto store = [&](auto values, std::uint32_t* to) {
       hn::StoreU(hn::DemoteTo(ints, values), ints, reinterpret_cast<std::int32_t*>(to));
     };
     // Nothing is in an empty range: angles are less than the largest number.
     const auto is_empty = hn::Lt(last, first);
-    store(hn::IfThenElse(is_empty, most, first), ranges.least + i);
+    store(hn::IfThenElse(is_empty, max, first), ranges.min + i);
     store(hn::IfThenZeroElse(is_empty, hn::Sub(last, first)), ranges.width + i);
   }
   return ranges;
 }
 
-/** \brief One query, and which of the packed candidates are its neighbors. */
-template <bool with_ties>
-class OneQuery {
-public:
-  HWY_INLINE
-  OneQuery(const SweepBlock& block, const OwnPoints& own, std::size_t i)
-  : x_(hn::Set(Floats(), block.qx[i]))
-  , y_(hn::Set(Floats(), block.qy[i]))
-  , z_(hn::Set(Floats(), block.qz[i]))
-  , r2_(hn::Set(Floats(), block.r2[i]))
-  , nx_(hn::Set(Floats(), own.nx[i]))
-  , ny_(hn::Set(Floats(), own.ny[i]))
-  , nz_(hn::Set(Floats(), own.nz[i]))
-  , tie_d2_(hn::Set(Floats(), block.tie_d2[i]))
-  , tie_index_(hn::Set(Ints(), static_cast<std::int32_t>(block.tie_index[i])))
-  {}
-
-  /** \brief Which of a vector of points are neighbors. */
-  HWY_INLINE MaskOf<Floats>
-  neighborMask(const float* x, const float* y, const float* z, const float* order) const
-  {
-    const Floats d;
-    const auto d2 = squaredLength(hn::Sub(hn::LoadU(d, x), x_),
-                                  hn::Sub(hn::LoadU(d, y), y_),
-                                  hn::Sub(hn::LoadU(d, z), z_));
-    const auto near = hn::Lt(d2, r2_);
-    if constexpr (with_ties) {
-      const auto index = hn::BitCast(Ints(), hn::LoadU(d, order));
-      const auto first = hn::RebindMask(d, hn::Not(hn::Gt(index, tie_index_)));
-      return hn::Or(near, hn::And(hn::Eq(d2, tie_d2_), first));
-    }
-    else {
-      return near;
-    }
-  }
-
-  template <bool is_smooth>
-  HWY_INLINE hn::VFromD<Floats>
-  chords(const float* nx, const float* ny, const float* nz) const
-  {
-    const Floats d;
-    return squaredChords<is_smooth>(
-        hn::LoadU(d, nx), hn::LoadU(d, ny), hn::LoadU(d, nz), nx_, ny_, nz_);
-  }
-
-private:
-  hn::VFromD<Floats> x_, y_, z_, r2_, nx_, ny_, nz_, tie_d2_;
-  hn::VFromD<Ints> tie_index_;
-};
-
 /** \brief The squared chords between the normals of a query and its neighbors, packed,
- * then a vector of least chords.
+ * then a vector of smallest chords.
  * \return how many neighbors there are, the query's own point among them */
 template <bool with_ties, bool is_smooth>
 HWY_NOINLINE std::size_t
@@ -426,29 +356,43 @@ collectChords(const SweepBlock& block,
               float* HWY_RESTRICT chords)
 {
   const Floats d;
-  const OneQuery<with_ties> query(block, own, i);
+  const auto qx = hn::Set(d, block.qx[i]), qy = hn::Set(d, block.qy[i]),
+             qz = hn::Set(d, block.qz[i]), r2 = hn::Set(d, block.r2[i]),
+             tie_d2 = hn::Set(d, block.tie_d2[i]);
+  const auto tie_index = hn::Set(Ints(), static_cast<std::int32_t>(block.tie_index[i]));
+  const auto own_nx = hn::Set(d, own.nx[i]), own_ny = hn::Set(d, own.ny[i]),
+             own_nz = hn::Set(d, own.nz[i]);
+  const auto chordsFrom = [&](const float* nx, const float* ny, const float* nz) {
+    return squaredChords<is_smooth>(
+        hn::LoadU(d, nx), hn::LoadU(d, ny), hn::LoadU(d, nz), own_nx, own_ny, own_nz);
+  };
   // Local: what is written might be one of these.
   const float* arrays[INADSlots::array_count];
   std::copy_n(slots.arrays, std::size_t{INADSlots::array_count}, arrays);
   const std::size_t size = slots.size;
   std::size_t count = 0;
   for (std::size_t c = 0; c < size; c += lanes) {
-    const auto mask = query.neighborMask(arrays[INADSlots::x] + c,
-                                         arrays[INADSlots::y] + c,
-                                         arrays[INADSlots::z] + c,
-                                         arrays[INADSlots::order] + c);
-    const auto chord = query.template chords<is_smooth>(arrays[INADSlots::nx] + c,
-                                                        arrays[INADSlots::ny] + c,
-                                                        arrays[INADSlots::nz] + c);
+    const auto d2 = squaredLength(hn::Sub(hn::LoadU(d, arrays[INADSlots::x] + c), qx),
+                                  hn::Sub(hn::LoadU(d, arrays[INADSlots::y] + c), qy),
+                                  hn::Sub(hn::LoadU(d, arrays[INADSlots::z] + c), qz));
+    auto mask = hn::Lt(d2, r2);
+    if constexpr (with_ties) {
+      const auto index =
+          hn::BitCast(Ints(), hn::LoadU(d, arrays[INADSlots::order] + c));
+      const auto first = hn::RebindMask(d, hn::Not(hn::Gt(index, tie_index)));
+      mask = hn::Or(mask, hn::And(hn::Eq(d2, tie_d2), first));
+    }
+    const auto chord = chordsFrom(arrays[INADSlots::nx] + c,
+                                  arrays[INADSlots::ny] + c,
+                                  arrays[INADSlots::nz] + c);
     count += packStore(d, chord, mask, chords + count);
   }
   const float *nx = block.nx, *ny = block.ny, *nz = block.nz;
   for (std::size_t s = 0; s < slots.sure_size; ++s, count += lanes) {
     const std::size_t j = slots.sure[s];
-    const auto chord = query.template chords<is_smooth>(nx + j, ny + j, nz + j);
-    hn::StoreU(chord, d, chords + count);
+    hn::StoreU(chordsFrom(nx + j, ny + j, nz + j), d, chords + count);
   }
-  hn::StoreU(hn::Set(d, least_chord), d, chords + count);
+  hn::StoreU(hn::Set(d, min_chord), d, chords + count);
   return count;
 }
 
@@ -478,16 +422,16 @@ template <bool from_zero>
 HWY_INLINE std::size_t
 packRejected(std::uint32_t* HWY_RESTRICT angles,
              std::size_t count,
-             std::uint32_t least,
+             std::uint32_t min,
              std::uint32_t width)
 {
   const Words w;
-  // One unsigned comparison: what is below the least wraps around.
-  const auto from = hn::Set(w, least);
-  const auto most = hn::Set(w, width);
+  // One unsigned comparison: what is below the first wraps around.
+  const auto from = hn::Set(w, min);
+  const auto max = hn::Set(w, width);
   std::size_t rejected = 0;
   const auto isRejected = [&](auto units) {
-    return hn::Gt(from_zero ? units : hn::Sub(units, from), most);
+    return hn::Gt(from_zero ? units : hn::Sub(units, from), max);
   };
   std::size_t c = 0;
   for (; c + lanes <= count; c += lanes) {
@@ -504,12 +448,12 @@ packRejected(std::uint32_t* HWY_RESTRICT angles,
 HWY_INLINE std::size_t
 packRejected(std::uint32_t* angles,
              std::size_t count,
-             std::uint32_t least,
+             std::uint32_t min,
              std::uint32_t width)
 {
   // In one vector, a subtraction takes less time than a branch that goes either way.
-  return least == 0 && count > lanes ? packRejected<true>(angles, count, least, width)
-                                     : packRejected<false>(angles, count, least, width);
+  return min == 0 && count > lanes ? packRejected<true>(angles, count, min, width)
+                                   : packRejected<false>(angles, count, min, width);
 }
 
 /** \brief Sums over angles that a vector of zeros follows. */
@@ -535,5 +479,3 @@ addAngles(const std::uint32_t* HWY_RESTRICT angles,
 
 } // namespace pcl::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif

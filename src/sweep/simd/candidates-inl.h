@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The surface points that may be neighbors of a block's queries.
 
 #if defined(PCL_SHAPE_SWEEP_CANDIDATES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PCL_SHAPE_SWEEP_CANDIDATES_INL_H_
@@ -14,77 +14,49 @@
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
 
-/** \brief How far points are from a box. */
+/** \brief How far points, and boxes of clusters, are from a box. */
 class BoxDistances {
 public:
-  /** \brief Squared distances to the nearest and to the furthest point of the box. */
-  struct Squares {
-    hn::VFromD<Floats> least2, most2;
-  };
-
   HWY_INLINE explicit BoxDistances(const Box& box)
-  : x_min_(hn::Set(Floats(), box.x_min))
-  , x_max_(hn::Set(Floats(), box.x_max))
-  , y_min_(hn::Set(Floats(), box.y_min))
-  , y_max_(hn::Set(Floats(), box.y_max))
-  , z_min_(hn::Set(Floats(), box.z_min))
-  , z_max_(hn::Set(Floats(), box.z_max))
+  : min_{hn::Set(Floats(), box.x_min),
+         hn::Set(Floats(), box.y_min),
+         hn::Set(Floats(), box.z_min)}
+  , max_{hn::Set(Floats(), box.x_max),
+         hn::Set(Floats(), box.y_max),
+         hn::Set(Floats(), box.z_max)}
   {}
 
-  HWY_INLINE Squares
-  of(hn::VFromD<Floats> x, hn::VFromD<Floats> y, hn::VFromD<Floats> z) const
+  /** \brief By how much intervals are outside the box along an axis, 0 if they overlap
+   * it. */
+  template <class V>
+  HWY_INLINE V
+  outside(std::size_t axis, V low, V high) const
   {
-    const Floats d;
-    const auto outside = [&](auto low, auto high) {
-      return hn::Max(hn::Max(low, high), hn::Zero(d));
+    return hn::Max(hn::Max(hn::Sub(min_[axis], high), hn::Sub(low, max_[axis])),
+                   hn::Zero(Floats()));
+  }
+
+  /** \brief Squared distances of points from the box. */
+  template <class V>
+  HWY_INLINE V
+  squared(V x, V y, V z) const
+  {
+    return roughSquaredLength(outside(0, x, x), outside(1, y, y), outside(2, z, z));
+  }
+
+  /** \brief Squared distances of points from the furthest point of the box. */
+  template <class V>
+  HWY_INLINE V
+  squaredToFurthest(V x, V y, V z) const
+  {
+    const auto along = [&](std::size_t axis, V v) {
+      return hn::Min(hn::Sub(min_[axis], v), hn::Sub(v, max_[axis]));
     };
-    const auto x_low = hn::Sub(x_min_, x), x_high = hn::Sub(x, x_max_);
-    const auto y_low = hn::Sub(y_min_, y), y_high = hn::Sub(y, y_max_);
-    const auto z_low = hn::Sub(z_min_, z), z_high = hn::Sub(z, z_max_);
-    return {roughSquaredLength(
-                outside(x_low, x_high), outside(y_low, y_high), outside(z_low, z_high)),
-            roughSquaredLength(hn::Min(x_low, x_high),
-                               hn::Min(y_low, y_high),
-                               hn::Min(z_low, z_high))};
+    return roughSquaredLength(along(0, x), along(1, y), along(2, z));
   }
 
 private:
-  hn::VFromD<Floats> x_min_, x_max_, y_min_, y_max_, z_min_, z_max_;
-};
-
-/** \brief How far the boxes of clusters are from a box. */
-class BoxToBoxes {
-public:
-  /** \param[in] sides least x, y, z, most x, y, z of the clusters */
-  HWY_INLINE
-  BoxToBoxes(const Box& box, const float* const* sides)
-  : least_{hn::Set(Floats(), box.x_min),
-           hn::Set(Floats(), box.y_min),
-           hn::Set(Floats(), box.z_min)}
-  , most_{hn::Set(Floats(), box.x_max),
-          hn::Set(Floats(), box.y_max),
-          hn::Set(Floats(), box.z_max)}
-  {
-    std::copy_n(sides, std::size(sides_), sides_);
-  }
-
-  /** \brief Of a vector of clusters from this one on. */
-  HWY_INLINE hn::VFromD<Floats>
-  squaredDistances(std::uint32_t first) const
-  {
-    const Floats d;
-    const auto apart = [&](std::size_t axis) {
-      const auto low = hn::LoadU(d, sides_[axis] + first);
-      const auto high = hn::LoadU(d, sides_[axis + 3] + first);
-      return hn::Max(hn::Max(hn::Sub(least_[axis], high), hn::Sub(low, most_[axis])),
-                     hn::Zero(d));
-    };
-    return roughSquaredLength(apart(0), apart(1), apart(2));
-  }
-
-private:
-  hn::VFromD<Floats> least_[3], most_[3];
-  const float* sides_[6];
+  hn::VFromD<Floats> min_[3], max_[3];
 };
 
 /** \brief Which lanes hold points of a cluster of `size`, from its `first` on. */
@@ -96,12 +68,18 @@ pointsOfCluster(std::uint32_t size, std::size_t first)
 
 /** Clusters are looked at in portions of this many, so that buffers stay small however
  * many points there are. */
-constexpr std::size_t most_clusters = 256;
+constexpr std::size_t max_clusters = 256;
 
 /** \brief The clusters near a block: by boxes, not by points. */
-class NearClusters {
-public:
-  explicit NearClusters(const SweepBlock& block) : block_(block)
+struct NearClusters {
+  float reach2 = 0.0f;      ///< squared distance that no neighbor is beyond
+  float sure_reach2 = 0.0f; ///< points nearer than this to all queries are neighbors
+  bool has_ties = false;
+  std::size_t size = 0;
+  const std::uint32_t* clusters = nullptr;
+  const std::uint32_t* run_ends = nullptr; ///< how many are in the runs up to each
+
+  explicit NearClusters(const SweepBlock& block)
   {
     const Floats d;
     auto largest = hn::Zero(d), largest_tie = hn::Set(d, -1.0f);
@@ -116,133 +94,49 @@ public:
       largest_tie = hn::Max(largest_tie, tie);
     }
     const float tie = hn::GetLane(hn::MaxOfLanes(d, largest_tie));
-    has_ties_ = tie >= 0.0f;
+    has_ties = tie >= 0.0f;
     // A box may be nearer than its points, never further, but for rounding.
-    reach2_ = std::max(hn::GetLane(hn::MaxOfLanes(d, largest)), tie) * (1.0f + 1e-5f) +
-              std::numeric_limits<float>::min();
-    sure_reach2_ = hn::GetLane(hn::MinOfLanes(d, smallest)) * (1.0f - 1e-5f) -
-                   std::numeric_limits<float>::min();
-    list();
-  }
-
-  bool
-  hasTies() const
-  {
-    return has_ties_;
-  }
-
-  /** \brief Points nearer than this (squared) to a query are its neighbors. */
-  float
-  sureReach2() const
-  {
-    return sure_reach2_;
-  }
-
-  /** \brief Squared distance that no neighbor is beyond. */
-  float
-  reach2() const
-  {
-    return reach2_;
-  }
-
-  std::size_t
-  size() const
-  {
-    return size_;
-  }
-
-  const std::uint32_t*
-  begin() const
-  {
-    return simdScratch().near.data();
-  }
-
-  /** \brief How many of them are in the runs up to this one. */
-  std::size_t
-  endOfRun(std::size_t run) const
-  {
-    return simdScratch().near.data()[run_ends_ + run];
+    reach2 = std::max(hn::GetLane(hn::MaxOfLanes(d, largest)), tie) * (1.0f + 1e-5f) +
+             std::numeric_limits<float>::min();
+    sure_reach2 = hn::GetLane(hn::MinOfLanes(d, smallest)) * (1.0f - 1e-5f) -
+                  std::numeric_limits<float>::min();
+    list(block);
   }
 
 private:
   void
-  list()
+  list(const SweepBlock& block)
   {
-    std::size_t most = 0;
-    for (std::size_t r = 0; r < block_.run_count; ++r)
-      most += block_.runs[r].end - block_.runs[r].begin;
-    run_ends_ = most + lanes;
-    std::uint32_t* near = simdScratch().near.atLeast(run_ends_ + block_.run_count);
+    std::size_t max_size = lanes;
+    for (std::size_t r = 0; r < block.run_count; ++r)
+      max_size += block.runs[r].end - block.runs[r].begin;
+    std::uint32_t* near = simdScratch().near.atLeast(max_size + block.run_count);
+    std::uint32_t* ends = near + max_size;
     const Words w;
     const Floats d;
-    const BoxToBoxes boxes(block_.box, block_.cluster_box);
-    const auto reach2 = hn::Set(d, reach2_);
-    std::size_t size = 0;
-    for (std::size_t r = 0; r < block_.run_count; ++r) {
-      const ClusterRun run = block_.runs[r];
+    const BoxDistances distances(block.box);
+    const float* sides[6];
+    std::copy_n(block.cluster_box, std::size(sides), sides);
+    const auto reach = hn::Set(d, reach2);
+    std::size_t count = 0;
+    for (std::size_t r = 0; r < block.run_count; ++r) {
+      const ClusterRun run = block.runs[r];
       for (std::uint32_t c = run.begin; c < run.end; c += lanes) {
-        const auto mask = hn::And(hn::Lt(boxes.squaredDistances(c), reach2),
-                                  hn::FirstN(d, run.end - c));
-        size += packStore(w, numbersFrom(c), hn::RebindMask(w, mask), near + size);
+        const auto outside = [&](std::size_t axis) {
+          return distances.outside(
+              axis, hn::LoadU(d, sides[axis] + c), hn::LoadU(d, sides[axis + 3] + c));
+        };
+        const auto mask = hn::And(
+            hn::Lt(roughSquaredLength(outside(0), outside(1), outside(2)), reach),
+            hn::FirstN(d, run.end - c));
+        count += packStore(w, numbersFrom(c), hn::RebindMask(w, mask), near + count);
       }
-      near[run_ends_ + r] = static_cast<std::uint32_t>(size);
+      ends[r] = static_cast<std::uint32_t>(count);
     }
-    size_ = size;
+    size = count;
+    clusters = near;
+    run_ends = ends;
   }
-
-  const SweepBlock& block_;
-  float reach2_ = 0.0f, sure_reach2_ = 0.0f;
-  bool has_ties_ = false;
-  std::size_t size_ = 0;
-  std::size_t run_ends_ = 0; ///< where they are in the buffer
-};
-
-/** \brief A vector of points. */
-struct Points {
-  hn::VFromD<Floats> x, y, z;
-};
-
-/** \brief Lists points that may be a neighbor of a query of the block. */
-class CandidateLister {
-public:
-  CandidateLister(const NearClusters& near, const Box& box, std::size_t clusters)
-  : distances_(box)
-  , reach2_(hn::Set(Floats(), near.reach2()))
-  {
-    numbers_ = simdScratch().offsets.atLeast(clusters * block_size + lanes);
-  }
-
-  /** \brief Those near enough to the queries' box, among lanes that count; the first
-   * one is known by this number. */
-  HWY_INLINE void
-  add(const Points& points, MaskOf<Floats> counts, std::size_t number)
-  {
-    const Words w;
-    const auto squares = distances_.of(points.x, points.y, points.z);
-    const auto mask = hn::And(hn::Lt(squares.least2, reach2_), counts);
-    size_ += packStore(w,
-                       numbersFrom(static_cast<std::uint32_t>(number)),
-                       hn::RebindMask(w, mask),
-                       numbers_ + size_);
-  }
-
-  const std::uint32_t*
-  numbers() const
-  {
-    return numbers_;
-  }
-
-  std::size_t
-  size() const
-  {
-    return size_;
-  }
-
-private:
-  BoxDistances distances_;
-  hn::VFromD<Floats> reach2_;
-  std::uint32_t* numbers_;
-  std::size_t size_ = 0;
 };
 
 /** \brief Points one after the other; x is padded with NaN to a whole vector. */
@@ -252,7 +146,8 @@ struct PackedPoints {
   std::size_t size;
 };
 
-/** \brief The points near enough to the queries' box, of some of the near clusters. */
+/** \brief The points near enough to the queries' box, of the near clusters [begin,
+ * end). */
 template <bool with_order>
 HWY_NOINLINE PackedPoints
 packPoints(const SweepBlock& block,
@@ -265,12 +160,13 @@ packPoints(const SweepBlock& block,
   // Local: what is written might be one of these.
   const float *x = block.x, *y = block.y, *z = block.z;
   const std::uint32_t *cluster_begin = block.cluster_begin, *order = block.order;
-  const std::uint32_t* clusters = near.begin();
-  const std::size_t most = (end - begin) * block_size + lanes;
-  float* out = simdScratch().slots.atLeast(3 * most);
-  std::uint32_t* out_order = with_order ? simdScratch().angles.atLeast(most) : nullptr;
+  const std::uint32_t* clusters = near.clusters;
+  const std::size_t max_size = (end - begin) * block_size + lanes;
+  float* out = simdScratch().slots.atLeast(3 * max_size);
+  std::uint32_t* out_order =
+      with_order ? simdScratch().angles.atLeast(max_size) : nullptr;
   const BoxDistances distances(block.box);
-  const auto reach2 = hn::Set(d, near.reach2());
+  const auto reach2 = hn::Set(d, near.reach2);
   std::size_t size = 0;
   for (std::size_t c = begin; c < end; ++c) {
     const std::uint32_t first = cluster_begin[clusters[c]];
@@ -280,81 +176,17 @@ packPoints(const SweepBlock& block,
       const auto px = hn::LoadU(d, x + j), py = hn::LoadU(d, y + j),
                  pz = hn::LoadU(d, z + j);
       const auto mask = hn::And(pointsOfCluster(points, i),
-                                hn::Lt(distances.of(px, py, pz).least2, reach2));
-      if constexpr (with_order) {
+                                hn::Lt(distances.squared(px, py, pz), reach2));
+      if constexpr (with_order)
         packStore(
             w, hn::LoadU(w, order + j), hn::RebindMask(w, mask), out_order + size);
-      }
       packStore(d, px, mask, out + size);
-      packStore(d, py, mask, out + most + size);
-      size += packStore(d, pz, mask, out + 2 * most + size);
+      packStore(d, py, mask, out + max_size + size);
+      size += packStore(d, pz, mask, out + 2 * max_size + size);
     }
   }
-  hn::StoreU(hn::Set(d, std::numeric_limits<float>::quiet_NaN()), d, out + size);
-  return {out, out + most, out + 2 * most, out_order, size};
-}
-
-/** \brief Arrays of block_size values at the front of every slot; a kernel's own
- * follow.
- */
-enum SlotArray : std::size_t { slot_x, slot_y, slot_z, slot_order, slot_common };
-
-/** \brief A slot of a kernel with some arrays of its own. Candidates are known by their
- * offset from the first slot. */
-template <std::size_t own_arrays>
-constexpr std::size_t slot_stride = (slot_common + own_arrays) * block_size;
-
-/** \brief Copies points into a slot. */
-template <bool with_order>
-HWY_INLINE Points
-stagePoints(const SweepBlock& block, std::size_t position, float* slot)
-{
-  const Floats d;
-  const Words w;
-  const Points points{hn::LoadU(d, block.x + position),
-                      hn::LoadU(d, block.y + position),
-                      hn::LoadU(d, block.z + position)};
-  hn::Store(points.x, d, slot + slot_x * block_size);
-  hn::Store(points.y, d, slot + slot_y * block_size);
-  hn::Store(points.z, d, slot + slot_z * block_size);
-  if constexpr (with_order) {
-    hn::Store(hn::LoadU(w, block.order + position),
-              w,
-              reinterpret_cast<std::uint32_t*>(slot + slot_order * block_size));
-  }
-  return points;
-}
-
-/** \brief Candidates, as offsets of lanes of slots. */
-struct CandidateList {
-  const float* slots;
-  const std::uint32_t* offsets;
-  std::size_t size;
-};
-
-/** \brief Fills slots of this stride with some of the near clusters: fill(points,
- * slot lanes) copies a kernel's own arrays. */
-template <std::size_t stride, bool with_order, typename Fill>
-HWY_INLINE CandidateList
-stageClusters(const SweepBlock& block,
-              const NearClusters& near,
-              std::size_t begin,
-              std::size_t count,
-              const Fill& fill)
-{
-  float* slots = simdScratch().slots.atLeast(count * stride);
-  CandidateLister lister(near, block.box, count);
-  for (std::size_t s = 0; s < count; ++s) {
-    const std::uint32_t cluster = near.begin()[begin + s];
-    const std::uint32_t first = block.cluster_begin[cluster];
-    const std::uint32_t size = block.cluster_begin[cluster + 1] - first;
-    for (std::size_t i = 0; i < size; i += lanes) {
-      const std::size_t offset = s * stride + i;
-      const Points points = stagePoints<with_order>(block, first + i, slots + offset);
-      fill(points, slots + offset, pointsOfCluster(size, i), offset, lister);
-    }
-  }
-  return {slots, lister.numbers(), lister.size()};
+  hn::StoreU(hn::Set(d, nan), d, out + size);
+  return {out, out + max_size, out + 2 * max_size, out_order, size};
 }
 
 /** \brief As many queries as there are lanes, and which candidates are their neighbors.
@@ -363,39 +195,30 @@ template <bool with_ties>
 class QueryLanes {
 public:
   HWY_INLINE
-  QueryLanes(const SweepBlock& block,
-             const float* r2,
-             const float* tie_d2,
-             std::size_t first)
+  QueryLanes(const SweepBlock& block, std::size_t first)
   : x_(hn::LoadU(Floats(), block.qx + first))
   , y_(hn::LoadU(Floats(), block.qy + first))
   , z_(hn::LoadU(Floats(), block.qz + first))
-  , r2_(hn::LoadU(Floats(), r2 + first))
-  , tie_d2_(hn::LoadU(Floats(), tie_d2 + first))
+  , r2_(hn::LoadU(Floats(), block.r2 + first))
+  , tie_d2_(hn::LoadU(Floats(), block.tie_d2 + first))
   , tie_index_(hn::BitCast(Ints(), hn::LoadU(Words(), block.tie_index + first)))
   {}
 
-  /** \brief Whether the point in a slot is a neighbor. */
-  HWY_INLINE MaskOf<Floats>
-  neighborMask(const float* candidate) const
+  HWY_INLINE hn::VFromD<Floats>
+  squaredDistances(float x, float y, float z) const
   {
-    std::uint32_t order = 0;
-    if constexpr (with_ties)
-      std::memcpy(&order, candidate + slot_order * block_size, sizeof(order));
-    return neighborMask(candidate[slot_x * block_size],
-                        candidate[slot_y * block_size],
-                        candidate[slot_z * block_size],
-                        order);
+    const Floats d;
+    return squaredLength(hn::Sub(hn::Set(d, x), x_),
+                         hn::Sub(hn::Set(d, y), y_),
+                         hn::Sub(hn::Set(d, z), z_));
   }
 
-  /** \brief Whether a point is; `order` counts with ties only. */
+  /** \brief Whether a point is a neighbor; `order` counts with ties only. */
   HWY_INLINE MaskOf<Floats>
   neighborMask(float x, float y, float z, std::uint32_t order) const
   {
     const Floats d;
-    const auto d2 = squaredLength(hn::Sub(hn::Set(d, x), x_),
-                                  hn::Sub(hn::Set(d, y), y_),
-                                  hn::Sub(hn::Set(d, z), z_));
+    const auto d2 = squaredDistances(x, y, z);
     const auto near = hn::Lt(d2, r2_);
     if constexpr (with_ties) {
       const auto index = hn::Set(Ints(), static_cast<std::int32_t>(order));
@@ -411,6 +234,13 @@ private:
   hn::VFromD<Floats> x_, y_, z_, r2_, tie_d2_;
   hn::VFromD<Ints> tie_index_;
 };
+
+/** \brief Whether one of a query's neighbors is its own point. */
+inline bool
+hasOwnPoint(const SweepBlock& block, std::size_t i, bool has_neighbors)
+{
+  return has_neighbors && (block.queries_on_surface || isAtSurfacePoint(block, i));
+}
 
 } // namespace pcl::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

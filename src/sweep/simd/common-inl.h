@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// What all SIMD kernels are made of: vector types, packing, distances.
 
-#if defined(PCL_SHAPE_SWEEP_COMMON_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef PCL_SHAPE_SWEEP_COMMON_INL_H_
-#undef PCL_SHAPE_SWEEP_COMMON_INL_H_
-#else
-#define PCL_SHAPE_SWEEP_COMMON_INL_H_
-#endif
+// No include guard: candidates-inl.h includes it once for each target.
 
 #include "sweep/simd/simd_scratch.h"
 #include "sweep/sweep_block.h"
@@ -15,11 +10,8 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <iterator>
-#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
@@ -30,6 +22,7 @@ using Floats = hn::CappedTag<float, block_size>;
 using Words = hn::RebindToUnsigned<Floats>;
 using Ints = hn::RebindToSigned<Floats>;
 using Longs = hn::RepartitionToWide<Words>;
+using Doubles = hn::CappedTag<double, block_size>;
 
 /** \brief Highway 1.0.3 has no name for it on ARM. */
 template <class D>
@@ -37,6 +30,8 @@ using MaskOf = decltype(hn::Eq(hn::Zero(D()), hn::Zero(D())));
 
 constexpr std::size_t lanes =
     HWY_LANES(float) < block_size ? HWY_LANES(float) : block_size;
+constexpr std::size_t double_lanes =
+    HWY_LANES(double) < block_size ? HWY_LANES(double) : block_size;
 
 /** Highway 1.0.3's Compress copies its table at each call on some targets. */
 template <class D, class V, class M>
@@ -51,7 +46,7 @@ packStore(D d, V v, M mask, hn::TFromD<D>* out)
   hn::StoreMaskBits(d, mask, bytes);
   const std::uint32_t bits = bytes[0];
   const std::uint32_t* table =
-      lanes == 8 ? compress_lanes_8[bits] : compress_lanes_4[bits & 15];
+      lanes == 8 ? compress_lanes_8.rows[bits] : compress_lanes_4.rows[bits & 15];
   hn::StoreU(hn::TableLookupLanes(v, hn::SetTableIndices(d, table)), d, out);
   return hn::CountTrue(d, mask);
 #endif
@@ -100,11 +95,6 @@ roughSquaredLength(V x, V y, V z)
   return hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
 }
 
-using Doubles = hn::CappedTag<double, block_size>;
-
-constexpr std::size_t double_lanes =
-    HWY_LANES(double) < block_size ? HWY_LANES(double) : block_size;
-
 /** \brief Whole numbers below 2^63 as doubles. */
 HWY_INLINE hn::VFromD<Doubles>
 toDoubles(const std::uint64_t* values)
@@ -126,5 +116,3 @@ addLanes(hn::VFromD<Words> sums, std::uint64_t* totals)
 
 } // namespace pcl::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif

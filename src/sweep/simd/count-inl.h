@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Counts neighbors; cells of coordinates and bounds in sorted values for the index.
 
-#if defined(PCL_SHAPE_SWEEP_COUNT_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef PCL_SHAPE_SWEEP_COUNT_INL_H_
-#undef PCL_SHAPE_SWEEP_COUNT_INL_H_
-#else
-#define PCL_SHAPE_SWEEP_COUNT_INL_H_
-#endif
+// No include guard: simd_kernels.cpp includes it once for each target.
 
 #include "sweep/index/row_index.h"
 #include "sweep/simd/candidates-inl.h"
-#include "sweep/simd/common-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
@@ -28,7 +22,7 @@ addCounts(const SweepBlock& block,
   const auto one = hn::Set(w, 1);
   const PackedPoints points = packPoints<with_ties>(block, near, begin, end);
   for (std::size_t first = 0; first < block_size; first += lanes) {
-    const QueryLanes<with_ties> queries(block, block.r2, block.tie_d2, first);
+    const QueryLanes<with_ties> queries(block, first);
     auto count = hn::LoadU(w, counts + first);
     for (std::size_t c = 0; c < points.size; ++c) {
       const std::uint32_t order = with_ties ? points.order[c] : 0;
@@ -43,35 +37,32 @@ addCounts(const SweepBlock& block,
 inline void
 count(const SweepBlock& block, std::uint32_t* results)
 {
-  constexpr std::size_t portion = 256;
   const NearClusters near(block);
   std::uint32_t counts[block_size] = {};
-  for (std::size_t begin = 0; begin < near.size(); begin += portion) {
-    const std::size_t end = std::min(near.size(), begin + portion);
-    near.hasTies() ? addCounts<true>(block, near, begin, end, counts)
-                   : addCounts<false>(block, near, begin, end, counts);
+  for (std::size_t begin = 0; begin < near.size; begin += max_clusters) {
+    const std::size_t end = std::min(near.size, begin + max_clusters);
+    near.has_ties ? addCounts<true>(block, near, begin, end, counts)
+                  : addCounts<false>(block, near, begin, end, counts);
   }
-  for (std::size_t i = 0; i < block.size; ++i) {
-    const bool has_own = block.queries_on_surface || isAtSurfacePoint(block, i);
-    results[i] = counts[i] - (counts[i] > 0 && has_own ? 1 : 0);
-  }
+  for (std::size_t i = 0; i < block.size; ++i)
+    results[i] = counts[i] - (hasOwnPoint(block, i, counts[i] > 0) ? 1 : 0);
 }
 
 /** \brief As cellOf(), of whole vectors. */
 inline void
 cells(const float* coordinates,
       std::size_t count,
-      double cells_a_metre,
+      double cells_per_meter,
       std::int32_t* out)
 {
   const Doubles d;
   const hn::Rebind<float, Doubles> floats;
   const hn::Rebind<std::int32_t, Doubles> ints;
-  const auto scale = hn::Set(d, cells_a_metre);
-  const auto most = hn::Set(d, most_cell), least = hn::Set(d, -most_cell);
+  const auto scale = hn::Set(d, cells_per_meter);
+  const auto max = hn::Set(d, max_cell), min = hn::Set(d, -max_cell);
   for (std::size_t i = 0; i < count; i += double_lanes) {
     const auto at = hn::PromoteTo(d, hn::LoadU(floats, coordinates + i));
-    const auto cell = hn::Min(most, hn::Max(least, hn::Mul(at, scale)));
+    const auto cell = hn::Min(max, hn::Max(min, hn::Mul(at, scale)));
     hn::StoreU(hn::DemoteTo(ints, hn::Floor(cell)), ints, out + i);
   }
 }
@@ -91,5 +82,3 @@ countLess(const float* values, std::size_t count, float bound)
 
 } // namespace pcl::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif

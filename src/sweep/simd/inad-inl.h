@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// INAD of a block's queries: angles, outlier rejection, and whether there is a surface.
 
-#if defined(PCL_SHAPE_SWEEP_INAD_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef PCL_SHAPE_SWEEP_INAD_INL_H_
-#undef PCL_SHAPE_SWEEP_INAD_INL_H_
-#else
-#define PCL_SHAPE_SWEEP_INAD_INL_H_
-#endif
+// No include guard: simd_kernels.cpp includes it once for each target.
 
 #include "sweep/portable/neighborhood.h"
 #include "sweep/simd/angles-inl.h"
@@ -77,17 +72,20 @@ public:
   : block_(block)
   , own_(own)
   , slots_(slots)
-  , stride_(((slots.total() + block_size - 1) / block_size + 1) * block_size)
+  , stride_(((slots.size + slots.sure_size * lanes + block_size - 1) / block_size + 1) *
+            block_size)
   , angles_(simdScratch().angles.atLeast(block_size * stride_))
   {}
 
-  void
-  find(bool has_ties, bool is_smooth, BlockSums& sums)
+  BlockSums
+  find(bool has_ties, bool is_smooth)
   {
+    BlockSums sums;
     if (has_ties)
       is_smooth ? find<true, true>(sums) : find<true, false>(sums);
     else
       is_smooth ? find<false, true>(sums) : find<false, false>(sums);
+    return sums;
   }
 
   /** \brief All less the rejected ones, which are few: sums are exact. Moves angles. */
@@ -98,7 +96,7 @@ public:
     // One after the other, what is packed would be read before it is there.
     for (std::size_t i = 0; i < block_.size; ++i) {
       rejected[i] =
-          packRejected(angles(i), all.count[i], ranges.least[i], ranges.width[i]);
+          packRejected(angles(i), all.count[i], ranges.min[i], ranges.width[i]);
     }
     BlockTotals totals(block_.size);
     for (std::size_t i = 0; i < block_.size; ++i) {
@@ -172,8 +170,8 @@ public:
     r2_ = hn::LoadU(d, block.r2 + first);
     const auto reach2 = hn::Max(r2_, hn::LoadU(d, block.tie_d2 + first));
     // What is too small for all digits of a float is left to others.
-    least_cross2_ = hn::Max(hn::Mul(hn::Set(d, 4.5e-6f), hn::Mul(reach2, reach2)),
-                            hn::Set(d, std::numeric_limits<float>::min()));
+    min_cross2_ = hn::Max(hn::Mul(hn::Set(d, 4.5e-6f), hn::Mul(reach2, reach2)),
+                          hn::Set(d, std::numeric_limits<float>::min()));
     furthest_ = anchor_x_ = anchor_y_ = anchor_z_ = hn::Zero(d);
     spreads_ = hn::Zero(d);
     is_query_ = hn::FirstN(d, block.size - first);
@@ -194,7 +192,7 @@ public:
         roughSquaredLength(hn::MulSub(anchor_y_, dz, hn::Mul(anchor_z_, dy)),
                            hn::MulSub(anchor_z_, dx, hn::Mul(anchor_x_, dz)),
                            hn::MulSub(anchor_x_, dy, hn::Mul(anchor_y_, dx)));
-    const auto spreads = hn::And(is_neighbor, hn::Gt(cross2, least_cross2_));
+    const auto spreads = hn::And(is_neighbor, hn::Gt(cross2, min_cross2_));
     spreads_ = hn::IfThenElse(spreads, hn::Set(d, 1.0f), spreads_);
     const auto further = hn::And(is_neighbor, hn::Gt(d2, furthest_));
     furthest_ = hn::IfThenElse(further, d2, furthest_);
@@ -221,17 +219,16 @@ public:
   }
 
 private:
-  hn::VFromD<Floats> x_, y_, z_, r2_, least_cross2_;
+  hn::VFromD<Floats> x_, y_, z_, r2_, min_cross2_;
   hn::VFromD<Floats> furthest_, anchor_x_, anchor_y_, anchor_z_, spreads_;
   MaskOf<Floats> is_query_;
 };
 
-/** \brief Whether the queries do, which are surface points: mostly, a few of them tell.
- */
+/** \brief Looks among the queries, which are surface points: mostly, a few tell. */
 HWY_INLINE void
 findSpreadsAmongQueries(const SweepBlock& block, bool* spreads)
 {
-  constexpr std::size_t step = 5;
+  constexpr std::size_t step = 5; // neighbors along a row tell little
   for (std::size_t first = 0; first < block.size; first += lanes) {
     SpreadFinder finder(block, first);
     for (std::size_t begin = 0; begin < step && !finder.hasAll(); ++begin)
@@ -241,7 +238,7 @@ findSpreadsAmongQueries(const SweepBlock& block, bool* spreads)
   }
 }
 
-/** \brief Whether every `step`-th candidate does, those left aside that surely are
+/** \brief Looks at every `step`-th candidate, those left aside that surely are
  * neighbors. */
 HWY_INLINE void
 findSpreads(const SweepBlock& block,
@@ -260,9 +257,6 @@ findSpreads(const SweepBlock& block,
   }
 }
 
-constexpr INADResult unknown_inad{std::numeric_limits<float>::quiet_NaN(),
-                                  std::numeric_limits<float>::quiet_NaN()};
-
 /** \brief The INAD of one block. */
 class BlockINAD {
 public:
@@ -280,28 +274,28 @@ public:
   void
   compute(INADResult* results)
   {
-    near_.size() <= most_clusters ? sumOnePortion() : sumManyPortions();
+    near_.size <= max_clusters ? sumOnePortion() : sumManyPortions();
     for (std::size_t i = 0; i < block_.size; ++i) {
       const BlockSpreads& spreads = kept_count_[i] != 0 ? kept_ : all_;
-      results[i] = isKnown(i) ? toINAD({spreads.mean[i], spreads.sd[i]}) : unknown_inad;
+      const bool is_known = hasNeighbors(i) && (spreads_[i] || spansSurface(block_, i));
+      results[i] = is_known ? toINAD({spreads.mean[i], spreads.sd[i]}) : unknown_inad;
     }
   }
 
 private:
-  void
-  find(BlockAngles& angles, BlockSums& sums) const
+  BlockSums
+  sumAll(BlockAngles& angles) const
   {
-    angles.find(near_.hasTies(), candidates_.isSmooth(), sums);
+    return angles.find(near_.has_ties, candidates_.isSmooth());
   }
 
   /** \brief Angles are there for the second pass. */
   void
   sumOnePortion()
   {
-    const INADSlots slots = candidates_.list(0, near_.size());
+    const INADSlots slots = candidates_.list(0, near_.size);
     BlockAngles angles(block_, own_, slots);
-    BlockSums found;
-    find(angles, found);
+    const BlockSums found = sumAll(angles);
     BlockSums all = found;
     const BlockRanges ranges = setAll(all);
     findMissingSpreads(slots);
@@ -314,17 +308,10 @@ private:
   sumManyPortions()
   {
     ManySums all, kept;
-    forEachPortion([&](BlockAngles angles) {
-      BlockSums part;
-      find(angles, part);
-      all.add(part);
-    });
+    forEachPortion([&](BlockAngles angles) { all.add(sumAll(angles)); });
     const BlockRanges ranges = setAll(all);
-    forEachPortion([&](BlockAngles angles) {
-      BlockSums found;
-      find(angles, found);
-      kept.add(angles.sumKept(ranges, found));
-    });
+    forEachPortion(
+        [&](BlockAngles angles) { kept.add(angles.sumKept(ranges, sumAll(angles))); });
     setKept(ranges, kept);
   }
 
@@ -332,8 +319,8 @@ private:
   void
   forEachPortion(const Visit& visit)
   {
-    for (std::size_t begin = 0; begin < near_.size(); begin += most_clusters) {
-      const std::size_t count = std::min(most_clusters, near_.size() - begin);
+    for (std::size_t begin = 0; begin < near_.size; begin += max_clusters) {
+      const std::size_t count = std::min(max_clusters, near_.size - begin);
       const INADSlots slots = candidates_.list(begin, count);
       visit(BlockAngles(block_, own_, slots));
     }
@@ -364,7 +351,7 @@ private:
   leaveOutOwn(const BlockRanges& ranges, std::uint64_t* count) const
   {
     for (std::size_t i = 0; i < block_size; ++i) {
-      const std::uint64_t own = ranges.least[i] == 0 ? own_.is_neighbor[i] : 0;
+      const std::uint64_t own = ranges.min[i] == 0 ? own_.is_neighbor[i] : 0;
       count[i] -= std::min(count[i], own);
     }
   }
@@ -374,30 +361,19 @@ private:
   findMissingSpreads(const INADSlots& slots)
   {
     constexpr std::size_t some = 8, all = 1;
-    for (const std::size_t step : {some, all})
-      if (!knowsSpreads())
+    for (const std::size_t step : {some, all}) {
+      bool knows_all = true;
+      for (std::size_t i = 0; i < block_.size; ++i)
+        knows_all = knows_all && (spreads_[i] || !hasNeighbors(i));
+      if (!knows_all)
         findSpreads(block_, slots, step, spreads_);
-  }
-
-  bool
-  knowsSpreads() const
-  {
-    bool all = true;
-    for (std::size_t i = 0; i < block_.size; ++i)
-      all = all && (spreads_[i] || !hasNeighbors(i));
-    return all;
+    }
   }
 
   bool
   hasNeighbors(std::size_t i) const
   {
     return !std::isnan(own_.nx[i]) && count_[i] >= NeighborhoodSweep::min_neighbors;
-  }
-
-  bool
-  isKnown(std::size_t i) const
-  {
-    return hasNeighbors(i) && (spreads_[i] || spansSurface(block_, i));
   }
 
   const SweepBlock& block_;
@@ -418,5 +394,3 @@ inad(const SweepBlock& block, double outlier_rate, INADResult* results)
 
 } // namespace pcl::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -1,23 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Sums of neighbors' offsets and of their products, and covariances from them.
 
-#if defined(PCL_SHAPE_SWEEP_MOMENTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef PCL_SHAPE_SWEEP_MOMENTS_INL_H_
-#undef PCL_SHAPE_SWEEP_MOMENTS_INL_H_
-#else
-#define PCL_SHAPE_SWEEP_MOMENTS_INL_H_
-#endif
+// No include guard: normals-inl.h includes it once for each target.
 
-#include "sweep/portable/moments.h"
 #include "sweep/portable/neighborhood.h"
 #include "sweep/simd/candidates-inl.h"
-#include "sweep/simd/common-inl.h"
 
 #include <cmath>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
+
+/** Products of two offsets take up to 44 bits, and are added up as two halves. */
+constexpr int half_bits = 22;
+
+/** \brief What is added up over neighbors: three offsets, then the low and the high
+ * halves of the products xx, xy, xz, yy, yz and zz. */
+enum Moment : std::size_t {
+  sum_x,
+  sum_y,
+  sum_z,
+  low_xx,
+  high_xx = low_xx + 6,
+  moment_count = high_xx + 6
+};
+
+/** \brief Moments of the neighbors of a block's queries, about one origin. */
+struct alignas(64) BlockMoments {
+  std::uint64_t count[block_size];
+  std::uint64_t values[moment_count][block_size];
+  double own[3][block_size]; ///< the queries, in units from the origin
+  double origin[3];          ///< in units, below all neighbors
+};
+
+/** \brief Covariances of a block's neighborhoods, in units^2 that are the same for all.
+ */
+struct alignas(64) BlockCovariances {
+  double xx[block_size], xy[block_size], xz[block_size];
+  double yy[block_size], yz[block_size], zz[block_size];
+};
 
 /** \brief Offsets are counted in 2^(level - 20): the radius is below 2^level. */
 inline int
@@ -26,7 +49,7 @@ levelOf(float r2)
   int exponent = 0;
   std::frexp(r2, &exponent);
   if (std::isinf(r2))
-    return 64;
+    return 64; // the square root of what is beyond float
   return exponent > 0 ? (exponent + 1) / 2 : exponent / 2;
 }
 
@@ -41,7 +64,7 @@ public:
   /** \param[in] largest the largest coordinate of a neighbor, absolute, in units */
   Quantizer(int level, const double* origin, double largest)
   : scale_(std::ldexp(1.0, offset_bits - level))
-  , fits_(largest < (1 << 30) && std::abs(level) < 100)
+  , fits_(largest < (1 << 30) && std::abs(level) < 100) // in 32 bits, and in float
   , origin_(origin)
   {}
 
@@ -102,34 +125,107 @@ storeProduct(hn::VFromD<Words> a,
             high);
 }
 
-constexpr std::size_t moments_stride = slot_stride<moment_count>;
+/** \brief What a slot holds of each of up to block_size candidates, before its moments.
+ */
+enum SlotArray : std::size_t { slot_x, slot_y, slot_z, slot_order, slot_moments };
+
+constexpr std::size_t slot_size = (slot_moments + moment_count) * block_size;
 
 /** \brief Where a candidate's moment is, from where its x is. */
 constexpr std::size_t
 momentAt(std::size_t moment)
 {
-  return (slot_common + moment) * block_size;
+  return (slot_moments + moment) * block_size;
 }
 
 /** \brief Writes the moments of a vector of points into their slot. */
 HWY_INLINE void
-stageMoments(const Quantizer& quantizer, const Points& points, float* slot)
+stageMoments(const Quantizer& quantizer,
+             hn::VFromD<Floats> px,
+             hn::VFromD<Floats> py,
+             hn::VFromD<Floats> pz,
+             float* slot)
 {
   const Words w;
-  const auto x = quantizer(points.x, 0);
-  const auto y = quantizer(points.y, 1);
-  const auto z = quantizer(points.z, 2);
+  const auto x = quantizer(px, 0), y = quantizer(py, 1), z = quantizer(pz, 2);
   auto* words = reinterpret_cast<std::uint32_t*>(slot);
   const auto at = [&](std::size_t moment) { return words + momentAt(moment); };
   hn::Store(x, w, at(sum_x));
   hn::Store(y, w, at(sum_y));
   hn::Store(z, w, at(sum_z));
-  storeProduct(x, x, at(low_xx), at(high_xx));
-  storeProduct(x, y, at(low_xy), at(high_xy));
-  storeProduct(x, z, at(low_xz), at(high_xz));
-  storeProduct(y, y, at(low_yy), at(high_yy));
-  storeProduct(y, z, at(low_yz), at(high_yz));
-  storeProduct(z, z, at(low_zz), at(high_zz));
+  const auto store = [&](auto a, auto b, std::size_t product) {
+    storeProduct(a, b, at(low_xx + product), at(high_xx + product));
+  };
+  store(x, x, 0), store(x, y, 1), store(x, z, 2);
+  store(y, y, 3), store(y, z, 4), store(z, z, 5);
+}
+
+/** \brief Candidates, as offsets of their x from the first slot. */
+struct CandidateList {
+  const float* slots;
+  const std::uint32_t* offsets;
+  std::size_t size;
+};
+
+/** \brief Fills slots with `count` near clusters, and lists those of their points that
+ * are near enough to the queries' box. */
+template <bool with_order>
+HWY_INLINE CandidateList
+stageClusters(const SweepBlock& block,
+              const NearClusters& near,
+              std::size_t begin,
+              std::size_t count,
+              const Quantizer& quantizer)
+{
+  const Floats d;
+  const Words w;
+  float* slots = simdScratch().slots.atLeast(count * slot_size);
+  std::uint32_t* offsets = simdScratch().offsets.atLeast(count * block_size + lanes);
+  const BoxDistances distances(block.box);
+  const auto reach2 = hn::Set(d, near.reach2);
+  std::size_t listed = 0;
+  for (std::size_t s = 0; s < count; ++s) {
+    const std::uint32_t cluster = near.clusters[begin + s];
+    const std::uint32_t first = block.cluster_begin[cluster];
+    const std::uint32_t points = block.cluster_begin[cluster + 1] - first;
+    for (std::size_t i = 0; i < points; i += lanes) {
+      const std::size_t offset = s * slot_size + i;
+      float* slot = slots + offset;
+      const auto x = hn::LoadU(d, block.x + first + i),
+                 y = hn::LoadU(d, block.y + first + i),
+                 z = hn::LoadU(d, block.z + first + i);
+      hn::Store(x, d, slot + slot_x * block_size);
+      hn::Store(y, d, slot + slot_y * block_size);
+      hn::Store(z, d, slot + slot_z * block_size);
+      if constexpr (with_order) {
+        hn::Store(hn::LoadU(w, block.order + first + i),
+                  w,
+                  reinterpret_cast<std::uint32_t*>(slot + slot_order * block_size));
+      }
+      stageMoments(quantizer, x, y, z, slot);
+      const auto mask = hn::And(hn::Lt(distances.squared(x, y, z), reach2),
+                                pointsOfCluster(points, i));
+      listed += packStore(w,
+                          numbersFrom(static_cast<std::uint32_t>(offset)),
+                          hn::RebindMask(w, mask),
+                          offsets + listed);
+    }
+  }
+  return {slots, offsets, listed};
+}
+
+/** \brief Which queries the candidate in a slot is a neighbor of. */
+template <bool with_ties>
+HWY_INLINE MaskOf<Floats>
+neighborMask(const QueryLanes<with_ties>& queries, const float* candidate)
+{
+  std::uint32_t order = 0;
+  if constexpr (with_ties)
+    std::memcpy(&order, candidate + slot_order * block_size, sizeof(order));
+  return queries.neighborMask(candidate[slot_x * block_size],
+                              candidate[slot_y * block_size],
+                              candidate[slot_z * block_size],
+                              order);
 }
 
 /** 512 halves of products fit in 32 bits. */
@@ -147,72 +243,31 @@ addWhere(__mmask16 mask, __m512i& sum, const std::uint32_t* value)
 
 /** \brief All moments at once: there are registers enough, if the compiler sees each
  * sum as a variable of its own. */
-template <bool with_ties>
+template <bool with_ties, std::size_t... m>
 HWY_NOINLINE void
-addMoments(const QueryLanes<with_ties>& lanes_queries,
-           const float* slots,
-           const std::uint32_t* offsets,
+addMoments(const QueryLanes<with_ties>& lanes_of_queries,
+           const CandidateList& candidates,
            std::size_t begin,
            std::size_t end,
            std::size_t first_lane,
-           BlockMoments& block)
+           BlockMoments& block,
+           std::index_sequence<m...>)
 {
-  const QueryLanes<with_ties> queries = lanes_queries;
-  const __m512i zero = _mm512_setzero_si512();
-  __m512i s0 = zero;
-  __m512i s1 = zero;
-  __m512i s2 = zero;
-  __m512i s3 = zero;
-  __m512i s4 = zero;
-  __m512i s5 = zero;
-  __m512i s6 = zero;
-  __m512i s7 = zero;
-  __m512i s8 = zero;
-  __m512i s9 = zero;
-  __m512i s10 = zero;
-  __m512i s11 = zero;
-  __m512i s12 = zero;
-  __m512i s13 = zero;
-  __m512i s14 = zero;
-  __m512i s15 = zero;
+  const QueryLanes<with_ties> queries = lanes_of_queries;
+  const float* slots = candidates.slots;
+  const std::uint32_t* offsets = candidates.offsets;
+  __m512i sums[] = {(static_cast<void>(m), _mm512_setzero_si512())...};
+  __m512i counts = _mm512_setzero_si512();
   constexpr std::uint32_t one = 1;
   for (std::size_t c = begin; c < end; ++c) {
     const float* candidate = slots + offsets[c];
-    const __mmask16 mask = queries.neighborMask(candidate).raw;
+    const __mmask16 mask = neighborMask(queries, candidate).raw;
     const auto* value = reinterpret_cast<const std::uint32_t*>(candidate);
-    addWhere(mask, s0, value + momentAt(sum_x));
-    addWhere(mask, s1, value + momentAt(sum_y));
-    addWhere(mask, s2, value + momentAt(sum_z));
-    addWhere(mask, s3, value + momentAt(low_xx));
-    addWhere(mask, s4, value + momentAt(low_xy));
-    addWhere(mask, s5, value + momentAt(low_xz));
-    addWhere(mask, s6, value + momentAt(low_yy));
-    addWhere(mask, s7, value + momentAt(low_yz));
-    addWhere(mask, s8, value + momentAt(low_zz));
-    addWhere(mask, s9, value + momentAt(high_xx));
-    addWhere(mask, s10, value + momentAt(high_xy));
-    addWhere(mask, s11, value + momentAt(high_xz));
-    addWhere(mask, s12, value + momentAt(high_yy));
-    addWhere(mask, s13, value + momentAt(high_yz));
-    addWhere(mask, s14, value + momentAt(high_zz));
-    addWhere(mask, s15, &one);
+    (addWhere(mask, sums[m], value + momentAt(m)), ...);
+    addWhere(mask, counts, &one);
   }
-  addLanes(hn::VFromD<Words>{s0}, block.values[sum_x] + first_lane);
-  addLanes(hn::VFromD<Words>{s1}, block.values[sum_y] + first_lane);
-  addLanes(hn::VFromD<Words>{s2}, block.values[sum_z] + first_lane);
-  addLanes(hn::VFromD<Words>{s3}, block.values[low_xx] + first_lane);
-  addLanes(hn::VFromD<Words>{s4}, block.values[low_xy] + first_lane);
-  addLanes(hn::VFromD<Words>{s5}, block.values[low_xz] + first_lane);
-  addLanes(hn::VFromD<Words>{s6}, block.values[low_yy] + first_lane);
-  addLanes(hn::VFromD<Words>{s7}, block.values[low_yz] + first_lane);
-  addLanes(hn::VFromD<Words>{s8}, block.values[low_zz] + first_lane);
-  addLanes(hn::VFromD<Words>{s9}, block.values[high_xx] + first_lane);
-  addLanes(hn::VFromD<Words>{s10}, block.values[high_xy] + first_lane);
-  addLanes(hn::VFromD<Words>{s11}, block.values[high_xz] + first_lane);
-  addLanes(hn::VFromD<Words>{s12}, block.values[high_yy] + first_lane);
-  addLanes(hn::VFromD<Words>{s13}, block.values[high_yz] + first_lane);
-  addLanes(hn::VFromD<Words>{s14}, block.values[high_zz] + first_lane);
-  addLanes(hn::VFromD<Words>{s15}, block.count + first_lane);
+  (addLanes(hn::VFromD<Words>{sums[m]}, block.values[m] + first_lane), ...);
+  addLanes(hn::VFromD<Words>{counts}, block.count + first_lane);
 }
 
 #else
@@ -242,30 +297,31 @@ addSomeMoments(const std::uint32_t* masks,
     addLanes(sums[m], block.values[first + m] + first_lane);
 }
 
-template <bool with_ties>
+template <bool with_ties, std::size_t... m>
 HWY_INLINE void
 addMoments(const QueryLanes<with_ties>& queries,
-           const float* slots,
-           const std::uint32_t* offsets,
+           const CandidateList& candidates,
            std::size_t begin,
            std::size_t end,
            std::size_t first_lane,
-           BlockMoments& block)
+           BlockMoments& block,
+           std::index_sequence<m...>)
 {
   const Words w;
+  const float* slots = candidates.slots;
+  const std::uint32_t* offsets = candidates.offsets + begin;
+  const std::size_t size = end - begin;
   std::uint32_t* masks =
       simdScratch().masks.atLeast(candidates_between_widening * lanes);
   auto counts = hn::Zero(w);
-  for (std::size_t c = begin; c < end; ++c) {
-    const auto mask =
-        hn::VecFromMask(w, hn::RebindMask(w, queries.neighborMask(slots + offsets[c])));
+  for (std::size_t c = 0; c < size; ++c) {
+    const auto mask = hn::VecFromMask(
+        w, hn::RebindMask(w, neighborMask(queries, slots + offsets[c])));
     counts = hn::Sub(counts, mask);
-    hn::Store(mask, w, masks + (c - begin) * lanes);
+    hn::Store(mask, w, masks + c * lanes);
   }
   addLanes(counts, block.count + first_lane);
   static_assert(moment_count == 15, "three parts of five");
-  const std::size_t size = end - begin;
-  offsets += begin;
   addSomeMoments<0, 5>(masks, slots, offsets, size, first_lane, block);
   addSomeMoments<5, 5>(masks, slots, offsets, size, first_lane, block);
   addSomeMoments<10, 5>(masks, slots, offsets, size, first_lane, block);
@@ -273,45 +329,37 @@ addMoments(const QueryLanes<with_ties>& queries,
 
 #endif
 
+/** \brief Adds the neighbors in `count` near clusters. */
 template <bool with_ties>
 HWY_INLINE void
-addPortion(const SweepBlock& block,
-           const float* r2,
-           const float* tie_d2,
-           const CandidateList& candidates,
-           BlockMoments& sums)
+addClusters(const SweepBlock& block,
+            const NearClusters& near,
+            std::size_t begin,
+            std::size_t count,
+            const Quantizer& quantizer,
+            BlockMoments& sums)
 {
+  const CandidateList candidates =
+      stageClusters<with_ties>(block, near, begin, count, quantizer);
   for (std::size_t lane = 0; lane < block.size; lane += lanes) {
-    const QueryLanes<with_ties> queries(block, r2, tie_d2, lane);
+    const QueryLanes<with_ties> queries(block, lane);
     for (std::size_t c = 0; c < candidates.size; c += candidates_between_widening) {
       const std::size_t end =
           std::min(candidates.size, c + candidates_between_widening);
-      addMoments(queries, candidates.slots, candidates.offsets, c, end, lane, sums);
+      addMoments(queries,
+                 candidates,
+                 c,
+                 end,
+                 lane,
+                 sums,
+                 std::make_index_sequence<moment_count>());
     }
   }
 }
 
-/** Neighborhoods up to this size have moments that fit in 63 bits. */
-constexpr std::uint64_t most_for_63_bits = std::uint64_t{1} << 18;
-
-/** \brief sum (a - a0) (b - b0) from sums about 0, exactly. */
-template <typename Integer>
-HWY_INLINE Integer
-aboutQuery(Integer high,
-           Integer low,
-           Integer a0,
-           Integer b0,
-           Integer sum_a,
-           Integer sum_b,
-           Integer n)
-{
-  constexpr auto half = static_cast<Integer>(1) << half_bits;
-  return high * half + low - a0 * (sum_b - n * b0) - b0 * sum_a;
-}
-
 /** Neighborhoods up to this size have moments, and terms of aboutQuery(), below 2^53:
  * doubles hold them exactly. */
-constexpr std::uint64_t most_for_doubles = 256;
+constexpr std::uint64_t max_for_doubles = 256;
 
 /** \brief The central second moments of one product of some queries with few neighbors.
  */
@@ -338,60 +386,34 @@ centerProductOfFew(const BlockMoments& m,
   hn::Store(hn::Mul(central, inverse), d, covariances + i);
 }
 
-/** \brief The central second moments of one product, of all queries. */
-HWY_INLINE void
-centerProduct(const BlockMoments& m,
-              std::size_t product,
-              std::size_t a,
-              std::size_t b,
-              double* covariances)
-{
-  for (std::size_t i = 0; i < block_size; ++i) {
-    const auto n = static_cast<std::int64_t>(m.count[i]);
-    const auto a0 = static_cast<std::int64_t>(m.own[a][i]);
-    const auto b0 = static_cast<std::int64_t>(m.own[b][i]);
-    const auto sum_a = static_cast<std::int64_t>(m.values[a][i]);
-    const auto sum_b = static_cast<std::int64_t>(m.values[b][i]);
-    const auto high = static_cast<std::int64_t>(m.values[high_xx + product][i]);
-    const auto low = static_cast<std::int64_t>(m.values[low_xx + product][i]);
-    // Unsigned: of neighborhoods that are too large, whose result is not used, it
-    // wraps.
-    const auto word = [](std::int64_t v) { return static_cast<std::uint64_t>(v); };
-    const auto about = static_cast<
-        double>(static_cast<std::int64_t>(aboutQuery<std::uint64_t>(
-        word(high), word(low), word(a0), word(b0), word(sum_a), word(sum_b), word(n))));
-    const double inverse = 1.0 / static_cast<double>(n);
-    const auto x = static_cast<double>(sum_a - n * a0);
-    const auto y = static_cast<double>(sum_b - n * b0);
-    covariances[i] = (about - x * y * inverse) * inverse;
-  }
-}
+/** Neighborhoods up to this size have moments that fit in 63 bits. */
+constexpr std::uint64_t max_for_63_bits = std::uint64_t{1} << 18;
 
-/** \brief The same for a neighborhood that is too large for 63 bits. */
-HWY_INLINE void
-centerLargeProduct(const BlockMoments& m,
-                   std::size_t i,
-                   std::size_t product,
-                   std::size_t a,
-                   std::size_t b,
-                   double* covariances)
+/** \brief The central second moment of one product, of one query. The sums are made
+ * unsigned: those that do not fit wrap, and are not used. */
+template <typename Signed, typename Unsigned>
+HWY_INLINE double
+centralProduct(const BlockMoments& m,
+               std::size_t i,
+               std::size_t product,
+               std::size_t a,
+               std::size_t b)
 {
-  __extension__ using SignedWide = __int128;
-  const SignedWide n = m.count[i], sum_a = m.values[a][i], sum_b = m.values[b][i];
-  const auto a0 = static_cast<SignedWide>(m.own[a][i]);
-  const auto b0 = static_cast<SignedWide>(m.own[b][i]);
-  const auto about =
-      static_cast<double>(aboutQuery<SignedWide>(m.values[high_xx + product][i],
-                                                 m.values[low_xx + product][i],
-                                                 a0,
-                                                 b0,
-                                                 sum_a,
-                                                 sum_b,
-                                                 n));
-  const double inverse = 1.0 / static_cast<double>(n);
-  const auto x = static_cast<double>(sum_a - n * a0);
-  const auto y = static_cast<double>(sum_b - n * b0);
-  covariances[i] = (about - x * y * inverse) * inverse;
+  const auto real = [](Unsigned v) {
+    return static_cast<double>(static_cast<Signed>(v));
+  };
+  const auto own = [&](std::size_t axis) {
+    return static_cast<Unsigned>(static_cast<Signed>(m.own[axis][i]));
+  };
+  const Unsigned n = m.count[i], a0 = own(a), b0 = own(b);
+  const Unsigned sum_a = m.values[a][i], sum_b = m.values[b][i];
+  const Unsigned low = m.values[low_xx + product][i];
+  const Unsigned high = m.values[high_xx + product][i];
+  // sum (a - a0) (b - b0) from sums about 0, exactly.
+  const double about =
+      real((high << half_bits) + low - a0 * (sum_b - n * b0) - b0 * sum_a);
+  const double inverse = 1.0 / real(n);
+  return (about - real(sum_a - n * a0) * real(sum_b - n * b0) * inverse) * inverse;
 }
 
 /** \brief Central second moments of the neighbors, from exact sums. */
@@ -403,20 +425,22 @@ centerMoments(const BlockMoments& m, BlockCovariances& c)
   double* const products[] = {c.xx, c.xy, c.xz, c.yy, c.yz, c.zz};
   const std::uint64_t largest = *std::max_element(m.count, m.count + block_size);
   for (std::size_t p = 0; p < 6; ++p) {
-    if (HWY_LIKELY(largest <= most_for_doubles)) {
+    if (HWY_LIKELY(largest <= max_for_doubles)) {
       for (std::size_t i = 0; i < block_size; i += double_lanes)
         centerProductOfFew(m, i, p, first[p], second[p], products[p]);
       continue;
     }
-    centerProduct(m, p, first[p], second[p], products[p]);
-    for (std::size_t i = 0; i < block_size; ++i)
-      if (HWY_UNLIKELY(m.count[i] > most_for_63_bits))
-        centerLargeProduct(m, i, p, first[p], second[p], products[p]);
+    for (std::size_t i = 0; i < block_size; ++i) {
+      products[p][i] =
+          HWY_LIKELY(m.count[i] <= max_for_63_bits)
+              ? centralProduct<std::int64_t, std::uint64_t>(
+                    m, i, p, first[p], second[p])
+              : centralProduct<SignedWide, Wide>(m, i, p, first[p], second[p]);
+    }
   }
 }
 
-/** \brief Sums over the neighbors' offsets from each query: first and second moments.
- */
+/** \brief Sums over the neighbors' offsets from each query, and over their products. */
 struct alignas(64) OrderedMoments {
   enum Second : std::size_t { xx = sum_z + 1, xy, xz, yy, yz, zz, size };
 
@@ -521,20 +545,20 @@ addLayer(const OrderedMoments& layer, OrderedMoments& all)
 HWY_INLINE void
 sumInOrder(const SweepBlock& block, OrderedMoments& all)
 {
-  constexpr std::size_t portion = 256;
   const NearClusters near(block);
   std::size_t begin = 0;
   for (std::size_t r = 0; r < block.run_count; ++r) {
     const bool is_last = r + 1 == block.run_count;
     if (!is_last && block.runs[r + 1].layer == block.runs[r].layer)
       continue;
-    const std::size_t end = near.endOfRun(r);
+    const std::size_t run_end = near.run_ends[r];
     OrderedMoments layer;
-    for (; begin < end; begin += std::min(portion, end - begin)) {
-      const PackedPoints points =
-          packPoints<false>(block, near, begin, std::min(end, begin + portion));
+    while (begin < run_end) {
+      const std::size_t end = std::min(run_end, begin + max_clusters);
+      const PackedPoints points = packPoints<false>(block, near, begin, end);
       for (std::size_t first = 0; first < block.size; first += lanes)
         addPoints(block, points, first, layer);
+      begin = end;
     }
     addLayer(layer, all);
   }
@@ -542,5 +566,3 @@ sumInOrder(const SweepBlock& block, OrderedMoments& all)
 
 } // namespace pcl::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -1,89 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Narrows the neighbors of a block's queries to the k nearest.
 
-#if defined(PCL_SHAPE_SWEEP_NEAREST_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef PCL_SHAPE_SWEEP_NEAREST_INL_H_
-#undef PCL_SHAPE_SWEEP_NEAREST_INL_H_
-#else
-#define PCL_SHAPE_SWEEP_NEAREST_INL_H_
-#endif
+// No include guard: simd_kernels.cpp includes it once for each target.
 
 #include "sweep/simd/candidates-inl.h"
-#include "sweep/simd/common-inl.h"
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl::kernels::HWY_NAMESPACE {
 
-/** \brief As many queries as there are lanes. */
-struct LanesOfQueries {
-  hn::VFromD<Floats> x, y, z;
-
-  HWY_INLINE
-  LanesOfQueries(const SweepBlock& block, std::size_t first)
-  : x(hn::LoadU(Floats(), block.qx + first))
-  , y(hn::LoadU(Floats(), block.qy + first))
-  , z(hn::LoadU(Floats(), block.qz + first))
-  {}
-
-  HWY_INLINE hn::VFromD<Floats>
-  squaredDistances(const PackedPoints& candidates, std::size_t c) const
-  {
-    const Floats d;
-    return squaredLength(hn::Sub(hn::Set(d, candidates.x[c]), x),
-                         hn::Sub(hn::Set(d, candidates.y[c]), y),
-                         hn::Sub(hn::Set(d, candidates.z[c]), z));
-  }
-};
-
-/** \brief The smallest values so far, of as many queries as there are lanes, sorted. */
-template <std::size_t size>
-class SmallestOfLanes {
-public:
-  // A constructor that the compiler makes would not have the target's instructions.
-  HWY_INLINE
-  SmallestOfLanes()
-  : least_(hn::Set(Floats(), std::numeric_limits<float>::infinity()))
-  , others_()
-  {}
-
-  HWY_INLINE void
-  insert(hn::VFromD<Floats> value)
-  {
-    others_.insert(hn::Max(least_, value));
-    least_ = hn::Min(least_, value);
-  }
-
-  /** \param[out] values the least of each lane, the second of each, ... */
-  HWY_INLINE void
-  store(float* values) const
-  {
-    hn::StoreU(least_, Floats(), values);
-    others_.store(values + lanes);
-  }
-
-private:
-  hn::VFromD<Floats> least_;
-  SmallestOfLanes<size - 1> others_;
-};
-
-template <>
-class SmallestOfLanes<0> {
-public:
-  HWY_INLINE void
-  insert(hn::VFromD<Floats>)
-  {}
-
-  HWY_INLINE void
-  store(float*) const
-  {}
-};
-
-/** As many and more, and keeping the smallest takes longer than counting. */
-constexpr std::size_t most_kept = 16;
+/** With more, keeping the smallest takes longer than counting. */
+constexpr std::size_t max_kept = 16;
 
 /** \brief What is known of the k-th nearest points besides kth_d2. */
 struct KthOfQueries {
@@ -92,26 +22,38 @@ struct KthOfQueries {
 };
 
 /** \brief The k nearest of all queries; kth_d2 is NaN if a query has fewer than k
- * neighbors.
- * \tparam kept more than k */
-template <std::size_t kept>
+ * neighbors. Of each lane as many values are kept as there are n, more than k, sorted:
+ * in registers, if the compiler sees each as a variable of its own. */
+template <std::size_t... n>
 HWY_NOINLINE KthOfQueries
-keepNearest(SweepBlock& block, std::size_t k, const PackedPoints& candidates)
+keepNearest(SweepBlock& block,
+            std::size_t k,
+            const PackedPoints& candidates,
+            std::index_sequence<n...>)
 {
+  const Floats d;
+  const auto infinity = hn::Set(d, std::numeric_limits<float>::infinity());
   KthOfQueries kth;
   for (std::size_t first = 0; first < block.size; first += lanes) {
-    const LanesOfQueries queries(block, first);
-    SmallestOfLanes<kept> smallest;
-    for (std::size_t c = 0; c < candidates.size; ++c)
-      smallest.insert(queries.squaredDistances(candidates, c));
-    HWY_ALIGN float values[kept * lanes];
-    smallest.store(values);
+    const QueryLanes<false> queries(block, first);
+    hn::VFromD<Floats> smallest[] = {(static_cast<void>(n), infinity)...};
+    for (std::size_t c = 0; c < candidates.size; ++c) {
+      auto value =
+          queries.squaredDistances(candidates.x[c], candidates.y[c], candidates.z[c]);
+      const auto insert = [&](hn::VFromD<Floats>& kept) {
+        const auto larger = hn::Max(kept, value);
+        kept = hn::Min(kept, value);
+        value = larger;
+      };
+      (insert(smallest[n]), ...);
+    }
+    HWY_ALIGN float values[sizeof...(n) * lanes];
+    (hn::StoreU(smallest[n], d, values + n * lanes), ...);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const auto at = [&](std::size_t n) { return values[n * lanes + lane]; };
+      const auto at = [&](std::size_t rank) { return values[rank * lanes + lane]; };
       const std::size_t i = first + lane;
       const bool has_enough = at(k - 1) < block.r2[i];
-      block.kth_d2[i] =
-          has_enough ? at(k - 1) : std::numeric_limits<float>::quiet_NaN();
+      block.kth_d2[i] = has_enough ? at(k - 1) : nan;
       kth.has_tie[i] = has_enough && at(k) == at(k - 1);
       kth.less[i] = k - 1;
       while (kth.has_tie[i] && kth.less[i] > 0 && at(kth.less[i] - 1) == at(k - 1))
@@ -157,8 +99,9 @@ countWhere(M mask, hn::VFromD<Ints> count)
 /** \brief As many values as two vectors have are ranked by comparing all with all. */
 constexpr std::size_t few_values = 2 * lanes;
 
-/** \brief The n-th smallest of the values of some vectors: the largest of those that
- * fewer than n are less than. Without branches: none could be predicted. */
+/** \brief The n-th smallest of the values of some vectors, none negative, padded with
+ * infinity: the largest of those that fewer than n are less than. Without branches:
+ * none could be predicted. */
 template <std::size_t vectors>
 HWY_INLINE Ranked
 nthOfVectors(const float* values, std::size_t n)
@@ -190,15 +133,7 @@ nthOfVectors(const float* values, std::size_t n)
   return found;
 }
 
-/** \brief The n-th smallest of at most few_values values, none negative, which a vector
- * of infinity follows. */
-HWY_INLINE Ranked
-nthOfFew(const float* values, std::size_t count, std::size_t n)
-{
-  return count <= lanes ? nthOfVectors<1>(values, n) : nthOfVectors<2>(values, n);
-}
-
-/** \brief The same of however many. Moves them. */
+/** \brief The n-th smallest of however many. Moves them. */
 inline Ranked
 nthOfMany(float* values, std::size_t count, std::size_t n)
 {
@@ -253,8 +188,10 @@ kthSmallest(float* d2, std::size_t count, std::size_t k, float low, float high)
   }
   const std::size_t kept =
       below_high - below_low < count ? keepInside(d2, count, low, high) : count;
-  Ranked kth = kept <= few_values ? nthOfFew(d2, kept, k - below_low)
-                                  : nthOfMany(d2, kept, k - below_low);
+  const std::size_t n = k - below_low;
+  Ranked kth = kept <= lanes        ? nthOfVectors<1>(d2, n)
+               : kept <= few_values ? nthOfVectors<2>(d2, n)
+                                    : nthOfMany(d2, kept, n);
   kth.less += below_low;
   kth.not_greater += below_low;
   return kth;
@@ -290,12 +227,12 @@ collectRing(const SweepBlock& block,
             float* d2)
 {
   const Floats d;
-  const auto least = hn::Set(d, low), most = hn::Set(d, high);
+  const auto min = hn::Set(d, low), max = hn::Set(d, high);
   Ring ring{0, 0};
   for (std::size_t c = 0; c < candidates.size; c += lanes) {
     const auto v = squaredDistances(block, i, candidates, c);
-    const auto is_below = hn::Lt(v, least);
-    const auto is_inside = hn::AndNot(is_below, hn::Lt(v, most));
+    const auto is_below = hn::Lt(v, min);
+    const auto is_inside = hn::AndNot(is_below, hn::Lt(v, max));
     ring.below += hn::CountTrue(d, is_below);
     ring.inside += packStore(d, v, is_inside, d2 + ring.inside);
   }
@@ -328,22 +265,15 @@ nthIndexAt(const SweepBlock& block,
   return indices[n - 1];
 }
 
-/** \brief The next larger float of one that is not negative and finite. */
-HWY_INLINE float
-nextLarger(float value)
-{
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &value, sizeof(bits));
-  ++bits;
-  std::memcpy(&value, &bits, sizeof(bits));
-  return value;
-}
-
-/** \brief The points up to this squared distance are the query's neighbors. */
+/** \brief The points up to this squared distance, finite and not negative, are the
+ * query's neighbors: those nearer than the next larger float. */
 HWY_INLINE void
 setRadiusTo(SweepBlock& block, std::size_t i, float d2)
 {
-  block.r2[i] = nextLarger(d2);
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &d2, sizeof(bits));
+  ++bits;
+  std::memcpy(&block.r2[i], &bits, sizeof(bits));
 }
 
 /** \brief Of the points at this squared distance, which is the k-th, those of the
@@ -414,7 +344,7 @@ narrow(SweepBlock& block,
   const std::size_t count =
       collectRing(block, i, candidates, 0.0f, block.r2[i], d2).inside;
   if (count < k) {
-    block.kth_d2[i] = std::numeric_limits<float>::quiet_NaN();
+    block.kth_d2[i] = nan;
     return false;
   }
   setNearest(block, i, k, candidates, kthSmallest(d2, count, k, 0.0f, block.r2[i]));
@@ -425,9 +355,11 @@ narrow(SweepBlock& block,
 HWY_INLINE bool
 narrowToFew(SweepBlock& block, std::size_t k, const PackedPoints& candidates)
 {
-  constexpr std::size_t some = 11;
-  const KthOfQueries kth = k < some ? keepNearest<some>(block, k, candidates)
-                                    : keepNearest<most_kept>(block, k, candidates);
+  constexpr std::size_t some = 11; // for the usual k of 10
+  const KthOfQueries kth =
+      k < some
+          ? keepNearest(block, k, candidates, std::make_index_sequence<some>())
+          : keepNearest(block, k, candidates, std::make_index_sequence<max_kept>());
   bool all = true;
   for (std::size_t i = 0; i < block.size; ++i) {
     const float d2 = block.kth_d2[i];
@@ -445,10 +377,10 @@ inline bool
 nearest(SweepBlock& block, std::size_t k)
 {
   const NearClusters near(block);
-  if (near.size() > most_clusters)
+  if (near.size > max_clusters)
     return portableKernels().nearest(block, k);
-  const PackedPoints candidates = packPoints<true>(block, near, 0, near.size());
-  if (k < most_kept)
+  const PackedPoints candidates = packPoints<true>(block, near, 0, near.size);
+  if (k < max_kept)
     return narrowToFew(block, k, candidates);
   float* d2 = simdScratch().values.atLeast(candidates.size + lanes);
   bool all = true;
@@ -460,5 +392,3 @@ nearest(SweepBlock& block, std::size_t k)
 
 } // namespace pcl::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Normals over the neighborhoods of a block of points, all lanes at a time.
 
-#if defined(PCL_SHAPE_SWEEP_NORMALS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef PCL_SHAPE_SWEEP_NORMALS_INL_H_
-#undef PCL_SHAPE_SWEEP_NORMALS_INL_H_
-#else
-#define PCL_SHAPE_SWEEP_NORMALS_INL_H_
-#endif
+// No include guard: simd_kernels.cpp includes it once for each target.
 
-#include "sweep/portable/moments.h"
-#include "sweep/portable/neighborhood.h"
 #include "sweep/portable/symmetric_eigen.h"
-#include "sweep/simd/common-inl.h"
 #include "sweep/simd/moments-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -26,6 +18,13 @@ struct MatrixLanes {
   DoubleV xx, xy, xz, yy, yz, zz, c1, c0;
 };
 
+/** \brief a b - c e. */
+HWY_INLINE DoubleV
+minorOf(DoubleV a, DoubleV b, DoubleV c, DoubleV e)
+{
+  return hn::NegMulAdd(c, e, hn::Mul(a, b));
+}
+
 HWY_INLINE MatrixLanes
 scaledToTraceOne(const BlockCovariances& m, std::size_t first)
 {
@@ -36,14 +35,11 @@ scaledToTraceOne(const BlockCovariances& m, std::size_t first)
   const auto xx = hn::Mul(load(m.xx), scale), xy = hn::Mul(load(m.xy), scale),
              xz = hn::Mul(load(m.xz), scale), yy = hn::Mul(load(m.yy), scale),
              yz = hn::Mul(load(m.yz), scale), zz = hn::Mul(load(m.zz), scale);
-  const auto minor = [](auto a, auto b, auto c, auto e) {
-    return hn::NegMulAdd(c, e, hn::Mul(a, b));
-  };
-  const auto x_minor = minor(yy, zz, yz, yz);
+  const auto x_minor = minorOf(yy, zz, yz, yz);
   const auto c1 =
-      hn::Add(hn::Add(minor(xx, yy, xy, xy), minor(xx, zz, xz, xz)), x_minor);
-  const auto xy_term = hn::Mul(xy, minor(xy, zz, yz, xz));
-  const auto xz_term = hn::Mul(xz, minor(xy, yz, yy, xz));
+      hn::Add(hn::Add(minorOf(xx, yy, xy, xy), minorOf(xx, zz, xz, xz)), x_minor);
+  const auto xy_term = hn::Mul(xy, minorOf(xy, zz, yz, xz));
+  const auto xz_term = hn::Mul(xz, minorOf(xy, yz, yy, xz));
   const auto c0 = hn::Add(hn::MulSub(xx, x_minor, xy_term), xz_term);
   return {xx, xy, xz, yy, yz, zz, c1, c0};
 }
@@ -55,13 +51,13 @@ HWY_INLINE void
 findSmallestRoots(const double* c1, const double* c0, std::size_t size, double* roots)
 {
   const Doubles d;
-  constexpr int most_steps = 64;
-  const auto least_climb = hn::Set(d, 1e-15);
+  constexpr int max_steps = 64;             // a bound: its square root is usual
+  const auto min_climb = hn::Set(d, 1e-15); // rounding, beside a trace of 1
   HWY_ALIGN double moving[block_size];
   std::fill_n(moving, block_size, 1.0);
   std::fill_n(roots, block_size, 0.0);
   bool any_moves = true;
-  for (int step = 0; step < most_steps && any_moves; ++step) {
+  for (int step = 0; step < max_steps && any_moves; ++step) {
     any_moves = false;
     for (std::size_t i = 0; i < size; i += double_lanes) {
       const auto root = hn::Load(d, roots + i), linear = hn::Load(d, c1 + i);
@@ -71,8 +67,7 @@ findSmallestRoots(const double* c1, const double* c0, std::size_t size, double* 
       const auto twice = hn::MulSub(hn::Set(d, 3.0), root, hn::Set(d, 2.0));
       const auto slope = hn::MulAdd(twice, root, linear);
       const auto climb = hn::Neg(hn::Div(value, slope));
-      const auto climbs =
-          hn::And(hn::Gt(climb, least_climb), hn::Gt(slope, hn::Zero(d)));
+      const auto climbs = hn::And(hn::Gt(climb, min_climb), hn::Gt(slope, hn::Zero(d)));
       const auto moves = hn::And(hn::Gt(hn::Load(d, moving + i), hn::Zero(d)), climbs);
       hn::Store(hn::IfThenElseZero(moves, hn::Set(d, 1.0)), d, moving + i);
       hn::Store(hn::Add(root, hn::IfThenElseZero(moves, climb)), d, roots + i);
@@ -89,10 +84,10 @@ HWY_INLINE MaskOf<Doubles>
 isSimple(DoubleV root, DoubleV c1)
 {
   const Doubles d;
-  constexpr double least_slope = 1e-5;
+  constexpr double min_slope = 1e-5; // a step then is exact to 1e-10
   const auto twice = hn::MulSub(hn::Set(d, 3.0), root, hn::Set(d, 2.0));
   const auto slope = hn::MulAdd(twice, root, c1);
-  return hn::And(hn::Gt(slope, hn::Set(d, least_slope)),
+  return hn::And(hn::Gt(slope, hn::Set(d, min_slope)),
                  hn::Lt(root, hn::Set(d, 1.0 / 3.0)));
 }
 
@@ -123,18 +118,15 @@ eigenvectors(const MatrixLanes& m, DoubleV root)
 {
   const auto xx = hn::Sub(m.xx, root), yy = hn::Sub(m.yy, root),
              zz = hn::Sub(m.zz, root);
-  const auto minor = [](auto a, auto b, auto c, auto e) {
-    return hn::NegMulAdd(c, e, hn::Mul(a, b));
-  };
-  const auto first = vectorLanes(minor(m.xy, m.yz, m.xz, yy),
-                                 minor(m.xz, m.xy, xx, m.yz),
-                                 minor(xx, yy, m.xy, m.xy));
-  const auto second = vectorLanes(minor(m.xy, zz, m.xz, m.yz),
-                                  minor(m.xz, m.xz, xx, zz),
-                                  minor(xx, m.yz, m.xy, m.xz));
-  const auto third = vectorLanes(minor(yy, zz, m.yz, m.yz),
-                                 minor(m.yz, m.xz, m.xy, zz),
-                                 minor(m.xy, m.yz, yy, m.xz));
+  const auto first = vectorLanes(minorOf(m.xy, m.yz, m.xz, yy),
+                                 minorOf(m.xz, m.xy, xx, m.yz),
+                                 minorOf(xx, yy, m.xy, m.xy));
+  const auto second = vectorLanes(minorOf(m.xy, zz, m.xz, m.yz),
+                                  minorOf(m.xz, m.xz, xx, zz),
+                                  minorOf(xx, m.yz, m.xy, m.xz));
+  const auto third = vectorLanes(minorOf(yy, zz, m.yz, m.yz),
+                                 minorOf(m.yz, m.xz, m.xy, zz),
+                                 minorOf(m.xy, m.yz, yy, m.xz));
   return longer(longer(first, second), third);
 }
 
@@ -165,6 +157,7 @@ normalsOfCovariances(const BlockCovariances& covariances,
     // The other two roots have the sum s and the product q; q <= ratio s^2 on a line.
     const auto s = hn::Sub(hn::Set(d, 1.0), root);
     const auto q = hn::NegMulAdd(root, s, m.c1);
+    // Shorter than 1e-8, half of a product's digits have canceled.
     const auto is_safe =
         hn::And(hn::Gt(v.squared_length, hn::Set(d, 1e-16)),
                 hn::Gt(q, hn::Mul(hn::Set(d, 4.0 * line_ratio), hn::Mul(s, s))));
@@ -187,21 +180,21 @@ normalsOfCovariances(const BlockCovariances& covariances,
 }
 
 /** More points than these, and sums in float lose what normals need. */
-constexpr float most_for_float = 1 << 12;
+constexpr float max_for_float = 1 << 12;
 
 /** The product of a plane's two larger eigenvalues over the square of the mean squared
  * offset, which is what float sums are exact to some 1e-7 of: normals turn by less than
  * 2e-4 rad then, mostly by less than 1e-5. */
-constexpr double least_plane_ratio = 1e-2;
+constexpr double min_plane_ratio = 1e-2;
 
 /** \brief Whether squares of offsets, and sums of them, are far from the limits of
  * float. */
 inline bool
 suitsFloat(const SweepBlock& block)
 {
-  constexpr float least = 1e-24f, most = 1e24f;
-  return block.rows_by_radius && block.tie_d2[0] < 0.0f && block.r2[0] > least &&
-         block.r2[0] < most;
+  constexpr float min = 1e-24f, max = 1e24f;
+  return block.rows_by_radius && block.tie_d2[0] < 0.0f && block.r2[0] > min &&
+         block.r2[0] < max;
 }
 
 HWY_INLINE void
@@ -236,8 +229,8 @@ isPlain(const OrderedMoments& m, const BlockCovariances& c, std::size_t i)
   const double squares = static_cast<double>(m.sums[OrderedMoments::xx][i]) +
                          m.sums[OrderedMoments::yy][i] + m.sums[OrderedMoments::zz][i];
   const double mean_square = squares / m.counts[i];
-  return m.counts[i] <= most_for_float &&
-         minors > least_plane_ratio * mean_square * mean_square;
+  return m.counts[i] <= max_for_float &&
+         minors > min_plane_ratio * mean_square * mean_square;
 }
 
 /** \brief Normals from sums of floats, in the order of the rows and of the points in
@@ -251,17 +244,14 @@ orderedNormals(const SweepBlock& block, NormalResult* results, bool* is_known)
   BlockCovariances covariances;
   covariancesOf(moments, covariances);
   normalsOfCovariances(covariances, block.size, results);
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   bool all_known = true;
   for (std::size_t i = 0; i < block.size; ++i) {
     const float count = moments.counts[i];
-    const std::size_t own =
-        block.queries_on_surface || (count > 0.0f && isAtSurfacePoint(block, i)) ? 1
-                                                                                 : 0;
+    const std::size_t own = hasOwnPoint(block, i, count > 0.0f) ? 1 : 0;
     const bool has_few =
         count < static_cast<float>(NeighborhoodSweep::min_neighbors + own);
     if (has_few)
-      results[i] = {nan, nan, nan, nan};
+      results[i] = unknown_normal;
     is_known[i] = has_few || isPlain(moments, covariances, i);
     all_known = all_known && is_known[i];
   }
@@ -285,18 +275,18 @@ setOrigin(const SweepBlock& block, const Group& group, BlockMoments& sums)
   const hn::Rebind<float, Doubles> floats;
   auto largest = hn::Zero(d);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    auto least = hn::Set(d, std::numeric_limits<double>::infinity());
+    auto min = hn::Set(d, std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < block_size; i += double_lanes) {
       const auto q = hn::PromoteTo(d, hn::LoadU(floats, coordinates[axis] + i));
       const auto units = hn::Round(hn::Mul(q, scale));
       hn::Store(units, d, sums.own[axis] + i);
       const auto has = hn::Gt(hn::LoadU(d, group.has + i), hn::Zero(d));
       const auto is_query = hn::FirstN(d, block.size > i ? block.size - i : 0);
-      least = hn::Min(least, hn::IfThenElse(has, units, least));
+      min = hn::Min(min, hn::IfThenElse(has, units, min));
       largest = hn::Max(largest, hn::IfThenElseZero(is_query, hn::Abs(units)));
     }
     constexpr double below = (1 << offset_bits) + 2;
-    sums.origin[axis] = hn::GetLane(hn::MinOfLanes(d, least)) - below;
+    sums.origin[axis] = hn::GetLane(hn::MinOfLanes(d, min)) - below;
     for (std::size_t i = 0; i < block_size; i += double_lanes) {
       const auto own = hn::Load(d, sums.own[axis] + i);
       hn::Store(hn::Sub(own, hn::Set(d, sums.origin[axis])), d, sums.own[axis] + i);
@@ -312,36 +302,14 @@ sumMoments(const SweepBlock& block, const NearClusters& near, const Group& group
   BlockMoments sums{};
   const double largest = setOrigin(block, group, sums);
   const Quantizer quantizer(group.level, sums.origin, largest);
-  float r2[block_size], tie_d2[block_size];
-  for (std::size_t i = 0; i < block_size; ++i) {
-    const bool has = group.has[i] != 0.0;
-    r2[i] = has ? block.r2[i] : -1.0f;
-    tie_d2[i] = has ? block.tie_d2[i] : -1.0f;
-  }
-  const auto fill = [&](const Points& points,
-                        float* slot,
-                        auto is_point,
-                        std::size_t offset,
-                        CandidateLister& lister) {
-    stageMoments(quantizer, points, slot);
-    lister.add(points, is_point, offset);
-  };
-  constexpr std::size_t portion = 256;
-  for (std::size_t begin = 0; begin < near.size(); begin += portion) {
-    const std::size_t size = std::min(portion, near.size() - begin);
-    near.hasTies()
-        ? addPortion<true>(
-              block,
-              r2,
-              tie_d2,
-              stageClusters<moments_stride, true>(block, near, begin, size, fill),
-              sums)
-        : addPortion<false>(
-              block,
-              r2,
-              tie_d2,
-              stageClusters<moments_stride, false>(block, near, begin, size, fill),
-              sums);
+  SweepBlock own = block; // the others have no neighbors
+  for (std::size_t i = 0; i < block_size; ++i)
+    if (group.has[i] == 0.0)
+      own.r2[i] = own.tie_d2[i] = -1.0f;
+  for (std::size_t begin = 0; begin < near.size; begin += max_clusters) {
+    const std::size_t count = std::min(max_clusters, near.size - begin);
+    near.has_ties ? addClusters<true>(own, near, begin, count, quantizer, sums)
+                  : addClusters<false>(own, near, begin, count, quantizer, sums);
   }
   return sums;
 }
@@ -357,15 +325,15 @@ groupOf(const SweepBlock& block, const int* levels, std::size_t query)
   for (std::size_t i = 0; i < block.size; ++i)
     group.has[i] = levels[i] == group.level ? 1.0 : 0.0;
   for (const float* coordinates : {block.qx, block.qy, block.qz}) {
-    double least = coordinates[query], most = coordinates[query];
+    double min = coordinates[query], max = coordinates[query];
     for (std::size_t i = 0; i < block.size; ++i) {
       if (group.has[i] != 0.0) {
-        least = std::min<double>(least, coordinates[i]);
-        most = std::max<double>(most, coordinates[i]);
+        min = std::min<double>(min, coordinates[i]);
+        max = std::max<double>(max, coordinates[i]);
       }
     }
-    constexpr double most_units = (1 << (offset_bits + 1)) - 16;
-    if (!((most - least) * scale <= most_units)) {
+    constexpr double max_units = (1 << (offset_bits + 1)) - 16;
+    if (!((max - min) * scale <= max_units)) {
       group = {};
       group.level = levels[query];
       group.has[query] = 1.0;
@@ -377,7 +345,7 @@ groupOf(const SweepBlock& block, const int* levels, std::size_t query)
 
 /** Units are a fraction of the radius: neighbors that are all within a hundredth of it
  * are too few units apart, and are left to the portable kernel. */
-constexpr double least_trace = 1 << 26;
+constexpr double min_trace = 1 << 26;
 
 /** \brief Squared, what follows from the neighbors alone: of k nearest points, r2 is
  * above the k-th's unless another one is as far. */
@@ -391,7 +359,6 @@ reach2Of(const SweepBlock& block, std::size_t i)
 HWY_NOINLINE void
 exactNormals(const SweepBlock& block, NormalResult* results)
 {
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   int levels[block_size];
   bool done[block_size] = {};
   for (std::size_t i = 0; i < block.size; ++i) {
@@ -399,7 +366,6 @@ exactNormals(const SweepBlock& block, NormalResult* results)
     levels[i] = is_as_before ? levels[i - 1] : levelOf(reach2Of(block, i));
   }
   const NearClusters near(block);
-  const bool on_surface = block.queries_on_surface;
   for (std::size_t first = 0; first < block.size; ++first) {
     if (done[first])
       continue;
@@ -413,14 +379,13 @@ exactNormals(const SweepBlock& block, NormalResult* results)
       if (group.has[i] == 0.0)
         continue;
       done[i] = true;
-      const std::size_t own =
-          on_surface || (sums.count[i] > 0 && isAtSurfacePoint(block, i)) ? 1 : 0;
+      const std::size_t own = hasOwnPoint(block, i, sums.count[i] > 0) ? 1 : 0;
       if (sums.count[i] < NeighborhoodSweep::min_neighbors + own) {
-        results[i] = {nan, nan, nan, nan};
+        results[i] = unknown_normal;
         continue;
       }
       const double trace = covariances.xx[i] + covariances.yy[i] + covariances.zz[i];
-      results[i] = trace < least_trace ? normalAt(block, i) : normals[i];
+      results[i] = trace < min_trace ? normalAt(block, i) : normals[i];
     }
   }
 }
@@ -442,5 +407,3 @@ normals(const SweepBlock& block, NormalResult* results)
 
 } // namespace pcl::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif

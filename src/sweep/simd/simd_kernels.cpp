@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Compiles the SIMD kernels for each target of Highway.
 
 // The order of these lines matters.
 // clang-format off
@@ -14,8 +14,8 @@
 #include <hwy/highway.h>
 
 // The static target of a generic build has no SIMD: the portable kernels serve there.
-#include "sweep/simd/simd_target.h"
-#if PCL_SHAPE_SIMD_TARGET
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4 || \
+    HWY_TARGET == HWY_NEON
 #include "sweep/simd/count-inl.h"
 #include "sweep/simd/inad-inl.h"
 #include "sweep/simd/nearest-inl.h"
@@ -39,26 +39,27 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace pcl::kernels {
 
-const KernelTable*
-simdKernels(const std::string& name)
+std::vector<Target>
+simdTargets()
 {
+  std::vector<Target> targets;
+  const auto add = [&](std::int64_t bit, const char* name, auto kernels) {
+    if ((hwy::SupportedTargets() & bit) != 0)
+      targets.push_back({name, &kernels()});
+  };
 #if HWY_TARGETS & HWY_AVX3
-  if (name == "avx3")
-    return &N_AVX3::kernelTable();
+  add(HWY_AVX3, "avx3", N_AVX3::kernelTable);
 #endif
 #if HWY_TARGETS & HWY_AVX2
-  if (name == "avx2")
-    return &N_AVX2::kernelTable();
+  add(HWY_AVX2, "avx2", N_AVX2::kernelTable);
 #endif
 #if HWY_TARGETS & HWY_SSE4
-  if (name == "sse4")
-    return &N_SSE4::kernelTable();
+  add(HWY_SSE4, "sse4", N_SSE4::kernelTable);
 #endif
 #if HWY_TARGETS & HWY_NEON
-  if (name == "neon")
-    return &N_NEON::kernelTable();
+  add(HWY_NEON, "neon", N_NEON::kernelTable);
 #endif
-  return nullptr;
+  return targets;
 }
 
 } // namespace pcl::kernels

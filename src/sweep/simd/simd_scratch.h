@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Buffers and tables that the SIMD kernels of all targets share.
 
 #pragma once
-
-#include "sweep/sweep_block.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <new>
 
 namespace pcl::kernels {
 
@@ -21,36 +18,23 @@ public:
   T*
   atLeast(std::size_t count)
   {
+    constexpr std::size_t padding = 64;
     if (count + padding > capacity_) {
       const std::size_t capacity = 2 * (count + padding);
-      data_.reset();
+      lines_.reset();
       capacity_ = 0;
-      data_.reset(static_cast<T*>(
-          ::operator new(capacity * sizeof(T), std::align_val_t(alignment))));
+      lines_.reset(new Line[(capacity * sizeof(T) + sizeof(Line) - 1) / sizeof(Line)]);
       capacity_ = capacity;
     }
-    return data_.get();
-  }
-
-  T*
-  data() const
-  {
-    return data_.get();
+    return reinterpret_cast<T*>(lines_.get());
   }
 
 private:
-  static constexpr std::size_t alignment = 64;
-  static constexpr std::size_t padding = 64;
-
-  struct Delete {
-    void
-    operator()(T* p) const
-    {
-      ::operator delete(p, std::align_val_t(alignment));
-    }
+  struct alignas(64) Line { // of a cache, and the longest vector
+    unsigned char bytes[64];
   };
 
-  std::unique_ptr<T, Delete> data_;
+  std::unique_ptr<Line[]> lines_;
   std::size_t capacity_ = 0;
 };
 
@@ -66,8 +50,14 @@ struct SimdScratch {
 
 SimdScratch& simdScratch();
 
-/** \brief Rows that move the lanes of set bits to the front, for 4 and 8 lanes. */
-extern const std::uint32_t compress_lanes_4[16][4];
-extern const std::uint32_t compress_lanes_8[256][8];
+/** \brief For each mask of lanes, which lanes to take to move those of set bits to the
+ * front. */
+template <std::size_t lanes>
+struct CompressLanes {
+  std::uint32_t rows[std::size_t{1} << lanes][lanes];
+};
+
+extern const CompressLanes<4> compress_lanes_4;
+extern const CompressLanes<8> compress_lanes_8;
 
 } // namespace pcl::kernels
