@@ -4,8 +4,8 @@
 
 #include "cli/app.h"
 #include "cli/atomic_file.h"
-#include "cli/errors.h"
 #include "cli/filter_app.h"
+#include "cli/pcl_errors.h"
 #include "detection/resolution.h"
 #include "io/pcd.h"
 #include "results/result_files.h"
@@ -86,8 +86,7 @@ findGrasps(Estimation& estimation, const CloudFile& file, const Arguments& argum
   estimation.setIndices(selectedPoints(file, *points, arguments));
   setViewPoint(estimation, file, arguments);
   Grasps grasps;
-  if (!estimation.compute(grasps))
-    throw InputError(file.path + ": refused for the reason given above");
+  withPclErrors(file.path, [&] { return estimation.compute(grasps); });
   return grasps;
 }
 
