@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include <pcl/features/neighborhood_sweep.h>
+#include <pcl/features/xyz_view.h>
 
 #include <cstdint>
 #include <vector>

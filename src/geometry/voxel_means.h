@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include <pcl/features/neighborhood_sweep.h>
+#include <pcl/features/xyz_view.h>
 
 #include <cstdint>
 #include <string>

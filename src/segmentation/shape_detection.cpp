@@ -55,7 +55,7 @@ ShapeDetectionSettings::problemOfMode(const char* of_paper,
   if (mode_ == PAPER)
     return of_default ? std::string(of_default) +
                             " is set, which belongs to DEFAULT mode: leave it out, or "
-                            "setMode(PAPER)"
+                            "call setMode(DEFAULT)"
                       : std::string();
   const char* const setting = radius_                    ? "a radius"
                               : normal_radius_           ? "a normal radius"

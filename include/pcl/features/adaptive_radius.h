@@ -9,7 +9,6 @@
 
 #pragma once
 
-#include <pcl/features/neighborhood_sweep.h>
 namespace pcl {
 
 /** \brief What the radius of a neighborhood is measured in: the setting that the

@@ -26,13 +26,14 @@ namespace pcl {
  * normals, of rotation and of translation. On a plane it is (0, 0).
  *
  * Without a search method the neighbors come from pcl::NeighborhoodSweep, which is much
- * faster than a tree; a method given with setSearchMethod() is used as it is, by
- * several threads at once: one that does not allow that needs setNumberOfThreads(1).
+ * faster than a tree; a method given with setSearchMethod() is used as it is, and
+ * several threads call it at once: use setNumberOfThreads(1) with a search that is not
+ * thread-safe.
  * Normals belong to the search surface (setSearchSurface(), else the input). NaN where
  * the point or its normal is not finite, or with fewer than five neighbors, or where
  * these lie on a line through the point or at one place; the output is then not dense.
  *
- * The radius is in metres, or as setRadiusMode() says (see AdaptiveRadius).
+ * The radius is in meters, or as setRadiusMode() says (see AdaptiveRadius).
  *
  * Bad settings (a null or empty cloud or search surface, one without a finite point,
  * normals of another number than the surface's points, an index out of range, both or

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <pcl/features/xyz_view.h>
 #include <pcl/pcl_shape_exports.h>
 
 #include <cstddef>
@@ -18,21 +19,6 @@
 namespace pcl {
 
 class SweepIndex;
-
-/** \brief Points (or normals) in memory: item i is the three floats at `first + i *
- * stride`. The view does not own them.
- */
-struct XYZView {
-  const float* first = nullptr;
-  std::size_t stride = 3; ///< in floats
-  std::size_t size = 0;
-
-  const float*
-  operator[](std::size_t i) const
-  {
-    return first + i * stride;
-  }
-};
 
 /** \brief The extent of a neighborhood: exactly one of the three is set. */
 struct NeighborhoodSize {

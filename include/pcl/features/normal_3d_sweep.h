@@ -21,8 +21,9 @@ namespace pcl {
  *
  * Same inputs, same results (normals within 1e-4 rad at the 99th percentile), but
  * without a search method the neighbors come from pcl::NeighborhoodSweep, which is much
- * faster than a tree; a method given with setSearchMethod() is used as it is, by
- * several threads at once: one that does not allow that needs setNumberOfThreads(1).
+ * faster than a tree; a method given with setSearchMethod() is used as it is, and
+ * several threads call it at once: use setNumberOfThreads(1) with a search that is not
+ * thread-safe.
  * Normals are flipped towards the viewpoint: the cloud's sensor origin, or
  * setViewPoint().
  *
@@ -30,7 +31,7 @@ namespace pcl {
  * with neighbors on a line or a point, has the normal NaN, and the output is then not
  * dense whatever the input says.
  *
- * The radius is in metres, or as setRadiusMode() says (see AdaptiveRadius).
+ * The radius is in meters, or as setRadiusMode() says (see AdaptiveRadius).
  *
  * Bad settings (a null or empty cloud or search surface, one without a finite point, an
  * index out of range, both or neither of radius and k, a radius that is not positive
@@ -59,7 +60,7 @@ public:
     threads_ = threads;
   }
 
-  /** \brief Flip the normals towards this point, metres, instead of the sensor origin.
+  /** \brief Flip the normals towards this point, meters, instead of the sensor origin.
    */
   void
   setViewPoint(float x, float y, float z)
@@ -68,7 +69,7 @@ public:
     use_sensor_origin_ = false;
   }
 
-  /** \brief The point that normals are flipped towards, metres. */
+  /** \brief The point that normals are flipped towards, meters. */
   void
   getViewPoint(float& x, float& y, float& z) const
   {

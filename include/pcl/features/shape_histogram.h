@@ -39,7 +39,8 @@ public:
                           double mu_range = default_range,
                           double sigma_range = default_range);
 
-  /** \brief Count one pair. NaN is not counted, a pair beyond the ranges as outside().
+  /** \brief Count one pair. NaN is ignored; a pair beyond the ranges counts as
+   * outside().
    */
   void add(const INAD& inad);
 

@@ -27,9 +27,9 @@ struct Edges {
  * votes agree on (see ShapeFieldEstimation). A model given with setModel() has two
  * classes, the first of which is the edge.
  *
- * PAPER mode: a point is an edge point as far as it is not planar at a small radius,
- * P(edge) = 1 - P(plane), and a model has one class, the plane; the paper's radii are
- * 15 mm for normals and 6 mm for INAD.
+ * PAPER mode: a point is an edge point to the degree that it is not planar at a small
+ * radius, P(edge) = 1 - P(plane), and a model has one class, the plane; the paper's
+ * radii are 15 mm for normals and 6 mm for INAD.
  *
  * The classes are {"edge", "planar"}; a point is an edge if its second likelihood is
  * below the threshold.

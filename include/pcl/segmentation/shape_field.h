@@ -9,8 +9,9 @@
 
 #pragma once
 
-#include <pcl/features/neighborhood_sweep.h>
+#include <pcl/features/xyz_view.h>
 #include <pcl/memory.h>
+#include <pcl/pcl_shape_exports.h>
 
 #include <Eigen/Core>
 
@@ -75,7 +76,7 @@ struct ShapeField {
   std::vector<std::vector<float>> likelihoods; ///< of every class; NaN unknown
 
   double resolution = 0.0; ///< meters, 0 for the cloud's own
-  /** \brief What the values were computed for, if that are not the points of the cloud:
+  /** \brief What the values were computed for, if these are not the cloud's own points:
    * the voxel means at the resolution, or the points of another search surface. */
   ConstPtr base;
   std::vector<std::int32_t>
@@ -89,10 +90,10 @@ struct ShapeField {
   }
 };
 
-/** \brief With which radius surfaces may curve to be told from planes by the default
- * model: 20 local spacings (of a ball 25), where that is the median. Larger ones are
- * planar. See ShapeFieldEstimation::setResolution(). \return meters, 0 if no spacing is
- * known \ingroup segmentation */
+/** \brief The largest radius of curvature at which the default model tells surfaces
+ * from planes: 20 local spacings (of a ball 25), where that is the median. See
+ * ShapeFieldEstimation::setResolution(). \return meters, 0 if no spacing is known
+ * \ingroup segmentation */
 PCL_SHAPE_EXPORTS float largestCurvedRadius(const ShapeField& field);
 
 } // namespace pcl

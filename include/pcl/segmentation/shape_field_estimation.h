@@ -74,7 +74,7 @@ public:
     return search_;
   }
 
-  /** \brief Normals of one's own: of the search surface (the input, if none is set), of
+  /** \brief Your own normals: of the search surface (the input, if none is set), of
    * any length but 0, instead of those estimated here. \param[in] normals a pointer to
    * a cloud of normals, null for none */
   template <typename NormalsPtr>
@@ -91,11 +91,11 @@ public:
 
   /** \brief Work as if no points were closer than this: the mean of the points in each
    * voxel of this size stands for them, and each point gets what the nearest mean gets.
-   * Neighborhoods follow the density, and surfaces that curve with more than 20 local
+   * Neighborhoods follow the density, and surfaces with a radius above 20 local
    * spacings are planar: in dense clouds this sets what is curved, a radius of up to
-   * about 40 times the resolution. It is also much faster, and bears noise larger than
-   * the distances between points.
-   * \param[in] meters between points; 0 (default) for the cloud's own */
+   * about 40 times the resolution. It is also much faster, and tolerates noise larger
+   * than the distances between points. \param[in] meters between points; 0 (default)
+   * for the cloud's own */
   void
   setResolution(double meters)
   {

@@ -23,7 +23,7 @@ namespace pcl {
 struct GroundParameters {
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ(); ///< roughly; of any length but 0
   float max_slope = 0.35f; ///< of the ground towards up, radians: 20 degrees
-  float max_step = 0.2f;   ///< that ground continues over, meters: a high kerb
+  float max_step = 0.2f;   ///< that ground continues over, meters: a high curb
   float threshold = 0.5f;  ///< the likelihood from which a point is ground
 };
 
@@ -31,7 +31,7 @@ struct GroundParameters {
  *
  * The lowest surface in each of a few thousand cells is back-projected to a plane by
  * the angles between its normal and its neighbors'. Level and planar ones that connect,
- * also over a kerb, are the ground; a point belongs to it if it lies on the ground of
+ * also over a curb, are the ground; a point belongs to it if it lies on the ground of
  * its cell or of one nearby. Cells follow the density: around a spinning laser they
  * grow with the range, elsewhere they are squares of some eight points. doc/ground.md
  * has the steps.
@@ -79,7 +79,7 @@ public:
     return parameters_.max_slope;
   }
 
-  /** \param[in] step the highest kerb that ground continues over, meters; 0.2 by
+  /** \param[in] step the highest curb that ground continues over, meters; 0.2 by
    * default. What stands out by more than half of it is not ground, whatever the noise.
    */
   void

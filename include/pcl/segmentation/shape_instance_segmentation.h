@@ -52,7 +52,8 @@ struct InstanceLimits {
 };
 
 /** \brief All instances of a kind of surface in one go, without saying how many there
- * are: all planar or curved parts, those of a class of an own model, or whole objects.
+ * are: all planar or curved parts, those of a class of your own model, or whole
+ * objects.
  *
  * A class: connected components of its likelihood (hysteresis: components of points
  * above a low threshold in which enough are above a high one), bounded by edges, steps
@@ -66,11 +67,10 @@ struct InstanceLimits {
  * class that the model does not have; thresholds that are not 0 <= low <= high <= 1; no
  * points wanted) are reported by PCL_ERROR and give empty outputs.
  *
- * While RANSAC runs in segment(), PCL's console is silent in the whole process, for
- * samples that it rejects are errors to PCL. Several may run at the same time; but what
- * other threads report meanwhile is not printed, and a verbosity level that they set is
- * lost.
- * \ingroup segmentation
+ * While RANSAC runs in segment(), PCL's console is silent in the whole process, because
+ * PCL logs rejected RANSAC samples as errors. Several may run at the same time; but
+ * what other threads report meanwhile is not printed, and a verbosity level that they
+ * set is lost. \ingroup segmentation
  */
 template <typename PointT>
 class ShapeInstanceSegmentation : public ShapeFieldUser<PointT> {
@@ -151,7 +151,7 @@ public:
    * \return false after an error message, for bad input or a bad setting */
   bool segment(std::vector<pcl::PointIndices>& instances);
 
-  /** \brief The instances with their properties; likewise. */
+  /** \brief The instances with their properties; false after an error. */
   bool segment(std::vector<ShapeInstance>& instances);
 
 private:

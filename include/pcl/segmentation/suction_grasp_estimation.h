@@ -56,7 +56,7 @@ struct SuctionGrasp {
   float sag_allowed = 0.0f;       ///< the cup's compliance, and what noise may add
   float residual = 0.0f;          ///< r.m.s. distance of the points from the surface
   float residual_allowed = 0.0f;
-  float margin = 0.0f; ///< beside the cup that must be free as well
+  float margin = 0.0f; ///< how far around the cup must be free as well
 
   std::uint32_t starts = 0;     ///< of the mean shift that ended here
   std::uint32_t iterations = 0; ///< of it
@@ -78,7 +78,7 @@ struct SuctionGrasp {
  * whether it seals there, and ranked.
  *
  * The target is the input, or the points of setIndices() in it; the other points are
- * what else is there: they hide, bound and obstruct the target. Surfaces are taken to
+ * its surroundings: they hide, bound and obstruct the target. Surfaces are taken to
  * face the viewpoint. The radii of the back-projection follow the cloud's density; the
  * radius of the cup is the only length.
  *

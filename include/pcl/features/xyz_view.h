@@ -1,0 +1,31 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include <cstddef>
+
+namespace pcl {
+
+/** \brief Points (or normals) in memory: item i is the three floats at `first + i *
+ * stride`. The view does not own them.
+ */
+struct XYZView {
+  const float* first = nullptr;
+  std::size_t stride = 3; ///< in floats
+  std::size_t size = 0;
+
+  const float*
+  operator[](std::size_t i) const
+  {
+    return first + i * stride;
+  }
+};
+
+} // namespace pcl
