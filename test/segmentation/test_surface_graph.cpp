@@ -3,6 +3,7 @@
 // Nodes of surfaces, the smooth pieces that they are linked to, and limits.
 
 #include "common/disjoint_sets.h"
+#include "instances/label_growth.h"
 #include "small_surfaces.h"
 
 #include <gtest/gtest.h>
