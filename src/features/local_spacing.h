@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/features/shape_model.h>
+#include <pcl/features/xyz_view.h>
 #include <pcl/types.h>
 
 #include <vector>
