@@ -33,7 +33,7 @@ SCENES = [
 ]
 SCENES += [(f"table{seed}", "other", f"-seed {seed} -width 160 -height 120 -normals -faces") for seed in range(6, 26)]
 SCENES += [(f"turn{turn}", "other", f"-turn {turn} -width 160 -height 120 -organized") for turn in (-90, 20, 180)]
-SCENES += [(shape, "other", f"-shapes {shape} -objects 12 -width 160 -height 120 -faces -noise none")
+SCENES += [(shape, "other", f"-shapes {shape} -objects 12 -width 160 -height 120 -noise none")
            for shape in ("box", "cylinder", "sphere", "bowl", "cone", "bowl,box")]
 SCENES += [(f"sampled{seed}", "other", f"-seed {seed} -sampling 0.01 -normals -faces") for seed in range(1, 9)]
 SCENES += [(f"street{seed}-{noise}", "other", f"-sensor lidar -beams 16 -seed {seed} -noise {noise} -normals")
@@ -57,8 +57,8 @@ CASES = [
     ("table", "surfaces-paper", "back_projection in.pcd out.pcd -mode paper -radius 0.02" + EVALUATE + "planar"),
     ("table", "models", "histogram in.pcd model.json -radius 0.02 -field surface -classes flat=1,round=2:0.5 "
      "-png map.png; histogram in.pcd model.json -radius 0.02 -field surface -value 3 -name crease; "
-     "back_projection in.pcd out.pcd -model model.json; histogram in.pcd flat.json -radius 0.02 -field surface -value 1; "
-     "edge_detection in.pcd edges.pcd -model flat.json"),
+     "back_projection in.pcd out.pcd -model model.json; histogram in.pcd flat.json -radius 0.02 -field surface "
+     "-value 1; edge_detection in.pcd edges.pcd -model flat.json"),
     ("table", "density-model", "histogram in.pcd model.json -radius 4 -normal_radius 3 -scale density -field surface "
      "-classes planar=1,curved=2 -smoothing 1 -floor 0.1; back_projection in.pcd out.pcd -model model.json; "
      "instances in.pcd instances.pcd -model model.json -class curved"),
@@ -98,7 +98,7 @@ __attribute__((weak)) std::vector<std::string> availableTargets();
 }
 __attribute__((constructor)) static void choose() {
   const char* const name = std::getenv("COMPARE_TARGET");
-  if (!name || !pcl::kernels::chooseTarget)
+  if (!pcl::kernels::chooseTarget) // an application without the engine
     return;
   if (*name)
     return pcl::kernels::chooseTarget(name);
@@ -116,9 +116,8 @@ def pcd_difference(old, new):
         return None
     (old_lines, old_columns), (new_lines, new_columns) = read_pcd(old), read_pcd(new)
     old_lines["FIELDS"] = " ".join(NEW_NAMES.get(name, name) for name in old_lines["FIELDS"].split())
-    for key, value in old_lines.items():
-        if new_lines[key] != value:
-            return f"{key} {value} | {new_lines[key]}"
+    if old_lines != new_lines:
+        return f"header {old_lines} | {new_lines}"
     points = int(old_lines["POINTS"])
     for name, values in old_columns.items():
         others = new_columns[NEW_NAMES.get(name, name)]
@@ -140,13 +139,14 @@ def without_times(value):
 
 
 def json_difference(old, new, place=""):
-    """Where two JSON values differ, or None; numbers are kept as they are written."""
+    """Where two JSON values differ, or None."""
+    pairs = []
     if isinstance(old, dict) and isinstance(new, dict) and old.keys() == new.keys():
         pairs = [(old[key], new[key], f"{place}/{key}") for key in old]
     elif isinstance(old, list) and isinstance(new, list) and len(old) == len(new):
         pairs = [(a, b, f"{place}/{i}") for i, (a, b) in enumerate(zip(old, new))]
-    else:
-        return None if old == new else f"{place}: {str(old)[:80]} | {str(new)[:80]}"
+    elif old != new:
+        return f"{place}: {str(old)[:80]} | {str(new)[:80]}"
     return next(filter(None, (json_difference(*pair) for pair in pairs)), None)
 
 
@@ -207,8 +207,8 @@ def jobs_of(arguments, work, targets):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("old", type=lambda text: pathlib.Path(text).resolve())
-    parser.add_argument("new", type=lambda text: pathlib.Path(text).resolve())
+    for side in ("old", "new"):
+        parser.add_argument(side, type=lambda text: pathlib.Path(text).resolve())
     parser.add_argument("-data", type=pathlib.Path)
     parser.add_argument("-targets", help="as avx2,portable: not all of this machine's")
     parser.add_argument("-only", default="", help="comparisons whose line has this regular expression")
@@ -219,7 +219,7 @@ def main():
     work = (arguments.keep or pathlib.Path(temporary.name)).resolve()
     work.mkdir(parents=True, exist_ok=True)
     library = work / "chooser.so"
-    subprocess.run(["g++", "-std=c++17", "-shared", "-fPIC", "-xc++", "-", "-o", library], check=True, input=CHOOSER.encode())
+    subprocess.run(["g++", "-shared", "-fPIC", "-xc++", "-", "-o", library], check=True, input=CHOOSER.encode())
     environment = {**os.environ, "LD_PRELOAD": str(library), "COMPARE_TARGET": ""}
     found = [subprocess.check_output([apps / "pcl_shape_edge_detection"], env=environment).decode().split()
              for apps in (arguments.old, arguments.new)]
