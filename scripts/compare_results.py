@@ -19,7 +19,7 @@ import sys
 import tempfile
 import time
 
-from pcd_fields import read_pcd
+from pcd_fields import pcd_difference
 
 # Scenes: name, kind, options of pcl_shape_scene. Those of the kind "other" are only generated, by both builds.
 SCENES = [
@@ -110,24 +110,6 @@ __attribute__((constructor)) static void choose() {
 """
 
 
-def pcd_difference(old, new):
-    """What differs between two point clouds, or None."""
-    if old.read_bytes() == new.read_bytes():
-        return None
-    (old_lines, old_columns), (new_lines, new_columns) = read_pcd(old), read_pcd(new)
-    old_lines["FIELDS"] = " ".join(NEW_NAMES.get(name, name) for name in old_lines["FIELDS"].split())
-    if old_lines != new_lines:
-        return f"header {old_lines} | {new_lines}"
-    points = int(old_lines["POINTS"])
-    for name, values in old_columns.items():
-        others = new_columns[NEW_NAMES.get(name, name)]
-        if values != others:
-            width = len(values) // points
-            different = [i for i in range(points) if values[i * width:][:width] != others[i * width:][:width]]
-            return f"field {name}: {len(different)} of {points} points, the first {different[0]}"
-    return None
-
-
 def without_times(value):
     """A JSON value with NEW's names, without what differs from run to run."""
     if isinstance(value, dict):
@@ -158,7 +140,7 @@ def difference(old, new):
     for name in names:
         a, b = old / name, new / name
         if name.endswith(".pcd"):
-            found = pcd_difference(a, b)
+            found = pcd_difference(a, b, NEW_NAMES)
         elif name.endswith(".json"):
             found = json_difference(*(without_times(json.loads(path.read_text(), parse_float=str)) for path in (a, b)))
         else:

@@ -57,3 +57,21 @@ def read_pcd(path):
         cells += count
         first += width
     return lines, columns
+
+
+def pcd_difference(old, new, names):
+    """What differs between two point clouds, or None; names are OLD's fields that NEW calls otherwise."""
+    if old.read_bytes() == new.read_bytes():
+        return None
+    (old_lines, old_columns), (new_lines, new_columns) = read_pcd(old), read_pcd(new)
+    old_lines["FIELDS"] = " ".join(names.get(name, name) for name in old_lines["FIELDS"].split())
+    if old_lines != new_lines:
+        return f"header {old_lines} | {new_lines}"
+    points = int(old_lines["POINTS"])
+    for name, values in old_columns.items():
+        others = new_columns[names.get(name, name)]
+        if values != others:
+            width = len(values) // points
+            different = [i for i in range(points) if values[i * width:][:width] != others[i * width:][:width]]
+            return f"field {name}: {len(different)} of {points} points, the first {different[0]}"
+    return None
