@@ -4,6 +4,7 @@
 
 #include "common/measure.h"
 #include "common/options.h"
+#include "keypoints/align.h"
 #include "keypoints/keypoints.h"
 #include "scene/scene.h"
 
@@ -12,7 +13,6 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-#include <align.h>
 #include <cmath>
 #include <iostream>
 #include <map>

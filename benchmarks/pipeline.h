@@ -56,6 +56,6 @@ countShapeNeighbors(const Pipeline& pipeline, const Cloud& cloud, unsigned threa
 
 /** \brief The most bytes a point that NormalEstimationSweep or INADEstimation has in
  * use beside the cloud that it returns. */
-double mostExtraBytes(const Pipeline& pipeline,
+double maxExtraBytes(const Pipeline& pipeline,
                       const Cloud::ConstPtr& cloud,
                       unsigned threads);
