@@ -24,17 +24,17 @@ emptyWorld()
   const double s = std::sqrt(0.5);
   world.camera = {
       320, 240, 262.5, {{{{1, 0, 0}, {0, -s, -s}, {0, s, -s}}}, {0, 0, 0.6}}};
-  world.table.centre = {0.0, 0.7, 0.0};
+  world.table.center = {0.0, 0.7, 0.0};
   world.table.half_length = world.table.half_width = 0.6;
   return world;
 }
 
 Solid
-box(const Vec3& centre, double length, double width, double height)
+box(const Vec3& center, double length, double width, double height)
 {
   Solid solid;
   solid.size = {length, width, height};
-  solid.pose.origin = centre;
+  solid.pose.origin = center;
   return solid;
 }
 

@@ -5,7 +5,7 @@
 #include "detection_scenes.h"
 #include "scene/creases.h"
 #include "scene/random_world.h"
-#include "scene/sensor.h"
+#include "scene/kinect_sensor.h"
 
 #include <gtest/gtest.h>
 

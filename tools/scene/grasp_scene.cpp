@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Groups of a target, something on it and something before it.
 
 #include "scene/grasp_scene.h"
 
-#include "scene/sensor.h"
+#include "scene/kinect_sensor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +15,7 @@ namespace {
 
 constexpr std::uint64_t placing_stream = 11;
 constexpr std::uint64_t noise_stream = 12;
-constexpr double least_cosine = 0.15; // a depth camera measures nothing flatter
-
-Point2
-randomHeading(Random& random)
-{
-  const UnitVector heading = fromTurns(random.uniform());
-  return {heading.cosine, heading.sine};
-}
+constexpr double min_cosine = 0.15; // a depth camera measures nothing flatter
 
 /** Mostly boxes and cylinders, which others can stand on; half of the boxes flat. */
 Body
@@ -57,8 +50,7 @@ randomRider(const Body& carrier, Random& random)
   const auto& axes = carrier.solid.pose.axes;
   const Vec3 offset = axes[0] * (0.2 * length * random.uniform(-1.0, 1.0)) +
                       axes[1] * (0.2 * width * random.uniform(-1.0, 1.0));
-  return moved(
-      rider, {carrier.centre.x + offset.x, carrier.centre.y + offset.y, carrier.high});
+  return moved(rider, carrier.topCenter() + offset);
 }
 
 /** A smaller object between the camera and the target, apart from it. */
@@ -68,11 +60,11 @@ randomOccluder(const Body& target, Random& random)
   const Shape kind = random.chance(0.5) ? Shape::Box : Shape::Cylinder;
   Body body = randomBody(kind, random.uniform(0.5, 0.9), randomHeading(random), random);
   const double sideways = random.uniform(-0.04, 0.04);
-  body = moved(body, {target.centre.x + sideways, target.centre.y, 0.0});
-  const Point2 to_camera{0.0, -1.0};
+  body = moved(body, target.center + Vec3{sideways, 0.0, 0.0});
+  const Vec3 to_camera{0.0, -1.0, 0.0};
   const double by = slideToContact(body.footprint, to_camera, target.footprint) +
                     random.uniform(0.005, 0.03);
-  return moved(body, {by * to_camera.x, by * to_camera.y, 0.0});
+  return moved(body, to_camera * by);
 }
 
 void
@@ -115,7 +107,7 @@ struct Meeting {
 Meeting
 meet(const Solid& solid, const Vec3& place, const Vec3& approach)
 {
-  constexpr double outside = 1.0; // metres; no object is as large
+  constexpr double outside = 1.0; // meters; no object is as large
   const Ray ray{place - approach * outside, approach};
   const Hit hit = intersect(solid, ray);
   return hit.found() ? Meeting{hit.face, ray.origin + ray.direction * hit.t, hit.normal}
@@ -149,11 +141,7 @@ storePoints(const View& view, const std::vector<double>& depth, GraspScene& scen
   for (std::size_t i = 0; i < depth.size(); ++i) {
     if (std::isnan(depth[i]) || view.sights[i].object == nothing)
       continue;
-    const Vec3 point = camera.direction(static_cast<unsigned>(i % camera.width),
-                                        static_cast<unsigned>(i / camera.width)) *
-                       depth[i];
-    for (const double value : {point.x, point.y, point.z})
-      scene.xyz.push_back(static_cast<float>(value));
+    append(camera.direction(i) * depth[i], scene.xyz);
     scene.object.push_back(view.sights[i].object);
     scene.face.push_back(view.sights[i].face);
   }
@@ -174,13 +162,13 @@ graspScene(const SceneOptions& options)
 
   View view = look(scene.world);
   std::vector<double> depth;
-  scene.observer = {{scene.world.camera.pose.origin}, least_cosine};
+  scene.observer = {{scene.world.camera.pose.origin}, min_cosine};
   if (options.noise == Noise::Kinect) {
     Random noise(options.seed, noise_stream);
     scene.observer = KinectSensor::observer(scene.world);
     const KinectSensor sensor(scene.world, view, noise);
-    view = sensor.view();
-    depth = sensor.depth();
+    view = sensor.view;
+    depth = sensor.depth;
   }
   else
     for (const Sight& sight : view.sights)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// xoshiro256**, normal deviates, and series for sine, cosine and logarithm.
 
 #include "scene/random.h"
 

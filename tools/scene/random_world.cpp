@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// A camera above a table, both a little askew, and objects in its view.
 
 #include "scene/random_world.h"
 
@@ -27,17 +27,11 @@ randomCamera(const SceneOptions& options, Random& random)
   return camera;
 }
 
-/** The middle of where objects may be. */
-Vec3
-middleOf(const Ground& ground)
-{
-  return {0.0, 0.5 * (ground.near + ground.far), 0.0};
-}
-
-/** Walk around a vertical line, looking at the same things. */
+/** Walk around the middle of where objects may be, looking at the same things. */
 void
-turnAround(const Vec3& middle, double degrees, Camera& camera)
+turnAround(const Ground& ground, double degrees, Camera& camera)
 {
+  const Vec3 middle{0.0, 0.5 * (ground.near + ground.far), 0.0};
   const UnitVector turn = fromTurns(degrees / 360.0);
   const auto turned = [&](const Vec3& v) {
     return Vec3{
@@ -57,7 +51,7 @@ randomTable(Random& random)
   table.across = {-turn.sine, turn.cosine, 0.0};
   table.half_length = random.uniform(0.46, 0.54);
   table.half_width = random.uniform(0.56, 0.68);
-  table.centre = {random.uniform(-0.06, 0.06), 0.15 + table.half_width, 0.0};
+  table.center = {random.uniform(-0.06, 0.06), 0.15 + table.half_width, 0.0};
   return table;
 }
 
@@ -73,7 +67,7 @@ randomWorld(const SceneOptions& options)
   result.world.table = randomTable(random);
   result.bodies = randomLayout(Ground{}, options.objects, options.shapes, random);
   if (options.turn != 0.0)
-    turnAround(middleOf(Ground{}), options.turn, result.world.camera);
+    turnAround(Ground{}, options.turn, result.world.camera);
   for (const auto& body : result.bodies)
     result.world.solids.push_back(body.solid);
   return result;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The primitives that scenes are made of, and rays that meet them.
 
 #pragma once
 
@@ -32,12 +32,14 @@ struct Solid {
 };
 
 struct Sphere {
-  Vec3 centre;
+  Vec3 center;
   double radius = 0.0;
 };
 
 /** \brief A sphere around the whole solid. */
 Sphere boundingSphere(const Solid& solid);
+
+std::vector<Sphere> boundingSpheres(const std::vector<Solid>& solids);
 
 /** \brief Where a bowl's rim is: radii of the inner and the outer circle at its height.
  */
@@ -73,7 +75,7 @@ struct FaceAt {
   Vec3 normal; /**< unit, outwards */
 };
 
-/** \brief The faces that a point lies on, within a tolerance in metres. */
+/** \brief The faces that a point lies on, within a tolerance in meters. */
 std::vector<FaceAt> facesAt(const Solid& solid, const Vec3& point, double tolerance);
 
 /** \brief True on the round faces, false on the flat ones. */

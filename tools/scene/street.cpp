@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Random streets: houses, cars, poles, hedges, boxes and people.
 
 #include "scene/street.h"
 
@@ -10,7 +10,7 @@ namespace pcl::scene {
 namespace {
 
 constexpr std::uint64_t street_stream = 11;
-constexpr double far_end = 120.0; // metres to the front and to the back
+constexpr double far_end = 120.0; // meters to the front and to the back
 
 /** Ranges as found in towns: kerbs of 8 to 16 cm, crowns of 1.5 to 3 %, grades to 6 %,
  * crests and sags with radii of 600 m and more, undulation of a few centimetres. */
@@ -88,15 +88,14 @@ public:
   {
     const double length = random_.uniform(3.8, 4.9), width = random_.uniform(1.7, 1.9);
     const double clearance = random_.uniform(0.15, 0.25);
-    const double bonnet = random_.uniform(0.8, 1.0), roof = random_.uniform(1.4, 1.9);
+    const double hood = random_.uniform(0.8, 1.0), roof = random_.uniform(1.4, 1.9);
     const Pose frame = street_.ground.standing(at);
     beginObject();
+    addBox(
+        frame, {0.0, 0.0, 0.5 * (clearance + hood)}, {length, width, hood - clearance});
     addBox(frame,
-           {0.0, 0.0, 0.5 * (clearance + bonnet)},
-           {length, width, bonnet - clearance});
-    addBox(frame,
-           {-0.08 * length, 0.0, 0.5 * (bonnet + roof)},
-           {0.55 * length, 0.88 * width, roof - bonnet});
+           {-0.08 * length, 0.0, 0.5 * (hood + roof)},
+           {0.55 * length, 0.88 * width, roof - hood});
     constexpr double wheel = 0.32, wheel_width = 0.2;
     for (const double end : {-0.31, 0.31})
       for (const double side : {-0.5 * width + 0.01, 0.5 * width - 0.01 - wheel_width})

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The height of a street at each place, and where rays meet it.
 
 #include "scene/street_ground.h"
 
@@ -11,8 +11,8 @@
 namespace pcl::scene {
 namespace {
 
-constexpr double pavement_fall = 0.02; // towards the road, per metre
-constexpr double search_step = 1.0;    // metres; far below the length of a wave
+constexpr double pavement_fall = 0.02; // towards the road, per meter
+constexpr double search_step = 1.0;    // meters; far below the length of a wave
 
 /** \brief The root of a falling function between two distances. */
 template <typename Function>
