@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Two views brought together by points of creases, and by other keypoints.
 
 #include "common/measure.h"
 #include "common/options.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The cost of a point among a hundred thousand and among ten million.
 
 #include "common/measure.h"
 #include "common/options.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Normals, INAD and likelihoods: time of PCL and of this library.
 
 #include "common/measure.h"
 #include "common/options.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Runs applications as processes, with their output in unnamed files.
 
 #include "app_process.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Output files appear as a whole or not at all, also when the process is killed.
 
 #include "app_test.h"
 #include "cli/atomic_file.h"

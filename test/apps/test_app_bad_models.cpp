@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Damaged and unsuitable model files are refused and stay as they are.
 
 #include "app_test.h"
 

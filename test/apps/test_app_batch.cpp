@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Directories of clouds give what single files give, and failures are counted.
 
 #include "app_test.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The applications in default mode: accuracy, edge types, models of several classes.
 
 // The applications without options, and the options that came with that.
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Scores of every task and convention against values counted by hand.
 
 #include "app_test.h"
 #include "cli/errors.h"

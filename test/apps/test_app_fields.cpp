@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Fields are added to clouds, replaced and read without loss.
 
 #include "app_test.h"
 #include "cli/errors.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// PLY and KITTI files read back as they were, and PCL agrees about PLY.
 
 #include "app_test.h"
 #include "cli/errors.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// pcl_shape_ground: its output, its options and what it refuses.
 
 // pcl_shape_ground, and the streets of pcl_shape_scene -sensor lidar.
 

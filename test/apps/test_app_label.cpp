@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// pcl_shape_label: labels, manifests, second runs and what it refuses.
 
 #include "app_test.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// pcl_shape_edge_detection -lines: what the file of creases has.
 
 // pcl_shape_edge_detection -lines
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// pcl_shape_evaluate -out: hits, misses and false alarms.
 
 // pcl_shape_evaluate -out
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Outputs that cannot be written are refused before anything is computed.
 
 #include "app_test.h"
 #include "io/pcd.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// PCD files in every encoding, against PCL's reader and writer, also damaged ones.
 
 #include "app_test.h"
 #include "cli/errors.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The applications on real scenes reach the accuracy that the documentation states.
 
 #include "app_test.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Model files read back as they were; damaged ones are refused.
 
 #include "support/errors.h"
 #include "support/temporary_directory.h"

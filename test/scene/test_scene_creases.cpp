@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Which creases count, and how far points are from them.
 
 #include "scene/creases.h"
 #include "scene/labels.h"
@@ -181,8 +181,9 @@ TEST(SceneCreases, SilhouettesAreVoidAndTheTablesBorderIsNot)
       }
       const bool border = u == 1 || view.sights[i + 1].object == nothing;
       if (border && right.object == table_index && left.object == table_index &&
-          view.sights[i - view.width].object != 1)
+          view.sights[i - view.width].object != 1) {
         ASSERT_FALSE(marks[i]);
+      }
     }
   EXPECT_GT(marked, 50U);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The noise and the gaps of the virtual depth camera.
 
 #include "scene/kinect_sensor.h"
 #include "scene/labels.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Creases, corners and open boundaries on exact shapes.
 
 #include "detection_scenes.h"
 #include "support/errors.h"

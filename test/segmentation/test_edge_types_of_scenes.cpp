@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Edge types in generated scenes against the true creases.
 
 #include "crease_truth.h"
 #include "detection_scenes.h"
-#include "scene/random_world.h"
 #include "scene/kinect_sensor.h"
+#include "scene/random_world.h"
 
 #include <gtest/gtest.h>
 

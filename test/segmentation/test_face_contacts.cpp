@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Faces of pieces, and convex and concave borders between them.
 
 #include "instances/face_contacts.h"
 #include "small_surfaces.h"

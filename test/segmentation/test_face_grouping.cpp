@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Faces become objects, and supports carry them.
 
 #include "instances/face_grouping.h"
 #include "small_surfaces.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The ground in generated streets, whatever the order, the tilt and the sensor's place.
 
 #include "ground_truth.h"
 #include "scene/lidar.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The ground in small constructed clouds, settings and bad input.
 
 #include "ground_truth.h"
 #include "support/errors.h"

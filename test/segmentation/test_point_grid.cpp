@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The grid of points against brute force, and the averaging of evidence.
 
 #include "geometry/point_grid.h"
 #include "support/shapes.h"
@@ -206,10 +206,12 @@ TEST_F(EvidenceAveraging, FourRoundsAreThoseInDouble)
       values = next;
     }
     for (std::size_t i = 0; i < surface.size(); ++i)
-      if (is_known[i])
+      if (is_known[i]) {
         EXPECT_NEAR(meanAt(i, values), static_cast<double>(found[2 * i + c]), 1e-5);
-      else
+      }
+      else {
         EXPECT_TRUE(std::isnan(found[2 * i + c]));
+      }
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Planes, spheres, cylinders and cones fitted to points with normals.
 
 #include "small_surfaces.h"
 

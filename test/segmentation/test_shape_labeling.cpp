@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Labels and confidence of one scene, settings and their refusal.
 
 #include "labeling_scenes.h"
 #include "support/errors.h"
@@ -61,8 +61,9 @@ TEST_F(OneScene, OneLabelAPointAndVoidBelowTheConfidence)
     ASSERT_LE(labels_.labels[i], edge);
     ASSERT_EQ(labels_.labels[i] != 0,
               labels_.confidence[i] >= static_cast<float>(detail::usual_confidence));
-    if (!isFinite((*cloud_)[i]))
+    if (!isFinite((*cloud_)[i])) {
       ASSERT_EQ(labels_.confidence[i], 0.0f);
+    }
   }
 }
 
@@ -72,8 +73,9 @@ TEST_F(OneScene, LessConfidenceKeepsTheSameAndMore)
   EXPECT_EQ(all.confidence, labels_.confidence);
   std::size_t more = 0;
   for (std::size_t i = 0; i < cloud_->size(); ++i) {
-    if (labels_.labels[i] != 0)
+    if (labels_.labels[i] != 0) {
       ASSERT_EQ(all.labels[i], labels_.labels[i]);
+    }
     more += all.labels[i] != 0 && labels_.labels[i] == 0 ? 1 : 0;
   }
   EXPECT_GT(more, 0u);

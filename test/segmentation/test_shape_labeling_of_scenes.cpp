@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Labels of generated scenes are right as often as their confidence says.
 
 #include "labeling_scenes.h"
 
@@ -93,8 +93,9 @@ TEST(ShapeLabeling, ConfidenceIsTheShareOfRightLabels)
   for (std::size_t bin = 0; bin < count.size(); ++bin) {
     ASSERT_GT(count[bin], 100);
     EXPECT_NEAR(right[bin] / count[bin], sum[bin] / count[bin], 0.15) << bin;
-    if (bin > 0)
+    if (bin > 0) {
       EXPECT_GT(right[bin] / count[bin], right[bin - 1] / count[bin - 1]);
+    }
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Grasps on exact surfaces: places, ranking, settings and their refusal.
 
 #include "grasp_surfaces.h"
 #include "support/errors.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Grasps in real scenes keep away from creases.
 
 #include <pcl/io/pcd_io.h>
 #include <pcl/segmentation/suction_grasp_estimation.h>

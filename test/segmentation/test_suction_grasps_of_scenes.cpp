@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Grasps in generated scenes are on one face of the target.
 
 #include "grasp_trials.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Where a cup seals and where it does not: holes, creases, obstacles, roughness.
 
 #include "grasp_surfaces.h"
 

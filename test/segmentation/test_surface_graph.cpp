@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Voxel nodes, and the smooth pieces that they connect to.
 
 #include "common/disjoint_sets.h"
 #include "small_surfaces.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Nodes go to the parts of a piece, and needless borders go.
 
 #include "instances/piece_splitting.h"
 #include "small_surfaces.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Pieces are described by primitives, or split.
 
 #include "instances/piece_splitting.h"
 #include "small_surfaces.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Lines, grasps, instances, normals and keys over a cloud.
 
 // Lines, instances, grasps, normals and keys over the points.
 

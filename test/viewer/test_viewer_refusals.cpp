@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// What the viewer refuses, with its messages.
 
 // What the viewer refuses. Nothing is drawn: these need no display.
 

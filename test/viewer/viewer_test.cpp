@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Runs the viewer under xvfb-run.
 
 #include "viewer_test.h"
 

@@ -23,7 +23,6 @@ public:
   : world_(world)
   , observer_(observer)
   , caster_(world)
-  , bounds_(boundingSpheres(world.solids))
   {}
 
   bool
@@ -35,9 +34,6 @@ public:
         return world_.table.contains(p);
       });
     for (std::size_t i = 0; i < world_.solids.size() && seen < 2; ++i) {
-      const double reach = bounds_[i].radius + contact_tolerance;
-      if (squaredNorm(point - bounds_[i].center) > reach * reach)
-        continue;
       const Solid& solid = world_.solids[i];
       for (const FaceAt& at : facesAt(solid, point, contact_tolerance))
         seen += seesBeside(point, tangent, at.normal, [&](const Vec3& p) {
@@ -68,7 +64,6 @@ private:
   const World& world_;
   const Observer& observer_;
   RayCaster caster_;
-  std::vector<Sphere> bounds_;
 };
 
 /** The parameter between a visible and a hidden one where visibility changes. */

@@ -76,16 +76,11 @@ Curve::bounds() const
 double
 Curve::distance(const Vec3& p) const
 {
-  if (round_)
-    return distanceToArc(p);
-  const Vec3 along = end_ - begin_;
-  const double nearest = dot(p - begin_, along) / squaredNorm(along);
-  return norm(p - point(std::clamp(nearest, from_, to_)));
-}
-
-double
-Curve::distanceToArc(const Vec3& p) const
-{
+  if (!round_) {
+    const Vec3 along = end_ - begin_;
+    const double nearest = dot(p - begin_, along) / squaredNorm(along);
+    return norm(p - point(std::clamp(nearest, from_, to_)));
+  }
   const Vec3 from_center = p - center_;
   const double x = dot(from_center, u_), y = dot(from_center, v_);
   const double rho = std::sqrt(x * x + y * y);

@@ -28,8 +28,7 @@ public:
   /** \brief Of the whole, in meters. */
   double length() const;
 
-  /** \brief The parameter of a point of the part, from 0 at its begin to 1 at its end.
-   */
+  /** \brief The parameter of a point of the part, 0 at its begin and 1 at its end. */
   double
   parameter(double fraction) const
   {
@@ -43,8 +42,6 @@ public:
   double distance(const Vec3& p) const;
 
 private:
-  double distanceToArc(const Vec3& p) const;
-
   bool round_ = false;
   double from_ = 0.0, to_ = 1.0;
   Vec3 begin_, end_;    // of a segment

@@ -67,27 +67,13 @@ randomOccluder(const Body& target, Random& random)
   return moved(body, to_camera * by);
 }
 
-void
-addGroup(double x, GraspScene& scene, Random& random)
-{
-  const Body target = moved(randomTarget(random), {x, random.uniform(0.62, 0.74), 0.0});
-  const std::optional<Body> rider = randomRider(target, random);
-  auto& solids = scene.world.solids;
-  solids.push_back(target.solid);
-  scene.targets.push_back(solids.size());
-  if (rider)
-    solids.push_back(rider->solid);
-  solids.push_back(randomOccluder(target, random).solid);
-}
-
 /** Visit points of a disc on a surface, in rings, the last of which is its rim. */
 template <typename Visit>
 bool
 allOfDisc(const Vec3& center, const Vec3& normal, double radius, const Visit& visit)
 {
   constexpr int rings = 4, sectors = 24;
-  const Vec3 aside = std::abs(normal.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-  const Vec3 u = normalized(cross(normal, aside)), v = cross(normal, u);
+  const auto [u, v] = perpendiculars(normal);
   for (int ring = 0; ring <= rings; ++ring)
     for (int s = 0; s < (ring == 0 ? 1 : sectors); ++s) {
       const UnitVector turn = fromTurns((s + 0.5 * (ring % 2)) / sectors);
@@ -99,19 +85,11 @@ allOfDisc(const Vec3& center, const Vec3& normal, double radius, const Visit& vi
 }
 
 /** Where a line along an approach meets a solid, whatever else is there. */
-struct Meeting {
-  int face = -1;
-  Vec3 point, normal;
-};
-
-Meeting
+Hit
 meet(const Solid& solid, const Vec3& place, const Vec3& approach)
 {
   constexpr double outside = 1.0; // meters; no object is as large
-  const Ray ray{place - approach * outside, approach};
-  const Hit hit = intersect(solid, ray);
-  return hit.found() ? Meeting{hit.face, ray.origin + ray.direction * hit.t, hit.normal}
-                     : Meeting{};
+  return intersect(solid, {place - approach * outside, approach});
 }
 
 /** True if no other object touches the point, or is above it. */
@@ -157,8 +135,17 @@ graspScene(const SceneOptions& options)
   GraspScene scene;
   scene.world = randomWorld(empty).world;
   Random placing(options.seed, placing_stream);
-  for (const double x : {-0.17, 0.17})
-    addGroup(x, scene, placing);
+  auto& solids = scene.world.solids;
+  for (const double x : {-0.17, 0.17}) {
+    const Body target =
+        moved(randomTarget(placing), {x, placing.uniform(0.62, 0.74), 0.0});
+    const std::optional<Body> rider = randomRider(target, placing);
+    solids.push_back(target.solid);
+    scene.targets.push_back(solids.size());
+    if (rider)
+      solids.push_back(rider->solid);
+    solids.push_back(randomOccluder(target, placing).solid);
+  }
 
   View view = look(scene.world);
   std::vector<double> depth;
@@ -188,7 +175,7 @@ isOnOneFace(const World& world,
   const Solid& solid = world.solids[object - 1];
   const int face = meet(solid, position, approach).face;
   return face >= 0 && allOfDisc(position, approach, radius, [&](const Vec3& place) {
-           const Meeting at = meet(solid, place, approach);
+           const Hit at = meet(solid, place, approach);
            return at.face == face &&
                   isFree(world, object, at.point, -approach, free_way);
          });
@@ -208,7 +195,7 @@ showsDisc(const GraspScene& scene, std::size_t object, double radius, double ste
       return false;
     tried.push_back(sight.point);
     return allOfDisc(sight.point, sight.normal, radius, [&](const Vec3& place) {
-      const Meeting at = meet(solid, place, -sight.normal);
+      const Hit at = meet(solid, place, -sight.normal);
       return at.face == sight.face && caster.seen(scene.observer, at.point, at.normal);
     });
   });

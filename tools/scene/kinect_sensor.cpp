@@ -13,27 +13,28 @@
 namespace pcl::scene {
 
 Field
-boxField(unsigned width, unsigned height, int box_width, int box_height, Random& random)
+boxField(std::size_t width,
+         std::size_t height,
+         std::size_t box_width,
+         std::size_t box_height,
+         Random& random)
 {
-  const std::size_t columns = width, rows = height;
-  const auto bw = static_cast<std::size_t>(box_width);
-  const auto bh = static_cast<std::size_t>(box_height);
-  const std::size_t padded = columns + bw - 1;
-  std::vector<double> white(padded * (rows + bh - 1));
+  const std::size_t padded = width + box_width - 1, rows = height + box_height - 1;
+  std::vector<double> white(padded * rows);
   for (auto& value : white)
     value = random.normal();
 
-  std::vector<double> summed(columns * (rows + bh - 1), 0.0);
-  for (std::size_t v = 0; v < rows + bh - 1; ++v)
-    for (std::size_t u = 0; u < columns; ++u)
-      for (std::size_t k = 0; k < bw; ++k)
-        summed[v * columns + u] += white[v * padded + u + k];
+  std::vector<double> summed(width * rows, 0.0);
+  for (std::size_t v = 0; v < rows; ++v)
+    for (std::size_t u = 0; u < width; ++u)
+      for (std::size_t k = 0; k < box_width; ++k)
+        summed[v * width + u] += white[v * padded + u + k];
 
-  const double scale = 1.0 / std::sqrt(static_cast<double>(bw * bh));
-  Field field(columns * rows, 0.0);
+  const double scale = 1.0 / std::sqrt(static_cast<double>(box_width * box_height));
+  Field field(width * height, 0.0);
   for (std::size_t i = 0; i < field.size(); ++i) {
-    for (std::size_t k = 0; k < bh; ++k)
-      field[i] += summed[i + k * columns];
+    for (std::size_t k = 0; k < box_height; ++k)
+      field[i] += summed[i + k * width];
     field[i] *= scale;
   }
   return field;

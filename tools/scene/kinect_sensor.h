@@ -14,11 +14,13 @@ using Field = std::vector<double>;
 
 /** \brief White noise averaged over a box: its correlation falls linearly to 0 at the
  * box's width and height. */
-Field boxField(
-    unsigned width, unsigned height, int box_width, int box_height, Random& random);
+Field boxField(std::size_t width,
+               std::size_t height,
+               std::size_t box_width,
+               std::size_t box_height,
+               Random& random);
 
-/** \brief Noise that varies over about `cell` pixels (interpolated from a coarse grid).
- */
+/** \brief Noise that varies over about `cell` pixels, interpolated from a grid. */
 Field gridField(unsigned width, unsigned height, double cell, Random& random);
 
 /** \brief What a structured-light camera of the Kinect's kind measures.

@@ -45,14 +45,12 @@ silhouettes(const World& world, const View& view)
     if (!meet(world.camera, view.sights[i], view.sights[j]))
       marks[i] = marks[j] = 1;
   };
-  for (std::size_t v = 0; v < view.height; ++v)
-    for (std::size_t u = 0; u < width; ++u) {
-      const std::size_t i = v * width + u;
-      if (u + 1 < width)
-        compare(i, i + 1);
-      if (v + 1 < view.height)
-        compare(i, i + width);
-    }
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    if ((i + 1) % width != 0)
+      compare(i, i + 1);
+    if (i + width < marks.size())
+      compare(i, i + width);
+  }
   return marks;
 }
 

@@ -28,53 +28,31 @@ struct Return {
   std::uint32_t ground, surface, instance;
 };
 
-class StreetCaster {
-public:
-  explicit StreetCaster(const Street& street)
-  : street_(street)
-  , world_(worldOf(street))
-  , solids_(world_)
-  {}
-
-  /** \brief Nothing if the ray is lost. \param[in] direction unit */
-  std::optional<Return>
-  cast(const Vec3& direction, double reach) const
-  {
-    const Sight sight = solids_.cast({{}, direction});
-    const double solid = sight.object == nothing ? reach : sight.depth;
-    if (const auto hit = street_.ground.cast(direction, std::min(solid, reach))) {
-      if (hit->distance > asphalt_reach)
-        return std::nullopt;
-      return Return{hit->distance,
-                    hit->normal,
-                    hit->kerb_face ? GroundVoid : GroundTrue,
-                    SurfacePlanar,
-                    0};
-    }
-    if (solid >= reach || solid < min_range)
+/** \brief Nothing if the ray is lost.
+ * \param[in] solids what stands in the street \param[in] direction unit */
+std::optional<Return>
+cast(const Street& street,
+     const World& solids,
+     const RayCaster& caster,
+     const Vec3& direction,
+     double reach)
+{
+  const Sight sight = caster.cast({{}, direction});
+  const double range = sight.object == nothing ? reach : sight.depth;
+  if (const auto hit = street.ground.cast(direction, std::min(range, reach))) {
+    if (hit->distance > asphalt_reach)
       return std::nullopt;
-    const auto index = static_cast<std::size_t>(sight.object - 1);
-    return Return{solid,
-                  sight.normal,
-                  GroundNot,
-                  isCurved(world_, sight) ? SurfaceCurved : SurfacePlanar,
-                  street_.instances[index]};
+    const std::uint32_t ground = hit->kerb_face ? GroundVoid : GroundTrue;
+    return Return{hit->distance, hit->normal, ground, SurfacePlanar, 0};
   }
-
-private:
-  static World
-  worldOf(const Street& street)
-  {
-    World world;
-    world.table.center.x = 1e9; // there is none
-    world.solids = street.solids;
-    return world;
-  }
-
-  const Street& street_;
-  World world_;
-  RayCaster solids_;
-};
+  if (range >= reach || range < min_range)
+    return std::nullopt;
+  return Return{range,
+                sight.normal,
+                GroundNot,
+                isCurved(solids, sight) ? SurfaceCurved : SurfacePlanar,
+                street.instances[static_cast<std::size_t>(sight.object - 1)]};
+}
 
 } // namespace
 
@@ -105,7 +83,10 @@ scanStreet(const LidarOptions& options)
   const unsigned columns = options.beams == 64 ? 2083 : 1800; // in a turn
   const double reach = options.beams == 64 ? 120.0 : 100.0;   // meters
   const Street street = randomStreet(options.seed);
-  const StreetCaster caster(street);
+  World solids;
+  solids.table.center.x = 1e9; // there is none
+  solids.solids = street.solids;
+  const RayCaster caster(solids);
   Random random(options.seed, scan_stream);
   LidarScan scan;
   scan.objects = street.objects;
@@ -116,7 +97,7 @@ scanStreet(const LidarOptions& options)
       const Vec3 direction{up.cosine * turn.cosine, up.cosine * turn.sine, up.sine};
       const bool lost = random.chance(drop_out_rate) && options.drop_outs;
       const double error = options.sigma * random.normal();
-      const auto found = caster.cast(direction, reach);
+      const auto found = cast(street, solids, caster, direction, reach);
       if (lost || !found)
         continue;
       append(direction * (found->range + error), scan.xyz);

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "scene/layout.h"
+#include "scene/body.h"
 #include "scene/scene.h"
 #include "scene/world.h"
 

@@ -76,18 +76,6 @@ depthOf(const View& view, const Camera& camera, double sigma, Random& random)
   return depth;
 }
 
-std::vector<char>
-silhouettesAndGaps(const World& world,
-                   const View& view,
-                   const std::vector<double>& depth)
-{
-  auto marks = silhouettes(world, view);
-  for (std::size_t i = 0; i < marks.size(); ++i)
-    if (view.sights[i].object != nothing && std::isnan(depth[i]))
-      marks[i] = 1;
-  return marks;
-}
-
 } // namespace
 
 void
@@ -136,14 +124,15 @@ generateScene(const SceneOptions& options)
   for (std::size_t i = 0; i < 3; ++i)
     scene.camera_axes[i] = toArray(world.camera.pose.axes[i]);
   storeGeometry(world.camera, view, depth, scene);
-  const double band = silhouette_band * options.width / 640.0;
+  std::vector<char> gaps = silhouettes(world, view);
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+    if (view.sights[i].object != nothing && std::isnan(depth[i]))
+      gaps[i] = 1;
+  const double band = std::max(1.0, silhouette_band * options.width / 640.0);
   label(world,
         view,
         Creases(world, observer),
-        dilated(silhouettesAndGaps(world, view, depth),
-                options.width,
-                options.height,
-                std::max(1.0, band)),
+        dilated(gaps, options.width, options.height, band),
         scene);
   return scene;
 }

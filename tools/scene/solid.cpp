@@ -23,10 +23,9 @@ localNormal(const Solid& solid, int face, const Vec3& p)
   const auto [a, b, c] = solid.size;
   switch (solid.shape) {
   case Shape::Box: {
-    const double side = face % 2 == 1 ? 1.0 : -1.0;
-    return {face / 2 == 0 ? side : 0.0,
-            face / 2 == 1 ? side : 0.0,
-            face / 2 == 2 ? side : 0.0};
+    Vec3 normal;
+    (face / 2 == 0 ? normal.x : face / 2 == 1 ? normal.y : normal.z) = face % 2 * 2 - 1;
+    return normal;
   }
   case Shape::Sphere:
     return p * (1.0 / a);
@@ -219,15 +218,6 @@ boundingSphere(const Solid& solid)
   return {};
 }
 
-std::vector<Sphere>
-boundingSpheres(const std::vector<Solid>& solids)
-{
-  std::vector<Sphere> spheres;
-  for (const Solid& solid : solids)
-    spheres.push_back(boundingSphere(solid));
-  return spheres;
-}
-
 std::vector<FaceAt>
 facesAt(const Solid& solid, const Vec3& point, double tolerance)
 {
@@ -316,7 +306,10 @@ intersect(const Solid& solid, const Ray& ray)
   if (nearest.face < 0)
     return {};
   const Vec3 normal = localNormal(solid, nearest.face, nearest.point);
-  return {nearest.t, nearest.face, solid.pose.directionToWorld(normal)};
+  return {nearest.t,
+          nearest.face,
+          ray.origin + ray.direction * nearest.t,
+          solid.pose.directionToWorld(normal)};
 }
 
 } // namespace pcl::scene

@@ -23,8 +23,7 @@ enum Face : int {
   BowlRim = 2
 };
 
-/** \brief A primitive in its place. See SceneObject for the meaning of size and pose.
- */
+/** \brief A primitive in its place. SceneObject tells what size and pose mean. */
 struct Solid {
   Shape shape = Shape::Box;
   std::array<double, 3> size{};
@@ -39,10 +38,7 @@ struct Sphere {
 /** \brief A sphere around the whole solid. */
 Sphere boundingSphere(const Solid& solid);
 
-std::vector<Sphere> boundingSpheres(const std::vector<Solid>& solids);
-
-/** \brief Where a bowl's rim is: radii of the inner and the outer circle at its height.
- */
+/** \brief A bowl's rim: radii of the inner and the outer circle at its height. */
 struct BowlOpening {
   double inner = 0.0, outer = 0.0;
 };
@@ -57,7 +53,8 @@ struct Ray {
 struct Hit {
   double t =
       std::numeric_limits<double>::infinity(); /**< in lengths of the direction */
-  int face = 0;
+  int face = -1;
+  Vec3 point;
   Vec3 normal; /**< unit, outwards */
 
   bool

@@ -53,6 +53,16 @@ public:
     add({Shape::Box, size, pose});
   }
 
+  /** \brief Along the street, its foot below a slope. */
+  void
+  addBlock(
+      const StreetPoint& at, double below, double length, double width, double height)
+  {
+    addBox(upright(at, below),
+           {0.0, 0.0, 0.5 * (below + height)},
+           {length, width, below + height});
+  }
+
   /** \brief Upright. */
   void
   addCylinder(const Pose& frame, double radius, double height)
@@ -74,7 +84,7 @@ public:
   Pose
   upright(const StreetPoint& at, double below) const
   {
-    const UnitVector heading = street_.ground.profile().heading;
+    const UnitVector heading = street_.ground.profile.heading;
     Pose pose;
     pose.axes = {Vec3{heading.cosine, -heading.sine, 0.0},
                  Vec3{heading.sine, heading.cosine, 0.0},
@@ -126,9 +136,7 @@ addHouses(Builder& builder, double side, double front, Random& random)
     const double back = random.chance(0.3) ? random.uniform(1.0, 4.0) : 0.0;
     const double middle = side * (front + back + 0.5 * depth);
     builder.beginObject();
-    builder.addBox(builder.upright({s + 0.5 * length, middle}, below),
-                   {0.0, 0.0, 0.5 * (below + height)},
-                   {length, depth, below + height});
+    builder.addBlock({s + 0.5 * length, middle}, below, length, depth, height);
     s += length + (random.chance(0.4) ? random.uniform(2.0, 12.0) : 0.0);
   }
 }
@@ -165,15 +173,12 @@ addSmallThings(Builder& builder, double side, double kerb, double front, Random&
     }
     else if (kind < 0.85) { // box, bin
       const double height = random.uniform(0.5, 1.3);
-      builder.addBox(builder.upright({s, across}, below),
-                     {0.0, 0.0, 0.5 * (below + height)},
-                     {random.uniform(0.4, 1.2), 0.6, below + height});
+      builder.addBlock({s, across}, below, random.uniform(0.4, 1.2), 0.6, height);
     }
     else { // hedge, before a house
       const double height = random.uniform(0.6, 1.8);
-      builder.addBox(builder.upright({s, side * (front - 0.3)}, below),
-                     {0.0, 0.0, 0.5 * (below + height)},
-                     {random.uniform(2.0, 6.0), 0.5, below + height});
+      const double length = random.uniform(2.0, 6.0);
+      builder.addBlock({s, side * (front - 0.3)}, below, length, 0.5, height);
     }
   }
 }

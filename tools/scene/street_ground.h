@@ -48,11 +48,7 @@ class StreetGround {
 public:
   explicit StreetGround(const StreetProfile& profile);
 
-  const StreetProfile&
-  profile() const
-  {
-    return profile_;
-  }
+  const StreetProfile profile;
 
   StreetPoint toStreet(double x, double y) const;
 
@@ -79,7 +75,6 @@ public:
 private:
   Vec3 normal(const StreetPoint& p, GroundZone zone) const;
 
-  StreetProfile profile_;
   double base_ = 0.0;
 };
 

@@ -20,15 +20,6 @@ constexpr double edge_spacings = 2.0;
 constexpr double crease_spacings = 4.0;
 constexpr double contact = 1e-7; // meters between surfaces that touch
 
-Vec3
-randomDirection(Random& random)
-{
-  const double z = random.uniform(-1.0, 1.0);
-  const UnitVector turn = fromTurns(random.uniform());
-  const double radius = std::sqrt(1.0 - z * z);
-  return {radius * turn.cosine, radius * turn.sine, z};
-}
-
 class Sampler {
 public:
   Sampler(const World& world, const SampleOptions& options)
@@ -36,7 +27,6 @@ public:
   , options_(options)
   , random_(options.seed, sampling_stream)
   , creases_(world, Observer{})
-  , bounds_(boundingSpheres(world.solids))
   , thin_places_(world)
   {}
 
@@ -62,11 +52,10 @@ private:
   Ray
   randomLine(double reach)
   {
-    const Vec3 direction = randomDirection(random_);
-    const Vec3 axis =
-        std::abs(direction.x) < 0.5 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
-    const Vec3 right = normalized(cross(direction, axis));
-    const Vec3 up = cross(direction, right);
+    const double z = random_.uniform(-1.0, 1.0), level = std::sqrt(1.0 - z * z);
+    const UnitVector heading = fromTurns(random_.uniform());
+    const Vec3 direction{level * heading.cosine, level * heading.sine, z};
+    const auto [right, up] = perpendiculars(direction);
     const double radius = reach * std::sqrt(random_.uniform());
     const UnitVector turn = fromTurns(random_.uniform());
     const Vec3 middle = world_.table.center + right * (radius * turn.cosine) +
@@ -77,39 +66,27 @@ private:
   void
   shoot(const Ray& line)
   {
-    Sight sight;
     if (line.direction.z < 0.0) {
-      sight.object = table_index;
-      sight.normal = {0.0, 0.0, 1.0};
-      sight.point = line.origin - line.direction * (line.origin.z / line.direction.z);
-      sight.point.z = 0.0;
-      if (world_.table.contains(sight.point))
-        store(sight);
+      const double t = line.origin.z / line.direction.z;
+      Vec3 point = line.origin - line.direction * t;
+      point.z = 0.0;
+      if (world_.table.contains(point))
+        store({table_index, 0, -t, point, {0.0, 0.0, 1.0}});
     }
     for (std::size_t i = 0; i < world_.solids.size(); ++i) {
       const Hit hit = intersect(world_.solids[i], line);
-      if (!hit.found())
-        continue;
-      sight.object = static_cast<int>(i) + 1;
-      sight.face = hit.face;
-      sight.normal = hit.normal;
-      sight.point = line.origin + line.direction * hit.t;
-      if (sight.point.z > contact)
-        store(sight);
+      if (hit.found() && hit.point.z > contact)
+        store({static_cast<int>(i) + 1, hit.face, hit.t, hit.point, hit.normal});
     }
   }
 
   bool
   touchesAnother(const Sight& sight) const
   {
-    for (std::size_t i = 0; i < world_.solids.size(); ++i) {
-      if (static_cast<int>(i) + 1 == sight.object)
-        continue;
-      const double reach = bounds_[i].radius + contact;
-      if (squaredNorm(sight.point - bounds_[i].center) < reach * reach &&
+    for (std::size_t i = 0; i < world_.solids.size(); ++i)
+      if (static_cast<int>(i) + 1 != sight.object &&
           !facesAt(world_.solids[i], sight.point, contact).empty())
         return true;
-    }
     return false;
   }
 
@@ -142,7 +119,6 @@ private:
   const SampleOptions& options_;
   Random random_;
   Creases creases_;
-  std::vector<Sphere> bounds_;
   ThinPlaces thin_places_;
   Scene scene_;
 };

@@ -70,6 +70,15 @@ normalized(const Vec3& a)
   return a * (1.0 / norm(a));
 }
 
+/** \brief Two unit vectors at right angles to a unit vector and to each other. */
+inline std::array<Vec3, 2>
+perpendiculars(const Vec3& a)
+{
+  const Vec3 aside = std::abs(a.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  const Vec3 first = normalized(cross(a, aside));
+  return {first, cross(a, first)};
+}
+
 /** \brief A level direction turned by 90 degrees to the left, seen from above. */
 inline Vec3
 leftOf(const Vec3& a)

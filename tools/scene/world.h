@@ -27,19 +27,14 @@ struct Camera {
   double focal = 0.0; /**< pixels */
   Pose pose;
 
-  /** \brief Camera-frame direction through a pixel's center, with z = 1. */
-  Vec3
-  direction(unsigned u, unsigned v) const
-  {
-    return {(u - 0.5 * (width - 1.0)) / focal, (v - 0.5 * (height - 1.0)) / focal, 1.0};
-  }
-
-  /** \brief The same through the pixels one after the other, row by row. */
+  /** \brief Camera-frame direction through a pixel's center, with z = 1. Pixels are
+   * counted row by row. */
   Vec3
   direction(std::size_t pixel) const
   {
-    return direction(static_cast<unsigned>(pixel % width),
-                     static_cast<unsigned>(pixel / width));
+    const auto u = static_cast<double>(pixel % width);
+    const auto v = static_cast<double>(pixel / width);
+    return {(u - 0.5 * (width - 1.0)) / focal, (v - 0.5 * (height - 1.0)) / focal, 1.0};
   }
 };
 
@@ -82,11 +77,8 @@ public:
   /** \brief The first thing that a ray meets; depth is in lengths of the direction. */
   Sight cast(const Ray& ray) const;
 
-  /** \brief True if a solid is between a position outside all solids and a point on a
-   * surface, or if that surface faces away there. */
-  bool hidden(const Vec3& from, const Vec3& point, const Vec3& normal) const;
-
-  /** \brief True if every eye of an observer sees a point on a surface. */
+  /** \brief True if every eye of an observer sees a point on a surface: it faces them,
+   * and no solid is between. */
   bool seen(const Observer& observer, const Vec3& point, const Vec3& normal) const;
 
 private:
