@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The parts of the pipelines one by one, by Google Benchmark.
 
 #include "common/clouds.h"
 #include "common/options.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Suction grasps on generated scenes, beside those at the target's centroid.
 
 #include "common/options.h"
 #include "grasps/grasp_poses.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The ground in generated streets, beside RANSAC and a morphological filter.
 
 #include "common/measure.h"
 #include "ground/methods.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Instances that are found, beside what PCL offers for it.
 
 #include "common/measure.h"
 #include "common/options.h"

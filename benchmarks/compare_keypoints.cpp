@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Two views brought together by points of creases, and by other keypoints.
 
 #include "common/measure.h"
 #include "common/options.h"
+#include "keypoints/align.h"
 #include "keypoints/keypoints.h"
 #include "scene/scene.h"
 
@@ -12,7 +13,6 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-#include <align.h>
 #include <cmath>
 #include <iostream>
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Edges and curved surfaces, beside the paper's method and others.
 
 #include "common/options.h"
 #include "peers/peer.h"

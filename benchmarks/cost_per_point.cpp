@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The cost of a point among a hundred thousand and among ten million.
 
 #include "common/measure.h"
 #include "common/options.h"
@@ -32,7 +32,7 @@ measure(Size& size, const Pipeline& pipeline, unsigned threads)
   size.points = cloud->size();
   const auto points = static_cast<double>(size.points);
   if (size.ns.empty()) {
-    size.extra_bytes = mostExtraBytes(pipeline, cloud, threads);
+    size.extra_bytes = maxExtraBytes(pipeline, cloud, threads);
     size.neighbors =
         static_cast<double>(countShapeNeighbors(pipeline, *cloud, threads)) / points;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Search and INAD of the k nearest points for many k, beside PCL's tree.
 
 #include "common/clouds.h"
 #include "common/measure.h"

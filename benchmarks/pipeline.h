@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The pipeline from points to likelihoods, by PCL and by this library.
 
 #pragma once
 
@@ -56,6 +56,5 @@ countShapeNeighbors(const Pipeline& pipeline, const Cloud& cloud, unsigned threa
 
 /** \brief The most bytes a point that NormalEstimationSweep or INADEstimation has in
  * use beside the cloud that it returns. */
-double mostExtraBytes(const Pipeline& pipeline,
-                      const Cloud::ConstPtr& cloud,
-                      unsigned threads);
+double
+maxExtraBytes(const Pipeline& pipeline, const Cloud::ConstPtr& cloud, unsigned threads);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The pipeline as a user of PCL writes it.
 
 #include "common/pcl_inad.h"
 #include "pipeline.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The pipeline with this library, its neighbors and its memory.
 
-#include "common/heap_counter.h"
 #include "common/pcl_inad.h"
 #include "pipeline.h"
+#include "support/heap_count.h"
 
 #include <pcl/features/inad.h>
 #include <pcl/features/neighborhood_sweep.h>
@@ -120,19 +120,13 @@ countShapeNeighbors(const Pipeline& pipeline, const Cloud& cloud, unsigned threa
 }
 
 double
-mostExtraBytes(const Pipeline& pipeline, const Cloud::ConstPtr& cloud, unsigned threads)
+maxExtraBytes(const Pipeline& pipeline, const Cloud::ConstPtr& cloud, unsigned threads)
 {
-  double most = 0.0, of_normals = 0.0;
-  startCountingHeap();
+  std::ptrdiff_t bytes = 0;
   runEstimations(pipeline, cloud, threads, [&](auto& estimation, auto& output) {
-    takeHeapPeak();
+    const pcl::test::HeapCount count; // not of the output: Eigen allocates that
     estimation.compute(output);
-    const auto peak = static_cast<double>(takeHeapPeak());
-    const auto returned = static_cast<double>(output.size() * sizeof(output[0]));
-    most = std::max(most, peak - of_normals - returned);
-    if constexpr (std::is_same_v<std::decay_t<decltype(output)>, Normals>)
-      of_normals = returned;
+    bytes = std::max(bytes, count.peak());
   });
-  stopCountingHeap();
-  return most / static_cast<double>(cloud->size());
+  return static_cast<double>(bytes) / static_cast<double>(cloud->size());
 }

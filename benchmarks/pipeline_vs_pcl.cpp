@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Normals, INAD and likelihoods: time of PCL and of this library.
 
 #include "common/measure.h"
 #include "common/options.h"
@@ -86,7 +86,7 @@ run(int argc, char** argv)
   const Pipeline pipeline = Pipeline::of(settings.task, settings.scale);
   const Cloud::ConstPtr cloud = finiteCloudOf(settings);
   // First, to count the buffers that threads keep as well.
-  const double extra_bytes = mostExtraBytes(pipeline, cloud, settings.threads);
+  const double extra_bytes = maxExtraBytes(pipeline, cloud, settings.threads);
   PipelineResult theirs, ours;
   const Times times = measure(settings, pipeline, cloud, theirs, ours);
   splitINAD(ours);

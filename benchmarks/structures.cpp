@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Radius search and INAD over the search structures that exist.
 
 #include "common/clouds.h"
 #include "common/measure.h"

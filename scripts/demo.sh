@@ -1,33 +1,44 @@
 #!/usr/bin/env bash
-# Install what is needed (Debian 12), build the applications, make a table scene, find
-# its planar, curved and edge points, and compare them with the scene's truth.
+# Build what the demonstration needs (Debian 12), make a table scene, find its planar,
+# curved and edge points, and compare them with the scene's truth.
 # Usage: scripts/demo.sh [seed]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 seed=${1:-1}
 build=build/demo
+programs=(scene back_projection edge_detection evaluate)
 
-scripts/install_packages.sh
+# Ninja's lines over each other, as on a terminal.
+progress() {
+  if [[ -t 1 ]]; then
+    awk '{ printf "\r\033[K%.78s", $0; fflush() } END { printf "\r\033[K" }'
+  else
+    cat >/dev/null
+  fi
+}
+
 mkdir -p $build
-echo "Building (log: $build/build.log) ..."
+scripts/install_packages.sh $build/packages.log
+echo "Building (log: $build/build.log)"
 if ! {
   cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DPCL_SHAPE_BUILD_TESTS=OFF \
-    -DPCL_SHAPE_BUILD_BENCHMARKS=OFF -DPCL_SHAPE_BUILD_EXAMPLES=OFF &&
-    cmake --build $build
-} >$build/build.log 2>&1; then
-  tail -n 40 $build/build.log >&2
+    -DPCL_SHAPE_BUILD_BENCHMARKS=OFF -DPCL_SHAPE_BUILD_EXAMPLES=OFF \
+    -DPCL_SHAPE_WITH_VISUALIZATION=OFF &&
+    NINJA_STATUS='[%f/%t] ' cmake --build $build --target "${programs[@]/#/pcl_shape_}"
+} 2>&1 | tee $build/build.log | progress; then
+  grep -A 20 -m 1 -E '^FAILED|CMake Error' $build/build.log >&2 || tail -n 20 $build/build.log >&2
   exit 1
 fi
 
-apps=$build/apps
+app=$build/apps/pcl_shape
 scene=$build/scene.pcd
-$apps/pcl_shape_scene $scene -seed "$seed"
-$apps/pcl_shape_back_projection $scene $build/surfaces.pcd
-$apps/pcl_shape_edge_detection $scene $build/edges.pcd
+${app}_scene $scene -seed "$seed"
+${app}_back_projection $scene $build/surfaces.pcd
+${app}_edge_detection $scene $build/edges.pcd
 
 echo
 echo "Planar and curved points against the truth:"
-$apps/pcl_shape_evaluate $build/surfaces.pcd $scene -task planar
+${app}_evaluate $build/surfaces.pcd $scene -task planar
 echo
 echo "Edge points against the truth:"
-$apps/pcl_shape_evaluate $build/edges.pcd $scene -task edge
+${app}_evaluate $build/edges.pcd $scene -task edge

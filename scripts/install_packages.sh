@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
 # Install the Debian packages of packages.txt that are missing.
+# Usage: scripts/install_packages.sh [LOG]
+# With LOG what apt-get says goes to that file, and is shown if it fails.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -14,7 +16,14 @@ sudo=()
 if [[ $(id -u) -ne 0 ]]; then
   sudo=(sudo)
 fi
-export DEBIAN_FRONTEND=noninteractive
-"${sudo[@]}" apt-get -q update
-"${sudo[@]}" env DEBIAN_FRONTEND=noninteractive \
-  apt-get -q -y --no-install-recommends install "${missing[@]}"
+install() {
+  "${sudo[@]}" apt-get -q update &&
+    "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive \
+      apt-get -q -y --no-install-recommends install "${missing[@]}"
+}
+if [[ $# -eq 0 ]]; then
+  install
+else
+  echo "Installing ${#missing[@]} packages (log: $1)"
+  install >"$1" 2>&1 || { tail -n 20 "$1" >&2; exit 1; }
+fi

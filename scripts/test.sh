@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# Install what is needed (Debian 12), build everything with warnings as errors, run all
-# tests. Real scenes are tested if PCL_SHAPE_TEST_DATA names their directory.
+# Install what is needed (Debian 12), check who includes whom, build everything with
+# warnings as errors, run all tests. Real scenes are tested if PCL_SHAPE_TEST_DATA names
+# their directory.
 # Usage: scripts/test.sh [build directory]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=${1:-build/test}
 
 scripts/install_packages.sh
+scripts/check_includes.py
 options=(-DCMAKE_BUILD_TYPE=Release -DPCL_SHAPE_WERROR=ON
          "-DPCL_SHAPE_TEST_DATA=${PCL_SHAPE_TEST_DATA:-}")
 if command -v ccache >/dev/null; then

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Fits the confidence of labels to generated scenes, see src/labels/label_weights.h.
 
 #include "labels/label_evidence.h"
 #include "scene/scene.h"
@@ -18,9 +18,8 @@
 #include <tuple>
 #include <vector>
 
-// Fits the confidence of labels to generated scenes by logistic regression, and writes
-// src/labels/label_weights.h to standard output. Seeds from 400001 on are used
-// for nothing else. How well the confidence then fits goes to standard error.
+// Logistic regression. The weights go to standard output, how well the confidence then
+// fits to standard error. Seeds from 400001 on are used for nothing else.
 namespace {
 
 using namespace pcl;
@@ -99,9 +98,9 @@ Terms
 fit(const Examples& examples, const Terms& allowed)
 {
   constexpr double ridge = 1e-4;
-  constexpr int most_steps = 50;
+  constexpr int max_steps = 50;
   Terms weights = Terms::Zero();
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     Terms gradient = Terms::Zero();
     Eigen::Matrix<double, terms, terms> hessian;
     hessian.setZero();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// PCL's region growing, and its planes and cylinders by RANSAC.
 
 #include "pcl_regions.h"
 

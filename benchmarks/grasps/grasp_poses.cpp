@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The grasp at the centroid of a target, and whether a cup is on one face.
 
 #include "grasp_poses.h"
 

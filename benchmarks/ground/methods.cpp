@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// This library's ground, RANSAC's plane and PCL's morphological filter.
 
 #include "methods.h"
 

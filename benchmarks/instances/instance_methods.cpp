@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// This library's instances, RANSAC's primitives, region growing and clusters.
 
 #include "instance_methods.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Curved and planar points by region growing and by RANSAC.
 
 #include "../common/pcl_regions.h"
 #include "local_features.h"

@@ -99,10 +99,12 @@ TEST_F(Results, TheEdgeOfAFoldIsFound)
   const auto z = floatsOf(cloud, "z");
   for (std::size_t i = 0; i < edge.size(); ++i) {
     const float distance = std::max(-x[i], z[i] - 1.0f);
-    if (distance < 0.004f)
+    if (distance < 0.004f) {
       EXPECT_EQ(edge[i], 1u) << "on the fold, point " << i;
-    if (distance > 0.026f)
+    }
+    if (distance > 0.026f) {
       EXPECT_EQ(edge[i], 0u) << "away from it, point " << i;
+    }
   }
   const auto found = std::count(edge.begin(), edge.end(), 1u);
   EXPECT_EQ(json()["counts"]["edge"], found);

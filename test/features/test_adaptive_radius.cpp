@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Radii that grow with depth or density, and the default models.
 
 #include "features/local_spacing.h"
 #include "support/clouds.h"

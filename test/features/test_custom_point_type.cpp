@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Everything works with a point type that the library is not compiled for.
 
 // Point types that the library is not compiled for.
 #define PCL_NO_PRECOMPILE

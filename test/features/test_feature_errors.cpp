@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Bad settings and clouds of the features are refused with a message.
 
 #include "support/clouds.h"
 #include "support/errors.h"

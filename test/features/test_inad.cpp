@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// INADEstimation gives what the sweep gives, whatever the cloud and its indices.
 
 #include "support/clouds.h"
 #include "support/differences.h"

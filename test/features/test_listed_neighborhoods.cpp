@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Neighborhoods from lists: indices and bad input.
 
 #include "features/listed_neighborhoods.h"
 #include "support/shapes.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// A search method that is set gives the neighbors, and the results stay the same.
 
 #include "support/clouds.h"
 #include "support/counting_search.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Estimations and detectors that share an index sort the cloud once.
 
 // An index that a class is given is the one that it uses: a class that lost it on the
 // way would give the same results, but sort elsewhere.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Scans of generated streets: beams, truth, noise and bad options.
 
 #include "scene/lidar.h"
 #include "scene/street.h"
@@ -100,7 +100,7 @@ TEST(Lidar, TruthIsWhatTheRayMet)
       }
       else if (scan.ground[i] == GroundVoid) {
         ++kerbs;
-        ASSERT_NEAR(std::abs(at.t), street.ground.profile().half_width, 1e-3);
+        ASSERT_NEAR(std::abs(at.t), street.ground.profile.half_width, 1e-3);
         ASSERT_EQ(scan.normals[3 * i + 2], 0.0F);
       }
       else {
@@ -121,12 +121,12 @@ TEST(Lidar, TruthIsWhatTheRayMet)
 
 TEST(Lidar, StreetsHaveKerbsSlopesAndThings)
 {
-  double least_grade = 1.0, most_grade = -1.0;
+  double min_grade = 1.0, max_grade = -1.0;
   for (std::uint64_t seed = 50; seed < 80; ++seed) {
     const Street street = randomStreet(seed);
-    const StreetProfile& profile = street.ground.profile();
-    least_grade = std::min(least_grade, profile.grade);
-    most_grade = std::max(most_grade, profile.grade);
+    const StreetProfile& profile = street.ground.profile;
+    min_grade = std::min(min_grade, profile.grade);
+    max_grade = std::max(max_grade, profile.grade);
     const double edge = profile.half_width;
     const double step =
         street.ground.height({3.0, edge + 1e-9}) - street.ground.height({3.0, edge});
@@ -135,8 +135,8 @@ TEST(Lidar, StreetsHaveKerbsSlopesAndThings)
     const StreetPoint below = street.ground.toStreet(0.0, 0.0);
     EXPECT_NEAR(street.ground.height(below), -profile.height, 1e-9);
   }
-  EXPECT_LT(least_grade, -0.02);
-  EXPECT_GT(most_grade, 0.02);
+  EXPECT_LT(min_grade, -0.02);
+  EXPECT_GT(max_grade, 0.02);
 }
 
 TEST(Lidar, NoiseIsAlongTheRay)
@@ -172,10 +172,10 @@ TEST(Lidar, RefusesBadOptions)
 {
   LidarOptions options;
   options.beams = 32;
-  EXPECT_EQ(refusal(options), "beams is 32, allowed is 16 or 64");
+  EXPECT_EQ(refusal(options), "beams must be 16 or 64, not 32");
   options = {};
   for (const double sigma : {-0.001, 0.2, std::nan("")}) {
     options.sigma = sigma;
-    EXPECT_NE(refusal(options).find("allowed is 0 to 0.1 m"), std::string::npos);
+    EXPECT_NE(refusal(options).find("must be 0 to 0.1 m, not "), std::string::npos);
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Generated scenes: seeds, labels, objects, views and bad options.
 
 #include "scene/scene.h"
 
@@ -158,8 +158,9 @@ TEST(Scene, LabelsFollowTheConventions)
           scene.surface[i] == SurfacePlanar || scene.surface[i] == SurfaceCurved;
       ASSERT_EQ(scene.edge[i] == EdgeNot, labelled);
       ASSERT_LE(scene.instance[i], scene.objects.size());
-      if (scene.instance[i] == 0)
+      if (scene.instance[i] == 0) {
         ASSERT_NE(scene.surface[i], SurfaceCurved);
+      }
     }
   }
 }
@@ -222,21 +223,20 @@ TEST(Scene, RefusesBadOptions)
 {
   SceneOptions options;
   options.objects = 31;
-  EXPECT_EQ(refusal(options), "objects is 31, allowed is 0 to 30");
+  EXPECT_EQ(refusal(options), "objects must be 0 to 30, not 31");
   options = {};
   options.width = 15;
-  EXPECT_EQ(refusal(options), "width is 15, allowed is 16 to 4096 pixels");
+  EXPECT_EQ(refusal(options), "width must be 16 to 4096 pixels, not 15");
   options = {};
   options.height = 5000;
-  EXPECT_EQ(refusal(options), "height is 5000, allowed is 16 to 4096 pixels");
+  EXPECT_EQ(refusal(options), "height must be 16 to 4096 pixels, not 5000");
   options = {};
   options.turn = 180.5;
-  EXPECT_EQ(refusal(options), "turn is 180.5, allowed is -180 to 180 degrees");
+  EXPECT_EQ(refusal(options), "turn must be -180 to 180 degrees, not 180.5");
   options = {};
   options.noise = Noise::White;
   for (const double sigma : {-0.001, 0.2, std::nan(""), HUGE_VAL}) {
     options.white_sigma = sigma;
-    EXPECT_TRUE(contains(refusal(options), "white_sigma is "));
-    EXPECT_TRUE(contains(refusal(options), "allowed is 0 to 0.1 m"));
+    EXPECT_TRUE(contains(refusal(options), "white_sigma must be 0 to 0.1 m, not "));
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Which creases count, and how far points are from them.
 
 #include "scene/creases.h"
 #include "scene/labels.h"
@@ -24,17 +24,17 @@ emptyWorld()
   const double s = std::sqrt(0.5);
   world.camera = {
       320, 240, 262.5, {{{{1, 0, 0}, {0, -s, -s}, {0, s, -s}}}, {0, 0, 0.6}}};
-  world.table.centre = {0.0, 0.7, 0.0};
+  world.table.center = {0.0, 0.7, 0.0};
   world.table.half_length = world.table.half_width = 0.6;
   return world;
 }
 
 Solid
-box(const Vec3& centre, double length, double width, double height)
+box(const Vec3& center, double length, double width, double height)
 {
   Solid solid;
   solid.size = {length, width, height};
-  solid.pose.origin = centre;
+  solid.pose.origin = center;
   return solid;
 }
 
@@ -181,8 +181,9 @@ TEST(SceneCreases, SilhouettesAreVoidAndTheTablesBorderIsNot)
       }
       const bool border = u == 1 || view.sights[i + 1].object == nothing;
       if (border && right.object == table_index && left.object == table_index &&
-          view.sights[i - view.width].object != 1)
+          view.sights[i - view.width].object != 1) {
         ASSERT_FALSE(marks[i]);
+      }
     }
   EXPECT_GT(marked, 50U);
 }

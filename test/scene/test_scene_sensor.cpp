@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The noise and the gaps of the virtual depth camera.
 
+#include "scene/kinect_sensor.h"
 #include "scene/labels.h"
 #include "scene/scene.h"
-#include "scene/sensor.h"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ measureTable(std::uint64_t seed)
   Measured measured{usualTable(), {}, {}};
   measured.exact = look(measured.world);
   Random random(seed, 1);
-  measured.depth = KinectSensor(measured.world, measured.exact, random).depth();
+  measured.depth = KinectSensor(measured.world, measured.exact, random).depth;
   return measured;
 }
 
@@ -165,7 +165,7 @@ TEST(SceneSensor, PortableFunctions)
 TEST(SceneSensor, ShadowsLieBesideObjects)
 {
   World world = usualTable();
-  world.table.centre.y = 0.7;
+  world.table.center.y = 0.7;
   world.table.half_length = world.table.half_width = 0.6;
   Solid box;
   box.size = {0.1, 0.1, 0.2};
@@ -177,7 +177,7 @@ TEST(SceneSensor, ShadowsLieBesideObjects)
   const auto beside = dilated(silhouettes(world, exact), 640, 480, 30.0);
   std::size_t missing = 0, missing_elsewhere = 0, left = 0;
   for (std::size_t i = 0; i < exact.sights.size(); ++i)
-    if (exact.sights[i].object != nothing && std::isnan(sensor.depth()[i])) {
+    if (exact.sights[i].object != nothing && std::isnan(sensor.depth[i])) {
       ++missing;
       missing_elsewhere += !beside[i];
       left += i % 640 < 320;
@@ -199,7 +199,7 @@ TEST(SceneSensor, GrazingSurfacesAreNotMeasured)
     const Sight& sight = exact.sights[i];
     if (sight.object == nothing)
       continue;
-    const bool measured = !std::isnan(sensor.depth()[i]);
+    const bool measured = !std::isnan(sensor.depth[i]);
     const double cosine =
         dot(normalized(world.camera.pose.origin - sight.point), sight.normal);
     if (cosine < 0.05) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Points sampled all over surfaces: density, labels and noise.
 
 #include "scene/random_world.h"
 #include "scene/surface_samples.h"
@@ -90,10 +90,12 @@ TEST(SurfaceSamples, LabelsFollowTheSpacing)
   ASSERT_EQ(3 * scene.surface.size(), scene.xyz.size());
   for (std::size_t i = 0; i < scene.surface.size(); ++i) {
     const double spacings = scene.crease_mm[i] / (1000.0 * options.spacing);
-    if (std::abs(spacings - 2.0) > 1e-3)
+    if (std::abs(spacings - 2.0) > 1e-3) {
       ASSERT_EQ(spacings < 2.0, scene.edge[i] == EdgeCrease) << i;
-    if (std::abs(spacings - 4.0) > 1e-3)
+    }
+    if (std::abs(spacings - 4.0) > 1e-3) {
       ASSERT_EQ(spacings < 4.0, scene.surface[i] == SurfaceCrease) << i;
+    }
   }
   for (const auto value : {SurfacePlanar, SurfaceCurved, SurfaceCrease})
     EXPECT_GT(std::count(scene.surface.begin(), scene.surface.end(), value), 100);
@@ -114,8 +116,9 @@ TEST(SurfaceSamples, ExactOrWithWhiteNoise)
   EXPECT_NEAR(
       0.001, std::sqrt(squares / static_cast<double>(exact.xyz.size())), 0.00002);
   for (std::size_t i = 0; i < exact.instance.size(); ++i)
-    if (exact.instance[i] == 0)
+    if (exact.instance[i] == 0) {
       ASSERT_EQ(0.0f, exact.xyz[3 * i + 2]);
+    }
 }
 
 TEST(SurfaceSamples, TheSameSeedIsTheSameScene)
@@ -129,11 +132,13 @@ TEST(SurfaceSamples, BadOptions)
 {
   SampleOptions options;
   options.spacing = 0.0;
-  EXPECT_EQ("spacing is 0.000000: allowed is 0.000500 to 0.020000", refusal(options));
+  EXPECT_EQ("spacing must be 0.0005 to 0.02 m, not 0", refusal(options));
   options = {};
   options.objects = 31;
-  EXPECT_NE(std::string::npos, refusal(options).find("objects is 31"));
+  EXPECT_NE(std::string::npos,
+            refusal(options).find("objects must be 0 to 30, not 31"));
   options = {};
   options.sigma = std::nan("");
-  EXPECT_NE(std::string::npos, refusal(options).find("sigma is nan"));
+  EXPECT_NE(std::string::npos,
+            refusal(options).find("sigma must be 0 to 0.1 m, not nan"));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The default mode: accuracy, independence of unit, order and threads, its settings.
 
 #include "detection_scenes.h"
 #include "support/errors.h"

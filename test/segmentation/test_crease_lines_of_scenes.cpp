@@ -4,8 +4,8 @@
 
 #include "detection_scenes.h"
 #include "scene/creases.h"
+#include "scene/kinect_sensor.h"
 #include "scene/random_world.h"
-#include "scene/sensor.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The detectors with indices, search surfaces, organized clouds and threads.
 
 #include "detector_test.h"
 

@@ -4,8 +4,8 @@
 
 #include "crease_truth.h"
 #include "detection_scenes.h"
+#include "scene/kinect_sensor.h"
 #include "scene/random_world.h"
-#include "scene/sensor.h"
 
 #include <gtest/gtest.h>
 
@@ -63,7 +63,7 @@ struct Shares {
 double
 toRim(const scene::Table& table, const Vec3& p)
 {
-  const Vec3 d = p - table.centre;
+  const Vec3 d = p - table.center;
   return std::min(table.half_length - std::abs(dot(d, table.along)),
                   table.half_width - std::abs(dot(d, table.across)));
 }

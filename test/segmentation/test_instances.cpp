@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Instances: independence of threads, order and unit, settings and their refusal.
 
 #include "instance_scenes.h"
 #include "support/errors.h"

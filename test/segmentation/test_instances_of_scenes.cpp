@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Cylinders, boxes and faces are found in generated scenes.
 
 #include "instance_scenes.h"
 

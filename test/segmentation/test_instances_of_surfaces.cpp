@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Instances of single surfaces and the primitives fitted to them.
 
 #include "instance_scenes.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Models made from a sample of any surface.
 
 #include "detection_scenes.h"
 #include "features/local_spacing.h"

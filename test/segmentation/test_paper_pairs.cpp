@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Pairs of mu and sigma of a plane and a cylinder fall where the paper shows them.
 
 #include "support/clouds.h"
 #include "support/differences.h"

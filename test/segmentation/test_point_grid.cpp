@@ -169,10 +169,12 @@ TEST_F(EvidenceAveraging, FourRoundsAreThoseInDouble)
       values = next;
     }
     for (std::size_t i = 0; i < surface.size(); ++i)
-      if (is_known[i])
+      if (is_known[i]) {
         EXPECT_NEAR(meanAt(i, values), static_cast<double>(found[2 * i + c]), 1e-5);
-      else
+      }
+      else {
         EXPECT_TRUE(std::isnan(found[2 * i + c]));
+      }
   }
   EXPECT_GT(weighted, 1000U);
 }

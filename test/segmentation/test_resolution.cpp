@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Voxel means, and every class with a resolution.
 
 #include "detection_scenes.h"
 #include "geometry/voxel_means.h"

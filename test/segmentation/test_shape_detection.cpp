@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// What both detectors do with planes and their crease, given normals and given INAD.
 
 #include "detector_test.h"
 #include "support/counting_search.h"
@@ -38,8 +38,9 @@ TYPED_TEST(ShapeDetectionTest, PlanesAndTheirCrease)
     const double away = std::hypot(p.y(), p.z());
     const float plane = classes[TypeParam::plane_class][i];
     ASSERT_FLOAT_EQ(1.0f, classes[0][i] + classes[1][i]);
-    if (away > reach)
+    if (away > reach) {
       ASSERT_EQ(1.0f, plane) << i;
+    }
     near += away < 0.002;
     not_plane += away < 0.002 && plane < 0.5f;
   }

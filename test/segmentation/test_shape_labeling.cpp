@@ -65,6 +65,7 @@ TEST_F(OneScene, OneLabelAPointAndVoidBelowTheConfidence)
     ASSERT_EQ(labels_.labels[i] != 0, labels_.confidence[i] >= default_confidence);
     if (!isFinite((*cloud_)[i]))
       ASSERT_EQ(labels_.confidence[i], 0.0f);
+    }
   }
 }
 
@@ -74,8 +75,9 @@ TEST_F(OneScene, LessConfidenceKeepsTheSameAndMore)
   EXPECT_EQ(all.confidence, labels_.confidence);
   std::size_t more = 0;
   for (std::size_t i = 0; i < cloud_->size(); ++i) {
-    if (labels_.labels[i] != 0)
+    if (labels_.labels[i] != 0) {
       ASSERT_EQ(all.labels[i], labels_.labels[i]);
+    }
     more += all.labels[i] != 0 && labels_.labels[i] == 0 ? 1 : 0;
   }
   EXPECT_GT(more, 0u);

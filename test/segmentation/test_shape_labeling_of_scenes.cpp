@@ -93,8 +93,9 @@ TEST(ShapeLabeling, ConfidenceIsTheShareOfRightLabels)
   for (std::size_t bin = 0; bin < count.size(); ++bin) {
     ASSERT_GT(count[bin], 100);
     EXPECT_NEAR(right[bin] / count[bin], sum[bin] / count[bin], 0.15) << bin;
-    if (bin > 0)
+    if (bin > 0) {
       EXPECT_GT(right[bin] / count[bin], right[bin - 1] / count[bin - 1]);
+    }
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Counts the memory that a part of a test or benchmark allocates.
 
 #pragma once
 
@@ -10,14 +10,23 @@
 namespace pcl {
 namespace test {
 
-/** \brief Bytes that operator new has given and operator delete has not taken back, in
- * the whole program. */
-std::ptrdiff_t heapInUse();
+/** \brief While it lives, counts the bytes that operator new gives and operator delete
+ * takes back, in the whole program. Only one at a time. */
+class HeapCount {
+public:
+  HeapCount();
 
-/** \brief The most bytes in use since the last call of resetHeapPeak(). */
-std::ptrdiff_t heapPeak();
+  HeapCount(const HeapCount&) = delete;
+  HeapCount& operator=(const HeapCount&) = delete;
 
-void resetHeapPeak();
+  ~HeapCount();
+
+  /** \brief Bytes given less bytes taken back since it began: may be negative. */
+  std::ptrdiff_t inUse() const;
+
+  /** \brief The most bytes in use since it began. */
+  std::ptrdiff_t peak() const;
+};
 
 /** \brief The most bytes that run() has in use at a time. It runs on a thread of its
  * own, so that buffers that threads keep are counted, too, whatever ran before. */
@@ -25,10 +34,9 @@ template <typename Run>
 std::ptrdiff_t
 peakBytesOf(const Run& run)
 {
-  const std::ptrdiff_t before = heapInUse();
-  resetHeapPeak();
+  const HeapCount count;
   std::thread(run).join();
-  return heapPeak() - before;
+  return count.peak();
 }
 
 } // namespace test

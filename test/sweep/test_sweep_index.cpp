@@ -189,9 +189,9 @@ TEST(SweepIndex, ClearFreesItsMemory)
   const Surface surface = someSurface(10);
   const auto index = std::make_shared<SweepIndex>();
   inadOf(surface, index);
-  const std::ptrdiff_t before = heapInUse();
+  const HeapCount count;
   index->clear();
-  EXPECT_LT(heapInUse(), before - static_cast<std::ptrdiff_t>(16 * surface.size()));
+  EXPECT_LT(count.inUse(), -static_cast<std::ptrdiff_t>(16 * surface.size()));
   expectSameINADAsAlone(surface, index);
 }
 

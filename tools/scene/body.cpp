@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Sizes and poses of boxes, cylinders, balls, bowls and cones that rest on something.
 
 #include "scene/body.h"
 
@@ -11,13 +11,13 @@ namespace pcl::scene {
 namespace {
 
 Pose
-upright(Point2 heading, const Vec3& origin)
+upright(const Vec3& heading, const Vec3& origin)
 {
-  return {{{{heading.x, heading.y, 0}, {-heading.y, heading.x, 0}, {0, 0, 1}}}, origin};
+  return {{{heading, leftOf(heading), {0, 0, 1}}}, origin};
 }
 
 Body
-randomBox(double scale, Point2 heading, Random& random)
+randomBox(double scale, const Vec3& heading, Random& random)
 {
   const double length = scale * random.uniform(0.08, 0.20);
   const double width = scale * random.uniform(0.06, 0.14);
@@ -32,7 +32,7 @@ randomBox(double scale, Point2 heading, Random& random)
 }
 
 Body
-randomCylinder(double scale, Point2 heading, Random& random)
+randomCylinder(double scale, const Vec3& heading, Random& random)
 {
   const double radius = scale * random.uniform(0.028, 0.065);
   const double height = scale * random.uniform(0.06, 0.17);
@@ -40,16 +40,15 @@ randomCylinder(double scale, Point2 heading, Random& random)
   body.solid.shape = Shape::Cylinder;
   body.solid.size = {radius, height, 0.0};
   if (random.chance(0.25)) {
-    const Vec3 axis{heading.x, heading.y, 0.0};
-    body.solid.pose = {{{{-heading.y, heading.x, 0.0}, {0.0, 0.0, 1.0}, axis}},
-                       Vec3{0.0, 0.0, radius} - axis * (0.5 * height)};
+    body.solid.pose = {{{leftOf(heading), {0.0, 0.0, 1.0}, heading}},
+                       Vec3{0.0, 0.0, radius} - heading * (0.5 * height)};
     body.footprint = rectangle({}, heading, height, 2.0 * radius);
     body.high = 2.0 * radius;
     body.widest_low = body.widest_high = radius;
     return body;
   }
   body.solid.pose = upright(heading, {});
-  body.footprint = disc({}, radius);
+  body.footprint = {{Vec3{}}, radius};
   body.high = body.widest_high = height;
   body.carries = true;
   return body;
@@ -61,7 +60,7 @@ ballOfRadius(double radius)
   Body body;
   body.solid = {Shape::Sphere, {radius, 0.0, 0.0}, {}};
   body.solid.pose.origin = {0.0, 0.0, radius};
-  body.footprint = disc({}, radius);
+  body.footprint = {{Vec3{}}, radius};
   body.high = 2.0 * radius;
   body.widest_low = body.widest_high = radius;
   return body;
@@ -76,7 +75,7 @@ randomBowl(double scale, Random& random)
   Body body;
   body.solid.shape = Shape::Bowl;
   body.solid.size = {radius, height, wall};
-  body.footprint = disc({}, bowlOpening(body.solid).outer);
+  body.footprint = {{Vec3{}}, bowlOpening(body.solid).outer};
   body.high = height;
   body.open = random.chance(0.65);
   if (body.open)
@@ -89,17 +88,17 @@ randomBowl(double scale, Random& random)
 /** On its side a cone touches the ground along a line; its axis falls towards the apex
  * by the half angle at the apex. */
 Pose
-coneOnItsSide(double radius, double height, Point2 heading)
+coneOnItsSide(double radius, double height, const Vec3& heading)
 {
   const double slant = std::sqrt(radius * radius + height * height);
   const double cosine = height / slant, sine = radius / slant;
   const Vec3 axis{heading.x * cosine, heading.y * cosine, -sine};
-  const Vec3 side{-heading.y, heading.x, 0.0};
+  const Vec3 side = leftOf(heading);
   return {{{side, cross(axis, side), axis}}, {0.0, 0.0, radius * cosine}};
 }
 
 Body
-randomCone(double scale, Point2 heading, Random& random)
+randomCone(double scale, const Vec3& heading, Random& random)
 {
   const double radius = scale * random.uniform(0.035, 0.06);
   const double height = scale * random.uniform(0.08, 0.15);
@@ -110,9 +109,8 @@ randomCone(double scale, Point2 heading, Random& random)
     Pose pose = coneOnItsSide(radius, height, heading);
     const double behind =
         -radius * radius / std::sqrt(radius * radius + height * height);
-    const double ahead = height * dot(pose.axes[2], {heading.x, heading.y, 0.0});
-    const double middle = 0.5 * (behind + ahead);
-    pose.origin = pose.origin - Vec3{heading.x, heading.y, 0.0} * middle;
+    const double ahead = height * dot(pose.axes[2], heading);
+    pose.origin = pose.origin - heading * (0.5 * (behind + ahead));
     body.solid.pose = pose;
     body.footprint = rectangle({}, heading, ahead - behind, 2.0 * radius);
     body.high = 2.0 * pose.origin.z;
@@ -120,7 +118,7 @@ randomCone(double scale, Point2 heading, Random& random)
     return body;
   }
   body.solid.pose = upright(heading, {});
-  body.footprint = disc({}, radius);
+  body.footprint = {{Vec3{}}, radius};
   body.high = height;
   return body;
 }
@@ -133,8 +131,15 @@ Body::isTouching(std::size_t other) const
   return std::find(touches.begin(), touches.end(), other) != touches.end();
 }
 
+Vec3
+randomHeading(Random& random)
+{
+  const UnitVector heading = fromTurns(random.uniform());
+  return {heading.cosine, heading.sine, 0.0};
+}
+
 Body
-randomBody(Shape shape, double scale, Point2 heading, Random& random)
+randomBody(Shape shape, double scale, const Vec3& heading, Random& random)
 {
   switch (shape) {
   case Shape::Box:
@@ -180,10 +185,9 @@ randomLeaningBox(const Body& support, const Vec3& outward, double scale, Random&
        on_face + outward * foot + rise * (0.5 * length) + normal * (0.5 * thickness)}};
   const double nearest = foot - length * slope.cosine;
   const double farthest = foot + thickness * slope.sine;
-  const Vec3 middle = on_face + outward * (0.5 * (nearest + farthest));
-  body.centre = {middle.x, middle.y};
-  body.footprint =
-      rectangle(body.centre, {outward.x, outward.y}, farthest - nearest, width);
+  body.center = on_face + outward * (0.5 * (nearest + farthest));
+  body.center.z = 0.0;
+  body.footprint = rectangle(body.center, outward, farthest - nearest, width);
   body.high = length * slope.sine + thickness * slope.cosine;
   body.widest_low = 1.0; // nowhere
   return body;
@@ -201,8 +205,8 @@ Body
 moved(Body body, const Vec3& by)
 {
   body.solid.pose.origin = body.solid.pose.origin + by;
-  body.footprint = moved(body.footprint, {by.x, by.y});
-  body.centre = {body.centre.x + by.x, body.centre.y + by.y};
+  body.footprint = moved(body.footprint, by);
+  body.center = body.center + Vec3{by.x, by.y, 0.0};
   body.low += by.z;
   body.high += by.z;
   body.widest_low += by.z;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Objects of random size and pose with what it takes to place them.
 
 #pragma once
 
@@ -14,7 +14,7 @@ namespace pcl::scene {
 struct Body {
   Solid solid;
   Footprint footprint;
-  Point2 centre;           /**< of the footprint */
+  Vec3 center;             /**< of the footprint, z = 0 */
   double low = 0.0;        /**< height of its lowest point */
   double high = 0.0;       /**< height of its highest point */
   double widest_low = 0.0; /**< between these heights its section is the footprint */
@@ -24,13 +24,22 @@ struct Body {
   std::vector<std::size_t> touches; /**< indices of other bodies */
 
   bool isTouching(std::size_t other) const;
+
+  Vec3
+  topCenter() const
+  {
+    return {center.x, center.y, high};
+  }
 };
+
+/** \brief A level unit vector. */
+Vec3 randomHeading(Random& random);
 
 /** \brief A body of random size and pose that rests on z = 0 with its footprint around
  * x = y = 0.
  * \param[in] scale of its lengths, 1 for household objects of 5 to 20 cm
- * \param[in] heading unit vector, the direction of its longer side seen from above */
-Body randomBody(Shape shape, double scale, Point2 heading, Random& random);
+ * \param[in] heading level unit vector, the direction of its longer side */
+Body randomBody(Shape shape, double scale, const Vec3& heading, Random& random);
 
 /** \brief A thin box with its lower edge on z = 0 that leans on the upper edge of a
  * box.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Edges and rims of objects, cut to the parts of which both sides are seen.
 
 #include "scene/creases.h"
 
@@ -23,10 +23,7 @@ public:
   : world_(world)
   , observer_(observer)
   , caster_(world)
-  {
-    for (const auto& solid : world.solids)
-      bounds_.push_back(boundingSphere(solid));
-  }
+  {}
 
   bool
   seesTwoFaces(const Vec3& point, const Vec3& tangent) const
@@ -37,9 +34,6 @@ public:
         return world_.table.contains(p);
       });
     for (std::size_t i = 0; i < world_.solids.size() && seen < 2; ++i) {
-      const double reach = bounds_[i].radius + contact_tolerance;
-      if (squaredNorm(point - bounds_[i].centre) > reach * reach)
-        continue;
       const Solid& solid = world_.solids[i];
       for (const FaceAt& at : facesAt(solid, point, contact_tolerance))
         seen += seesBeside(point, tangent, at.normal, [&](const Vec3& p) {
@@ -70,7 +64,6 @@ private:
   const World& world_;
   const Observer& observer_;
   RayCaster caster_;
-  std::vector<Sphere> bounds_;
 };
 
 /** The parameter between a visible and a hidden one where visibility changes. */
@@ -169,6 +162,23 @@ thinPlaces(const Solid& solid)
   return {};
 }
 
+ThinPlaces::ThinPlaces(const World& world)
+{
+  for (const Solid& solid : world.solids)
+    places_.push_back(thinPlaces(solid));
+}
+
+bool
+ThinPlaces::areNear(const Sight& sight, double distance) const
+{
+  if (sight.object <= table_index)
+    return false;
+  const auto& places = places_[static_cast<std::size_t>(sight.object - 1)];
+  return std::any_of(places.begin(), places.end(), [&](const Curve& place) {
+    return place.distance(sight.point) < distance;
+  });
+}
+
 Creases::Creases(const World& world, const Observer& observer)
 {
   const Visibility visibility(world, observer);
@@ -186,7 +196,7 @@ Creases::distance(const Vec3& point, double cap) const
   double nearest = cap;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const double reach = bounds_[i].radius + nearest;
-    if (squaredNorm(point - bounds_[i].centre) < reach * reach)
+    if (squaredNorm(point - bounds_[i].center) < reach * reach)
       nearest = std::min(nearest, parts_[i].distance(point));
   }
   return nearest;

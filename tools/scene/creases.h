@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The lines of a scene where surfaces meet and a camera sees both.
 
 #pragma once
 
@@ -21,7 +21,7 @@ class Creases {
 public:
   Creases(const World& world, const Observer& observer);
 
-  /** \brief Distance from a point to the nearest crease, at most `cap`, in metres. */
+  /** \brief Distance from a point to the nearest crease, at most `cap`, in meters. */
   double distance(const Vec3& point, double cap) const;
 
   /** \brief The visible parts, straight and circular. */
@@ -42,5 +42,17 @@ std::vector<Curve> edges(const Solid& solid);
 /** \brief Lines and points of an object where a smooth surface ends without a crease: a
  * bowl's rim, a cone's apex (a curve of no length). */
 std::vector<Curve> thinPlaces(const Solid& solid);
+
+/** \brief The thin places of all objects of a world. */
+class ThinPlaces {
+public:
+  explicit ThinPlaces(const World& world);
+
+  /** \brief True if one of the object's own is nearer than a distance in meters. */
+  bool areNear(const Sight& sight, double distance) const;
+
+private:
+  std::vector<std::vector<Curve>> places_;
+};
 
 } // namespace pcl::scene

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Points of lines and arcs, and exact distances to them.
 
 #include "scene/curve.h"
 
@@ -18,11 +18,11 @@ Curve::segment(const Vec3& begin, const Vec3& end)
 }
 
 Curve
-Curve::circle(const Vec3& centre, const Vec3& u, const Vec3& v, double radius)
+Curve::circle(const Vec3& center, const Vec3& u, const Vec3& v, double radius)
 {
   Curve curve;
   curve.round_ = true;
-  curve.centre_ = centre;
+  curve.center_ = center;
   curve.u_ = u;
   curve.v_ = v;
   curve.radius_ = radius;
@@ -44,7 +44,7 @@ Curve::point(double parameter) const
   if (!round_)
     return begin_ + (end_ - begin_) * parameter;
   const UnitVector angle = fromTurns(parameter);
-  return centre_ + (u_ * angle.cosine + v_ * angle.sine) * radius_;
+  return center_ + (u_ * angle.cosine + v_ * angle.sine) * radius_;
 }
 
 Vec3
@@ -67,7 +67,7 @@ Sphere
 Curve::bounds() const
 {
   if (round_ && to_ - from_ > 0.5)
-    return {centre_, radius_};
+    return {center_, radius_};
   // At most half a circle is inside the sphere around its middle through its ends
   const Vec3 middle = point(0.5 * (from_ + to_));
   return {middle, std::max(norm(point(from_) - middle), norm(point(to_) - middle))};
@@ -76,18 +76,13 @@ Curve::bounds() const
 double
 Curve::distance(const Vec3& p) const
 {
-  if (round_)
-    return distanceToArc(p);
-  const Vec3 along = end_ - begin_;
-  const double nearest = dot(p - begin_, along) / squaredNorm(along);
-  return norm(p - point(std::clamp(nearest, from_, to_)));
-}
-
-double
-Curve::distanceToArc(const Vec3& p) const
-{
-  const Vec3 from_centre = p - centre_;
-  const double x = dot(from_centre, u_), y = dot(from_centre, v_);
+  if (!round_) {
+    const Vec3 along = end_ - begin_;
+    const double nearest = dot(p - begin_, along) / squaredNorm(along);
+    return norm(p - point(std::clamp(nearest, from_, to_)));
+  }
+  const Vec3 from_center = p - center_;
+  const double x = dot(from_center, u_), y = dot(from_center, v_);
   const double rho = std::sqrt(x * x + y * y);
   const UnitVector middle = fromTurns(0.5 * (from_ + to_));
   const double cosine_of_half_arc = fromTurns(0.5 * (to_ - from_)).cosine;
@@ -96,7 +91,7 @@ Curve::distanceToArc(const Vec3& p) const
       x * middle.cosine + y * middle.sine >= rho * cosine_of_half_arc;
   if (!beside_the_arc)
     return std::min(norm(p - point(from_)), norm(p - point(to_)));
-  const double height2 = std::max(0.0, squaredNorm(from_centre) - rho * rho);
+  const double height2 = std::max(0.0, squaredNorm(from_center) - rho * rho);
   return std::sqrt((rho - radius_) * (rho - radius_) + height2);
 }
 

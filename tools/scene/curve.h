@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Straight lines and circles, or parts of them.
 
 #pragma once
 
@@ -16,7 +16,7 @@ public:
   static Curve segment(const Vec3& begin, const Vec3& end);
 
   /** \param[in] u, v orthogonal unit vectors in its plane */
-  static Curve circle(const Vec3& centre, const Vec3& u, const Vec3& v, double radius);
+  static Curve circle(const Vec3& center, const Vec3& u, const Vec3& v, double radius);
 
   Curve part(double from, double to) const;
 
@@ -25,11 +25,10 @@ public:
   /** \brief Unit vector along the curve. */
   Vec3 tangent(double parameter) const;
 
-  /** \brief Of the whole, in metres. */
+  /** \brief Of the whole, in meters. */
   double length() const;
 
-  /** \brief The parameter of a point of the part, from 0 at its begin to 1 at its end.
-   */
+  /** \brief The parameter of a point of the part, 0 at its begin and 1 at its end. */
   double
   parameter(double fraction) const
   {
@@ -39,16 +38,14 @@ public:
   /** \brief A sphere around the part. */
   Sphere bounds() const;
 
-  /** \brief Exact distance to the part, in metres. */
+  /** \brief Exact distance to the part, in meters. */
   double distance(const Vec3& p) const;
 
 private:
-  double distanceToArc(const Vec3& p) const;
-
   bool round_ = false;
   double from_ = 0.0, to_ = 1.0;
   Vec3 begin_, end_;    // of a segment
-  Vec3 centre_, u_, v_; // of a circle
+  Vec3 center_, u_, v_; // of a circle
   double radius_ = 0.0;
 };
 

@@ -1,47 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Distances between convex polygons with rounded corners, and sliding one to another.
 
 #include "scene/footprint.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace pcl::scene {
 namespace {
 
-Point2
-operator-(Point2 a, Point2 b)
-{
-  return {a.x - b.x, a.y - b.y};
-}
-
 double
-dot(Point2 a, Point2 b)
+distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b)
 {
-  return a.x * b.x + a.y * b.y;
-}
-
-double
-distanceToSegment(Point2 p, Point2 a, Point2 b)
-{
-  const Point2 along = b - a;
-  const double length2 = dot(along, along);
+  const Vec3 along = b - a;
+  const double length2 = squaredNorm(along);
   const double s =
       length2 > 0.0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0.0;
-  const Point2 nearest{a.x + s * along.x, a.y + s * along.y};
-  return std::sqrt(dot(p - nearest, p - nearest));
+  return norm(p - (a + along * s));
 }
 
 /** True if a side of `a` has all of `b` on its outer side. */
 bool
-hasSeparatingSide(const std::vector<Point2>& a, const std::vector<Point2>& b)
+hasSeparatingSide(const std::vector<Vec3>& a, const std::vector<Vec3>& b)
 {
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const Point2 side = a[(i + 1) % a.size()] - a[i];
-    const Point2 outward{side.y, -side.x};
-    if (std::all_of(b.begin(), b.end(), [&](Point2 corner) {
+    const Vec3 outward = -leftOf(a[(i + 1) % a.size()] - a[i]);
+    if (std::all_of(b.begin(), b.end(), [&](const Vec3& corner) {
           return dot(corner - a[i], outward) > 0.0;
         }))
       return true;
@@ -50,10 +35,10 @@ hasSeparatingSide(const std::vector<Point2>& a, const std::vector<Point2>& b)
 }
 
 double
-cornersToSides(const std::vector<Point2>& corners, const std::vector<Point2>& sides)
+cornersToSides(const std::vector<Vec3>& corners, const std::vector<Vec3>& sides)
 {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Point2 corner : corners)
+  for (const Vec3& corner : corners)
     for (std::size_t i = 0; i < sides.size(); ++i)
       nearest = std::min(
           nearest, distanceToSegment(corner, sides[i], sides[(i + 1) % sides.size()]));
@@ -63,30 +48,23 @@ cornersToSides(const std::vector<Point2>& corners, const std::vector<Point2>& si
 } // namespace
 
 Footprint
-disc(Point2 centre, double radius)
+rectangle(const Vec3& center, const Vec3& direction, double length, double width)
 {
-  return {{centre}, radius};
-}
-
-Footprint
-rectangle(Point2 centre, Point2 direction, double length, double width)
-{
-  const Point2 half{0.5 * length * direction.x, 0.5 * length * direction.y};
-  const Point2 side{-0.5 * width * direction.y, 0.5 * width * direction.x};
-  return {{{centre.x - half.x - side.x, centre.y - half.y - side.y},
-           {centre.x + half.x - side.x, centre.y + half.y - side.y},
-           {centre.x + half.x + side.x, centre.y + half.y + side.y},
-           {centre.x - half.x + side.x, centre.y - half.y + side.y}},
+  const Vec3 half = direction * (0.5 * length);
+  const Vec3 side = leftOf(direction) * (0.5 * width);
+  return {{center - half - side,
+           center + half - side,
+           center + half + side,
+           center - half + side},
           0.0};
 }
 
 Footprint
-moved(const Footprint& footprint, Point2 by)
+moved(Footprint footprint, const Vec3& by)
 {
-  Footprint result = footprint;
-  for (auto& corner : result.corners)
-    corner = {corner.x + by.x, corner.y + by.y};
-  return result;
+  for (Vec3& corner : footprint.corners)
+    corner = corner + Vec3{by.x, by.y, 0.0};
+  return footprint;
 }
 
 double
@@ -103,10 +81,10 @@ distance(const Footprint& a, const Footprint& b)
 }
 
 double
-slideToContact(const Footprint& mover, Point2 direction, const Footprint& other)
+slideToContact(const Footprint& mover, const Vec3& direction, const Footprint& other)
 {
   const auto overlaps = [&](double by) {
-    return distance(moved(mover, {by * direction.x, by * direction.y}), other) <= 0.0;
+    return distance(moved(mover, direction * by), other) <= 0.0;
   };
   double overlapping = 0.0, apart = 0.05;
   while (overlaps(apart))

@@ -1,36 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// What objects cover when seen from above, and how far these areas are apart.
 
 #pragma once
+
+#include "scene/vec.h"
 
 #include <vector>
 
 namespace pcl::scene {
 
-struct Point2 {
-  double x = 0.0, y = 0.0;
-};
-
-/** \brief What an object covers when seen from above: a convex polygon
- * (counter-clockwise; one corner is enough for a disc), grown by a radius. */
+/** \brief What an object covers when seen from above: a convex polygon in the plane
+ * z = 0 (counter-clockwise; one corner is enough for a disc), grown by a radius. */
 struct Footprint {
-  std::vector<Point2> corners;
+  std::vector<Vec3> corners;
   double radius = 0.0;
 };
 
-Footprint disc(Point2 centre, double radius);
+/** \brief A rectangle around a center; direction is a level unit vector along its
+ * length. */
+Footprint
+rectangle(const Vec3& center, const Vec3& direction, double length, double width);
 
-/** \brief A rectangle around a centre; direction is a unit vector along its length. */
-Footprint rectangle(Point2 centre, Point2 direction, double length, double width);
-
-Footprint moved(const Footprint& footprint, Point2 by);
+/** \brief Only in the plane. */
+Footprint moved(Footprint footprint, const Vec3& by);
 
 /** \brief Distance between two footprints, 0 or less where they overlap. */
 double distance(const Footprint& a, const Footprint& b);
 
-/** \brief How far `mover` has to go along a unit direction from where it overlaps
+/** \brief How far `mover` has to go along a level unit direction from where it overlaps
  * `other` until they just touch, to 1e-12 m. */
-double slideToContact(const Footprint& mover, Point2 direction, const Footprint& other);
+double
+slideToContact(const Footprint& mover, const Vec3& direction, const Footprint& other);
 
 } // namespace pcl::scene

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Groups of a target, something on it and something before it.
 
 #include "scene/grasp_scene.h"
 
-#include "scene/sensor.h"
+#include "scene/kinect_sensor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +15,7 @@ namespace {
 
 constexpr std::uint64_t placing_stream = 11;
 constexpr std::uint64_t noise_stream = 12;
-constexpr double least_cosine = 0.15; // a depth camera measures nothing flatter
-
-Point2
-randomHeading(Random& random)
-{
-  const UnitVector heading = fromTurns(random.uniform());
-  return {heading.cosine, heading.sine};
-}
+constexpr double min_cosine = 0.15; // a depth camera measures nothing flatter
 
 /** Mostly boxes and cylinders, which others can stand on; half of the boxes flat. */
 Body
@@ -57,8 +50,7 @@ randomRider(const Body& carrier, Random& random)
   const auto& axes = carrier.solid.pose.axes;
   const Vec3 offset = axes[0] * (0.2 * length * random.uniform(-1.0, 1.0)) +
                       axes[1] * (0.2 * width * random.uniform(-1.0, 1.0));
-  return moved(
-      rider, {carrier.centre.x + offset.x, carrier.centre.y + offset.y, carrier.high});
+  return moved(rider, carrier.topCenter() + offset);
 }
 
 /** A smaller object between the camera and the target, apart from it. */
@@ -68,24 +60,11 @@ randomOccluder(const Body& target, Random& random)
   const Shape kind = random.chance(0.5) ? Shape::Box : Shape::Cylinder;
   Body body = randomBody(kind, random.uniform(0.5, 0.9), randomHeading(random), random);
   const double sideways = random.uniform(-0.04, 0.04);
-  body = moved(body, {target.centre.x + sideways, target.centre.y, 0.0});
-  const Point2 to_camera{0.0, -1.0};
+  body = moved(body, target.center + Vec3{sideways, 0.0, 0.0});
+  const Vec3 to_camera{0.0, -1.0, 0.0};
   const double by = slideToContact(body.footprint, to_camera, target.footprint) +
                     random.uniform(0.005, 0.03);
-  return moved(body, {by * to_camera.x, by * to_camera.y, 0.0});
-}
-
-void
-addGroup(double x, GraspScene& scene, Random& random)
-{
-  const Body target = moved(randomTarget(random), {x, random.uniform(0.62, 0.74), 0.0});
-  const std::optional<Body> rider = randomRider(target, random);
-  auto& solids = scene.world.solids;
-  solids.push_back(target.solid);
-  scene.targets.push_back(solids.size());
-  if (rider)
-    solids.push_back(rider->solid);
-  solids.push_back(randomOccluder(target, random).solid);
+  return moved(body, to_camera * by);
 }
 
 /** Visit points of a disc on a surface, in rings, the last of which is its rim. */
@@ -94,8 +73,7 @@ bool
 allOfDisc(const Vec3& center, const Vec3& normal, double radius, const Visit& visit)
 {
   constexpr int rings = 4, sectors = 24;
-  const Vec3 aside = std::abs(normal.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-  const Vec3 u = normalized(cross(normal, aside)), v = cross(normal, u);
+  const auto [u, v] = perpendiculars(normal);
   for (int ring = 0; ring <= rings; ++ring)
     for (int s = 0; s < (ring == 0 ? 1 : sectors); ++s) {
       const UnitVector turn = fromTurns((s + 0.5 * (ring % 2)) / sectors);
@@ -107,19 +85,11 @@ allOfDisc(const Vec3& center, const Vec3& normal, double radius, const Visit& vi
 }
 
 /** Where a line along an approach meets a solid, whatever else is there. */
-struct Meeting {
-  int face = -1;
-  Vec3 point, normal;
-};
-
-Meeting
+Hit
 meet(const Solid& solid, const Vec3& place, const Vec3& approach)
 {
-  constexpr double outside = 1.0; // metres; no object is as large
-  const Ray ray{place - approach * outside, approach};
-  const Hit hit = intersect(solid, ray);
-  return hit.found() ? Meeting{hit.face, ray.origin + ray.direction * hit.t, hit.normal}
-                     : Meeting{};
+  constexpr double outside = 1.0; // meters; no object is as large
+  return intersect(solid, {place - approach * outside, approach});
 }
 
 /** True if no other object touches the point, or is above it. */
@@ -149,11 +119,7 @@ storePoints(const View& view, const std::vector<double>& depth, GraspScene& scen
   for (std::size_t i = 0; i < depth.size(); ++i) {
     if (std::isnan(depth[i]) || view.sights[i].object == nothing)
       continue;
-    const Vec3 point = camera.direction(static_cast<unsigned>(i % camera.width),
-                                        static_cast<unsigned>(i / camera.width)) *
-                       depth[i];
-    for (const double value : {point.x, point.y, point.z})
-      scene.xyz.push_back(static_cast<float>(value));
+    append(camera.direction(i) * depth[i], scene.xyz);
     scene.object.push_back(view.sights[i].object);
     scene.face.push_back(view.sights[i].face);
   }
@@ -169,18 +135,27 @@ graspScene(const SceneOptions& options)
   GraspScene scene;
   scene.world = randomWorld(empty).world;
   Random placing(options.seed, placing_stream);
-  for (const double x : {-0.17, 0.17})
-    addGroup(x, scene, placing);
+  auto& solids = scene.world.solids;
+  for (const double x : {-0.17, 0.17}) {
+    const Body target =
+        moved(randomTarget(placing), {x, placing.uniform(0.62, 0.74), 0.0});
+    const std::optional<Body> rider = randomRider(target, placing);
+    solids.push_back(target.solid);
+    scene.targets.push_back(solids.size());
+    if (rider)
+      solids.push_back(rider->solid);
+    solids.push_back(randomOccluder(target, placing).solid);
+  }
 
   View view = look(scene.world);
   std::vector<double> depth;
-  scene.observer = {{scene.world.camera.pose.origin}, least_cosine};
+  scene.observer = {{scene.world.camera.pose.origin}, min_cosine};
   if (options.noise == Noise::Kinect) {
     Random noise(options.seed, noise_stream);
     scene.observer = KinectSensor::observer(scene.world);
     const KinectSensor sensor(scene.world, view, noise);
-    view = sensor.view();
-    depth = sensor.depth();
+    view = sensor.view;
+    depth = sensor.depth;
   }
   else
     for (const Sight& sight : view.sights)
@@ -200,7 +175,7 @@ isOnOneFace(const World& world,
   const Solid& solid = world.solids[object - 1];
   const int face = meet(solid, position, approach).face;
   return face >= 0 && allOfDisc(position, approach, radius, [&](const Vec3& place) {
-           const Meeting at = meet(solid, place, approach);
+           const Hit at = meet(solid, place, approach);
            return at.face == face &&
                   isFree(world, object, at.point, -approach, free_way);
          });
@@ -220,7 +195,7 @@ showsDisc(const GraspScene& scene, std::size_t object, double radius, double ste
       return false;
     tried.push_back(sight.point);
     return allOfDisc(sight.point, sight.normal, radius, [&](const Vec3& place) {
-      const Meeting at = meet(solid, place, -sight.normal);
+      const Hit at = meet(solid, place, -sight.normal);
       return at.face == sight.face && caster.seen(scene.observer, at.point, at.normal);
     });
   });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Objects to grasp, and where a suction cup of some size would fit on them.
 
 #pragma once
 
@@ -27,7 +27,7 @@ struct GraspScene {
 GraspScene graspScene(const SceneOptions& options);
 
 /** \brief True if a disc on the surface, seen from above along its normal, is on one
- * face of the object from rim to rim, with nothing in the way within `free_way` metres
+ * face of the object from rim to rim, with nothing in the way within `free_way` meters
  * above it. \param[in] position, approach world frame; unit, into the surface */
 bool isOnOneFace(const World& world,
                  std::size_t object,
@@ -37,7 +37,7 @@ bool isOnOneFace(const World& world,
                  double free_way);
 
 /** \brief True if a face of the object shows a disc of this radius: everywhere on one
- * face, and seen by the observer. \param[in] step metres between the discs tried */
+ * face, and seen by the observer. \param[in] step meters between the discs tried */
 bool showsDisc(const GraspScene& scene, std::size_t object, double radius, double step);
 
 } // namespace pcl::scene

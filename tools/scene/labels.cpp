@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Silhouettes, and the labels of what is beside creases, silhouettes and neither.
 
 #include "scene/labels.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl::scene {
 namespace {
 
-/** What a pixel covers on the surface it sees, in metres, at grazing angles capped. */
+/** What a pixel covers on the surface it sees, in meters, at grazing angles capped. */
 double
 pixelFootprint(const Camera& camera, const Sight& sight)
 {
@@ -33,30 +34,6 @@ meet(const Camera& camera, const Sight& a, const Sight& b)
          tolerance;
 }
 
-/** Distances to the places of each object that have no label. */
-class ThinPlaces {
-public:
-  explicit ThinPlaces(const World& world)
-  {
-    for (const auto& solid : world.solids)
-      places_.push_back(thinPlaces(solid));
-  }
-
-  bool
-  isNear(const Sight& sight) const
-  {
-    if (sight.object <= table_index)
-      return false;
-    const auto& places = places_[static_cast<std::size_t>(sight.object - 1)];
-    return std::any_of(places.begin(), places.end(), [&](const Curve& place) {
-      return place.distance(sight.point) < crease_band;
-    });
-  }
-
-private:
-  std::vector<std::vector<Curve>> places_;
-};
-
 } // namespace
 
 std::vector<char>
@@ -68,14 +45,12 @@ silhouettes(const World& world, const View& view)
     if (!meet(world.camera, view.sights[i], view.sights[j]))
       marks[i] = marks[j] = 1;
   };
-  for (std::size_t v = 0; v < view.height; ++v)
-    for (std::size_t u = 0; u < width; ++u) {
-      const std::size_t i = v * width + u;
-      if (u + 1 < width)
-        compare(i, i + 1);
-      if (v + 1 < view.height)
-        compare(i, i + width);
-    }
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    if ((i + 1) % width != 0)
+      compare(i, i + 1);
+    if (i + width < marks.size())
+      compare(i, i + width);
+  }
   return marks;
 }
 
@@ -105,6 +80,11 @@ label(const World& world,
       Scene& scene)
 {
   const ThinPlaces thin_places(world);
+  scene.surface.assign(view.sights.size(), SurfaceVoid);
+  scene.edge.assign(view.sights.size(), EdgeVoid);
+  scene.instance.assign(view.sights.size(), 0);
+  scene.face.assign(view.sights.size(), 0);
+  scene.crease_mm.assign(view.sights.size(), std::numeric_limits<float>::quiet_NaN());
   for (std::size_t i = 0; i < view.sights.size(); ++i) {
     const Sight& sight = view.sights[i];
     if (sight.object == nothing || std::isnan(scene.xyz[3 * i]))
@@ -117,11 +97,7 @@ label(const World& world,
       scene.surface[i] = SurfaceCrease;
       scene.edge[i] = distance < edge_band ? EdgeCrease : EdgeVoid;
     }
-    else if (beside_gap[i] || thin_places.isNear(sight)) {
-      scene.surface[i] = SurfaceVoid;
-      scene.edge[i] = EdgeVoid;
-    }
-    else {
+    else if (!beside_gap[i] && !thin_places.areNear(sight, crease_band)) {
       scene.surface[i] = isCurved(world, sight) ? SurfaceCurved : SurfacePlanar;
       scene.edge[i] = EdgeNot;
     }

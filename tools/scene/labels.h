@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The truth about each pixel: planar or curved surface, edge, instance, face.
 
 #pragma once
 
@@ -8,9 +8,9 @@
 
 namespace pcl::scene {
 
-constexpr double crease_band = 0.010; /**< metres; nearer than that surface is Crease */
-constexpr double edge_band = 0.005;   /**< metres; nearer than that edge is Crease */
-constexpr double crease_cap = 0.050;  /**< metres; crease_mm is never larger */
+constexpr double crease_band = 0.010; /**< meters; nearer than that surface is Crease */
+constexpr double edge_band = 0.005;   /**< meters; nearer than that edge is Crease */
+constexpr double crease_cap = 0.050;  /**< meters; crease_mm is never larger */
 constexpr double silhouette_band = 3.5; /**< pixels of a picture 640 wide, void */
 
 /** \brief Marks pixels whose neighbor belongs to a surface that it does not meet there:
@@ -21,8 +21,7 @@ std::vector<char> silhouettes(const World& world, const View& view);
 std::vector<char>
 dilated(const std::vector<char>& marks, unsigned width, unsigned height, double radius);
 
-/** \brief Fills surface, edge, instance, face and crease_mm of a scene from what is
- * seen.
+/** \brief Adds surface, edge, instance, face and crease_mm of what is seen to a scene.
  *
  * \param[in] beside_gap marks pixels that are void because a silhouette or missing
  * depth is near, unless a crease is near as well */

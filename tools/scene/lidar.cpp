@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// A spinning laser scanner in a random street.
 
 #include "scene/lidar.h"
 
@@ -18,29 +18,8 @@ namespace {
 
 constexpr std::uint64_t scan_stream = 12;
 constexpr double drop_out_rate = 0.01;
-constexpr double asphalt_reach = 50.0; // metres
-constexpr double least_range = 0.9;    // metres
-
-struct Sensor {
-  std::vector<double> elevations; ///< degrees
-  unsigned columns;               ///< in a turn
-  double reach;                   ///< metres
-};
-
-Sensor
-sensorOf(unsigned beams)
-{
-  return beams == 64 ? Sensor{beamElevations(64), 2083, 120.0}
-                     : Sensor{beamElevations(beams), 1800, 100.0};
-}
-
-void
-requireSigma(double sigma)
-{
-  if (!(sigma >= 0.0 && sigma <= 0.1))
-    throw std::invalid_argument("sigma is " + std::to_string(sigma) +
-                                ", allowed is 0 to 0.1 m");
-}
+constexpr double asphalt_reach = 50.0; // meters
+constexpr double min_range = 0.9;      // meters
 
 /** \brief What a ray meets first. */
 struct Return {
@@ -49,59 +28,30 @@ struct Return {
   std::uint32_t ground, surface, instance;
 };
 
-class StreetCaster {
-public:
-  explicit StreetCaster(const Street& street)
-  : street_(street)
-  , world_(worldOf(street))
-  , solids_(world_)
-  {}
-
-  /** \brief Nothing if the ray is lost. \param[in] direction unit */
-  std::optional<Return>
-  cast(const Vec3& direction, double reach) const
-  {
-    const Sight sight = solids_.cast({{}, direction});
-    const double solid = sight.object == nothing ? reach : sight.depth;
-    if (const auto hit = street_.ground.cast(direction, std::min(solid, reach))) {
-      if (hit->distance > asphalt_reach)
-        return std::nullopt;
-      return Return{hit->distance,
-                    hit->normal,
-                    hit->kerb_face ? GroundVoid : GroundTrue,
-                    SurfacePlanar,
-                    0};
-    }
-    if (solid >= reach || solid < least_range)
-      return std::nullopt;
-    const auto index = static_cast<std::size_t>(sight.object - 1);
-    return Return{solid,
-                  sight.normal,
-                  GroundNot,
-                  isCurved(world_, sight) ? SurfaceCurved : SurfacePlanar,
-                  street_.instances[index]};
-  }
-
-private:
-  static World
-  worldOf(const Street& street)
-  {
-    World world;
-    world.table.centre.x = 1e9; // there is none
-    world.solids = street.solids;
-    return world;
-  }
-
-  const Street& street_;
-  World world_;
-  RayCaster solids_;
-};
-
-void
-append(const Vec3& v, std::vector<float>& values)
+/** \brief Nothing if the ray is lost.
+ * \param[in] solids what stands in the street \param[in] direction unit */
+std::optional<Return>
+cast(const Street& street,
+     const World& solids,
+     const RayCaster& caster,
+     const Vec3& direction,
+     double reach)
 {
-  for (const double value : {v.x, v.y, v.z})
-    values.push_back(static_cast<float>(value));
+  const Sight sight = caster.cast({{}, direction});
+  const double range = sight.object == nothing ? reach : sight.depth;
+  if (const auto hit = street.ground.cast(direction, std::min(range, reach))) {
+    if (hit->distance > asphalt_reach)
+      return std::nullopt;
+    const std::uint32_t ground = hit->kerb_face ? GroundVoid : GroundTrue;
+    return Return{hit->distance, hit->normal, ground, SurfacePlanar, 0};
+  }
+  if (range >= reach || range < min_range)
+    return std::nullopt;
+  return Return{range,
+                sight.normal,
+                GroundNot,
+                isCurved(solids, sight) ? SurfaceCurved : SurfacePlanar,
+                street.instances[static_cast<std::size_t>(sight.object - 1)]};
 }
 
 } // namespace
@@ -121,29 +71,33 @@ beamElevations(unsigned beams)
       elevations.push_back(-15.0 + 2.0 * i);
   }
   else
-    throw std::invalid_argument("beams is " + std::to_string(beams) +
-                                ", allowed is 16 or 64");
+    throw std::invalid_argument("beams must be 16 or 64, not " + std::to_string(beams));
   return elevations;
 }
 
 LidarScan
 scanStreet(const LidarOptions& options)
 {
-  requireSigma(options.sigma);
-  const Sensor sensor = sensorOf(options.beams);
+  requireRange("sigma", options.sigma, 0.0, 0.1, " m");
+  const std::vector<double> elevations = beamElevations(options.beams);
+  const unsigned columns = options.beams == 64 ? 2083 : 1800; // in a turn
+  const double reach = options.beams == 64 ? 120.0 : 100.0;   // meters
   const Street street = randomStreet(options.seed);
-  const StreetCaster caster(street);
+  World solids;
+  solids.table.center.x = 1e9; // there is none
+  solids.solids = street.solids;
+  const RayCaster caster(solids);
   Random random(options.seed, scan_stream);
   LidarScan scan;
   scan.objects = street.objects;
-  for (unsigned column = 0; column < sensor.columns; ++column) {
-    const UnitVector turn = fromTurns(-(column + 0.5) / sensor.columns);
-    for (std::size_t beam = 0; beam < sensor.elevations.size(); ++beam) {
-      const UnitVector up = fromTurns(sensor.elevations[beam] / 360.0);
+  for (unsigned column = 0; column < columns; ++column) {
+    const UnitVector turn = fromTurns(-(column + 0.5) / columns);
+    for (std::size_t beam = 0; beam < elevations.size(); ++beam) {
+      const UnitVector up = fromTurns(elevations[beam] / 360.0);
       const Vec3 direction{up.cosine * turn.cosine, up.cosine * turn.sine, up.sine};
       const bool lost = random.chance(drop_out_rate) && options.drop_outs;
       const double error = options.sigma * random.normal();
-      const auto found = caster.cast(direction, sensor.reach);
+      const auto found = cast(street, solids, caster, direction, reach);
       if (lost || !found)
         continue;
       append(direction * (found->range + error), scan.xyz);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// A turn of a laser scanner on a vehicle, with the truth about each point.
 
 #pragma once
 
@@ -19,14 +19,14 @@ enum GroundTruth : std::uint32_t {
 struct LidarOptions {
   std::uint64_t seed = 1;
   unsigned beams = 64;   /**< 64 or 16 */
-  double sigma = 0.02;   /**< metres along the ray, 0 to 0.1 */
+  double sigma = 0.02;   /**< meters along the ray, 0 to 0.1 */
   bool drop_outs = true; /**< returns are lost at random */
 };
 
 /** \brief A turn of a spinning laser scanner in a street, without the rays that did not
  * come back, in the order of firing. Frame of the sensor: x forward, y left, z up. */
 struct LidarScan {
-  std::vector<float> xyz;     /**< measured, metres, 3 per point */
+  std::vector<float> xyz;     /**< measured, meters, 3 per point */
   std::vector<float> normals; /**< exact, 3 per point, towards the sensor */
   std::vector<std::uint32_t> ground;
   std::vector<std::uint32_t> surface;  /**< 1 planar, 2 curved, see Surface */

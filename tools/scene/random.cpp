@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// xoshiro256**, normal deviates, and series for sine, cosine and logarithm.
 
 #include "scene/random.h"
 
@@ -56,24 +56,6 @@ Random::uniform()
 }
 
 double
-Random::uniform(double low, double high)
-{
-  return low + (high - low) * uniform();
-}
-
-unsigned
-Random::below(unsigned count)
-{
-  return static_cast<unsigned>(uniform() * count);
-}
-
-bool
-Random::chance(double probability)
-{
-  return uniform() < probability;
-}
-
-double
 Random::normal()
 {
   if (has_spare_) {
@@ -121,17 +103,10 @@ fromTurns(double turns)
     sine = 1.0 - angle * angle / (n * (n + 1)) * sine;
   }
   sine *= angle;
-  const double rest = quarters - 4.0 * std::floor(quarters / 4.0);
-  switch (static_cast<int>(rest)) {
-  case 1:
-    return {-sine, cosine};
-  case 2:
-    return {-cosine, -sine};
-  case 3:
-    return {sine, -cosine};
-  default:
-    return {cosine, sine};
-  }
+  UnitVector result{cosine, sine};
+  for (double rest = quarters - 4.0 * std::floor(quarters / 4.0); rest > 0.0; --rest)
+    result = {-result.sine, result.cosine};
+  return result;
 }
 
 } // namespace pcl::scene

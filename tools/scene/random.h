@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Random numbers, sines and logarithms that are the same on every machine.
 
 #pragma once
 
@@ -14,23 +14,33 @@ namespace pcl::scene {
  * between implementations. */
 class Random {
 public:
-  /** \param[in] stream separates the random numbers of one task from those of another
-   */
+  /** \param[in] stream separates the random numbers of different tasks */
   Random(std::uint64_t seed, std::uint64_t stream);
 
   /** \brief Uniform in [0, 1). */
   double uniform();
 
   /** \brief Uniform in [low, high). */
-  double uniform(double low, double high);
+  double
+  uniform(double low, double high)
+  {
+    return low + (high - low) * uniform();
+  }
 
   /** \brief Uniform in 0 ... count - 1. */
-  unsigned below(unsigned count);
+  unsigned
+  below(unsigned count)
+  {
+    return static_cast<unsigned>(uniform() * count);
+  }
 
-  bool chance(double probability);
+  bool
+  chance(double probability)
+  {
+    return uniform() < probability;
+  }
 
-  /** \brief Standard normal deviate (polar method of Marsaglia, with a portable log).
-   */
+  /** \brief Standard normal deviate, by Marsaglia's polar method. */
   double normal();
 
 private:

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// A random camera, a table and objects on it.
 
 #pragma once
 
-#include "scene/layout.h"
+#include "scene/body.h"
 #include "scene/scene.h"
 #include "scene/world.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// A random table scene, looked at with a virtual depth camera.
 
 #include "scene/scene.h"
 
+#include "scene/kinect_sensor.h"
 #include "scene/labels.h"
 #include "scene/random_world.h"
-#include "scene/sensor.h"
 
 #include <cmath>
 #include <limits>
@@ -18,29 +18,6 @@ namespace {
 
 constexpr std::uint64_t noise_stream = 2;
 constexpr std::uint64_t noise_stream_of_turned = 4; // 3 is that of surface samples
-
-template <class Value>
-void
-requireRange(
-    const char* parameter, Value value, Value low, Value high, const char* unit)
-{
-  if (value >= low && value <= high)
-    return;
-  std::ostringstream message;
-  message << parameter << " is " << value << ", allowed is " << low << " to " << high
-          << unit;
-  throw std::invalid_argument(message.str());
-}
-
-void
-validate(const SceneOptions& options)
-{
-  requireRange("objects", options.objects, 0U, 30U, "");
-  requireRange("width", options.width, 16U, 4096U, " pixels");
-  requireRange("height", options.height, 16U, 4096U, " pixels");
-  requireRange("white_sigma", options.white_sigma, 0.0, 0.1, " m");
-  requireRange("turn", options.turn, -180.0, 180.0, " degrees");
-}
 
 std::array<double, 3>
 toArray(const Vec3& v)
@@ -68,32 +45,6 @@ describe(const std::vector<Body>& bodies, const Camera& camera)
   return objects;
 }
 
-Scene
-emptyScene(const SceneOptions& options)
-{
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-  const std::size_t pixels = std::size_t{options.width} * options.height;
-  Scene scene;
-  scene.width = options.width;
-  scene.height = options.height;
-  scene.xyz.assign(3 * pixels, nan);
-  scene.normals.assign(3 * pixels, nan);
-  scene.surface.assign(pixels, SurfaceVoid);
-  scene.edge.assign(pixels, EdgeVoid);
-  scene.instance.assign(pixels, 0);
-  scene.face.assign(pixels, 0);
-  scene.crease_mm.assign(pixels, nan);
-  return scene;
-}
-
-void
-store(const Vec3& v, std::size_t pixel, std::vector<float>& values)
-{
-  values[3 * pixel] = static_cast<float>(v.x);
-  values[3 * pixel + 1] = static_cast<float>(v.y);
-  values[3 * pixel + 2] = static_cast<float>(v.z);
-}
-
 /** Points of the given depths (NaN: none) and the exact normals there. */
 void
 storeGeometry(const Camera& camera,
@@ -101,90 +52,87 @@ storeGeometry(const Camera& camera,
               const std::vector<double>& depth,
               Scene& scene)
 {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < depth.size(); ++i) {
-    if (std::isnan(depth[i]))
-      continue;
-    const auto u = static_cast<unsigned>(i % camera.width);
-    const auto v = static_cast<unsigned>(i / camera.width);
-    store(camera.direction(u, v) * depth[i], i, scene.xyz);
-    store(camera.pose.directionToLocal(view.sights[i].normal), i, scene.normals);
+    const bool has_depth = !std::isnan(depth[i]);
+    append(has_depth ? camera.direction(i) * depth[i] : Vec3{nan, nan, nan}, scene.xyz);
+    append(has_depth ? camera.pose.directionToLocal(view.sights[i].normal)
+                     : Vec3{nan, nan, nan},
+           scene.normals);
   }
 }
 
+/** Along the rays, with white noise of this sigma. */
 std::vector<double>
-exactDepth(const View& view)
+depthOf(const View& view, const Camera& camera, double sigma, Random& random)
 {
   std::vector<double> depth;
-  depth.reserve(view.sights.size());
-  for (const auto& sight : view.sights)
-    depth.push_back(sight.object == nothing ? std::numeric_limits<double>::quiet_NaN()
-                                            : sight.depth);
-  return depth;
-}
-
-std::vector<double>
-withWhiteNoise(std::vector<double> depth,
-               const Camera& camera,
-               double sigma,
-               Random& random)
-{
-  for (std::size_t i = 0; i < depth.size(); ++i) {
-    const auto u = static_cast<unsigned>(i % camera.width);
-    const auto v = static_cast<unsigned>(i / camera.width);
-    depth[i] += sigma * random.normal() / norm(camera.direction(u, v));
+  for (std::size_t i = 0; i < view.sights.size(); ++i) {
+    const double noise = sigma * random.normal() / norm(camera.direction(i));
+    depth.push_back(view.sights[i].object == nothing
+                        ? std::numeric_limits<double>::quiet_NaN()
+                        : view.sights[i].depth + noise);
   }
   return depth;
-}
-
-std::vector<char>
-silhouettesAndGaps(const World& world,
-                   const View& view,
-                   const std::vector<double>& depth)
-{
-  auto marks = silhouettes(world, view);
-  for (std::size_t i = 0; i < marks.size(); ++i)
-    if (view.sights[i].object != nothing && std::isnan(depth[i]))
-      marks[i] = 1;
-  return marks;
 }
 
 } // namespace
 
+void
+requireRange(
+    const char* parameter, double value, double min, double max, const char* unit)
+{
+  if (value >= min && value <= max)
+    return;
+  std::ostringstream message;
+  message << parameter << " must be " << min << " to " << max << unit << ", not "
+          << value;
+  throw std::invalid_argument(message.str());
+}
+
 Scene
 generateScene(const SceneOptions& options)
 {
-  validate(options);
+  requireRange("objects", options.objects, 0.0, 30.0, "");
+  requireRange("width", options.width, 16.0, 4096.0, " pixels");
+  requireRange("height", options.height, 16.0, 4096.0, " pixels");
+  requireRange("white_sigma", options.white_sigma, 0.0, 0.1, " m");
+  requireRange("turn", options.turn, -180.0, 180.0, " degrees");
   const RandomWorld random_world = randomWorld(options);
   const World& world = random_world.world;
   Random noise(options.seed,
                options.turn == 0.0 ? noise_stream : noise_stream_of_turned);
 
   View view = look(world);
-  std::vector<double> depth = exactDepth(view);
-  if (options.noise == Noise::White)
-    depth = withWhiteNoise(depth, world.camera, options.white_sigma, noise);
+  const double sigma = options.noise == Noise::White ? options.white_sigma : 0.0;
+  std::vector<double> depth;
   Observer observer{{world.camera.pose.origin}};
   if (options.noise == Noise::Kinect) {
     observer = KinectSensor::observer(world);
     const KinectSensor sensor(world, view, noise);
-    view = sensor.view();
-    depth = sensor.depth();
+    view = sensor.view;
+    depth = sensor.depth;
   }
+  else
+    depth = depthOf(view, world.camera, sigma, noise);
 
-  Scene scene = emptyScene(options);
+  Scene scene;
+  scene.width = options.width;
+  scene.height = options.height;
   scene.objects = describe(random_world.bodies, world.camera);
   scene.camera_origin = toArray(world.camera.pose.origin);
   for (std::size_t i = 0; i < 3; ++i)
     scene.camera_axes[i] = toArray(world.camera.pose.axes[i]);
   storeGeometry(world.camera, view, depth, scene);
-  const double band = silhouette_band * options.width / 640.0;
+  std::vector<char> gaps = silhouettes(world, view);
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+    if (view.sights[i].object != nothing && std::isnan(depth[i]))
+      gaps[i] = 1;
+  const double band = std::max(1.0, silhouette_band * options.width / 640.0);
   label(world,
         view,
         Creases(world, observer),
-        dilated(silhouettesAndGaps(world, view, depth),
-                options.width,
-                options.height,
-                std::max(1.0, band)),
+        dilated(gaps, options.width, options.height, band),
         scene);
   return scene;
 }

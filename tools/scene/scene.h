@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// A table scene as a depth camera sees it, with the truth about each pixel.
 
 #pragma once
 
@@ -14,7 +14,7 @@ namespace pcl::scene {
 enum class Noise {
   None,  /**< exact ray casting, nothing missing but what the rays do not hit */
   White, /**< independent normal deviates along the ray, same points as None */
-  Kinect /**< correlated, quantised disparity noise and missing depth */
+  Kinect /**< correlated, quantized disparity noise and missing depth */
 };
 
 /** \brief Values of Scene::surface. */
@@ -32,6 +32,12 @@ enum Edge : std::uint32_t {
   EdgeVoid = 255  /**< 5 to 10 mm from a crease, beside a silhouette, on a thin rim */
 };
 
+/** \throws std::invalid_argument that names the parameter, its value and what is
+ * allowed
+ */
+void requireRange(
+    const char* parameter, double value, double min, double max, const char* unit);
+
 /** \brief The kinds of objects that a scene is made of. */
 enum class Shape { Box, Cylinder, Sphere, Bowl, Cone };
 
@@ -46,7 +52,7 @@ struct SceneOptions {
   unsigned width = 640;      /**< pixels, 16 to 4096 */
   unsigned height = 480;     /**< pixels, 16 to 4096 */
   Noise noise = Noise::Kinect;
-  double white_sigma = 0.0; /**< metres along the ray, 0 to 0.1; for Noise::White */
+  double white_sigma = 0.0; /**< meters along the ray, 0 to 0.1; for Noise::White */
   double turn = 0.0; /**< degrees by which the camera walked around the objects, to its
                         right, -180 to 180: another view of the same scene */
 };
@@ -56,12 +62,12 @@ struct SceneObject {
   Shape shape = Shape::Box;
   std::uint32_t instance = 0; /**< its value in Scene::instance, 1 and up */
   /** Box: lengths along its axes. Cylinder, cone: base radius, height, 0. Sphere:
-   * radius. Bowl: outer radius, height, wall thickness. In metres. */
+   * radius. Bowl: outer radius, height, wall thickness. In meters. */
   std::array<double, 3> size{};
   /** Rows: the object's axes x, y, z (z is the axis of revolution) in camera frame. */
   std::array<std::array<double, 3>, 3> axes{};
-  /** Box, sphere: centre. Cylinder, cone: centre of the base. Bowl: lowest point of the
-   * outside when upright. Camera frame, metres. */
+  /** Box, sphere: center. Cylinder, cone: center of the base. Bowl: lowest point of the
+   * outside when upright. Camera frame, meters. */
   std::array<double, 3> origin{};
   bool touches_table = false;
   std::vector<std::uint32_t>
@@ -70,7 +76,7 @@ struct SceneObject {
 
 /** \brief An organized view of a table with objects, and the truth about each pixel.
  *
- * Camera frame: x right, y down, z forward, metres. Pixel (column u, row v) is entry
+ * Camera frame: x right, y down, z forward, meters. Pixel (column u, row v) is entry
  * v * width + u. Pixels without depth have NaN coordinates and normals, 0 labels,
  * edge 255 and a NaN crease_mm.
  *
@@ -92,7 +98,7 @@ struct Scene {
       crease_mm; /**< from the exact point to the nearest crease, capped */
   std::vector<SceneObject> objects;
   /** The camera in a frame that is the same for every view of a scene: z up, the table
-   * at z = 0, metres. Rows: the camera's axes x, y, z. */
+   * at z = 0, meters. Rows: the camera's axes x, y, z. */
   std::array<std::array<double, 3>, 3> camera_axes{};
   std::array<double, 3> camera_origin{};
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The primitives that scenes are made of, and rays that meet them.
 
 #pragma once
 
@@ -23,8 +23,7 @@ enum Face : int {
   BowlRim = 2
 };
 
-/** \brief A primitive in its place. See SceneObject for the meaning of size and pose.
- */
+/** \brief A primitive in its place. SceneObject tells what size and pose mean. */
 struct Solid {
   Shape shape = Shape::Box;
   std::array<double, 3> size{};
@@ -32,15 +31,14 @@ struct Solid {
 };
 
 struct Sphere {
-  Vec3 centre;
+  Vec3 center;
   double radius = 0.0;
 };
 
 /** \brief A sphere around the whole solid. */
 Sphere boundingSphere(const Solid& solid);
 
-/** \brief Where a bowl's rim is: radii of the inner and the outer circle at its height.
- */
+/** \brief A bowl's rim: radii of the inner and the outer circle at its height. */
 struct BowlOpening {
   double inner = 0.0, outer = 0.0;
 };
@@ -55,7 +53,8 @@ struct Ray {
 struct Hit {
   double t =
       std::numeric_limits<double>::infinity(); /**< in lengths of the direction */
-  int face = 0;
+  int face = -1;
+  Vec3 point;
   Vec3 normal; /**< unit, outwards */
 
   bool
@@ -73,7 +72,7 @@ struct FaceAt {
   Vec3 normal; /**< unit, outwards */
 };
 
-/** \brief The faces that a point lies on, within a tolerance in metres. */
+/** \brief The faces that a point lies on, within a tolerance in meters. */
 std::vector<FaceAt> facesAt(const Solid& solid, const Vec3& point, double tolerance);
 
 /** \brief True on the round faces, false on the flat ones. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Random streets: houses, cars, poles, hedges, boxes and people.
 
 #include "scene/street.h"
 
@@ -10,7 +10,7 @@ namespace pcl::scene {
 namespace {
 
 constexpr std::uint64_t street_stream = 11;
-constexpr double far_end = 120.0; // metres to the front and to the back
+constexpr double far_end = 120.0; // meters to the front and to the back
 
 /** Ranges as found in towns: kerbs of 8 to 16 cm, crowns of 1.5 to 3 %, grades to 6 %,
  * crests and sags with radii of 600 m and more, undulation of a few centimetres. */
@@ -53,6 +53,16 @@ public:
     add({Shape::Box, size, pose});
   }
 
+  /** \brief Along the street, its foot below a slope. */
+  void
+  addBlock(
+      const StreetPoint& at, double below, double length, double width, double height)
+  {
+    addBox(upright(at, below),
+           {0.0, 0.0, 0.5 * (below + height)},
+           {length, width, below + height});
+  }
+
   /** \brief Upright. */
   void
   addCylinder(const Pose& frame, double radius, double height)
@@ -74,7 +84,7 @@ public:
   Pose
   upright(const StreetPoint& at, double below) const
   {
-    const UnitVector heading = street_.ground.profile().heading;
+    const UnitVector heading = street_.ground.profile.heading;
     Pose pose;
     pose.axes = {Vec3{heading.cosine, -heading.sine, 0.0},
                  Vec3{heading.sine, heading.cosine, 0.0},
@@ -88,15 +98,14 @@ public:
   {
     const double length = random_.uniform(3.8, 4.9), width = random_.uniform(1.7, 1.9);
     const double clearance = random_.uniform(0.15, 0.25);
-    const double bonnet = random_.uniform(0.8, 1.0), roof = random_.uniform(1.4, 1.9);
+    const double hood = random_.uniform(0.8, 1.0), roof = random_.uniform(1.4, 1.9);
     const Pose frame = street_.ground.standing(at);
     beginObject();
+    addBox(
+        frame, {0.0, 0.0, 0.5 * (clearance + hood)}, {length, width, hood - clearance});
     addBox(frame,
-           {0.0, 0.0, 0.5 * (clearance + bonnet)},
-           {length, width, bonnet - clearance});
-    addBox(frame,
-           {-0.08 * length, 0.0, 0.5 * (bonnet + roof)},
-           {0.55 * length, 0.88 * width, roof - bonnet});
+           {-0.08 * length, 0.0, 0.5 * (hood + roof)},
+           {0.55 * length, 0.88 * width, roof - hood});
     constexpr double wheel = 0.32, wheel_width = 0.2;
     for (const double end : {-0.31, 0.31})
       for (const double side : {-0.5 * width + 0.01, 0.5 * width - 0.01 - wheel_width})
@@ -127,9 +136,7 @@ addHouses(Builder& builder, double side, double front, Random& random)
     const double back = random.chance(0.3) ? random.uniform(1.0, 4.0) : 0.0;
     const double middle = side * (front + back + 0.5 * depth);
     builder.beginObject();
-    builder.addBox(builder.upright({s + 0.5 * length, middle}, below),
-                   {0.0, 0.0, 0.5 * (below + height)},
-                   {length, depth, below + height});
+    builder.addBlock({s + 0.5 * length, middle}, below, length, depth, height);
     s += length + (random.chance(0.4) ? random.uniform(2.0, 12.0) : 0.0);
   }
 }
@@ -166,15 +173,12 @@ addSmallThings(Builder& builder, double side, double kerb, double front, Random&
     }
     else if (kind < 0.85) { // box, bin
       const double height = random.uniform(0.5, 1.3);
-      builder.addBox(builder.upright({s, across}, below),
-                     {0.0, 0.0, 0.5 * (below + height)},
-                     {random.uniform(0.4, 1.2), 0.6, below + height});
+      builder.addBlock({s, across}, below, random.uniform(0.4, 1.2), 0.6, height);
     }
     else { // hedge, before a house
       const double height = random.uniform(0.6, 1.8);
-      builder.addBox(builder.upright({s, side * (front - 0.3)}, below),
-                     {0.0, 0.0, 0.5 * (below + height)},
-                     {random.uniform(2.0, 6.0), 0.5, below + height});
+      const double length = random.uniform(2.0, 6.0);
+      builder.addBlock({s, side * (front - 0.3)}, below, length, 0.5, height);
     }
   }
 }

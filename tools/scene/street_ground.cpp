@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The height of a street at each place, and where rays meet it.
 
 #include "scene/street_ground.h"
 
@@ -11,8 +11,8 @@
 namespace pcl::scene {
 namespace {
 
-constexpr double pavement_fall = 0.02; // towards the road, per metre
-constexpr double search_step = 1.0;    // metres; far below the length of a wave
+constexpr double pavement_fall = 0.02; // towards the road, per meter
+constexpr double search_step = 1.0;    // meters; far below the length of a wave
 
 /** \brief The root of a falling function between two distances. */
 template <typename Function>
@@ -28,7 +28,7 @@ bisect(double low, double high, const Function& above)
 
 } // namespace
 
-StreetGround::StreetGround(const StreetProfile& profile) : profile_(profile)
+StreetGround::StreetGround(const StreetProfile& shape) : profile(shape)
 {
   const StreetPoint vehicle{0.0, profile.lane};
   base_ = -profile.height - height(vehicle, zone(vehicle));
@@ -37,22 +37,22 @@ StreetGround::StreetGround(const StreetProfile& profile) : profile_(profile)
 StreetPoint
 StreetGround::toStreet(double x, double y) const
 {
-  const auto [c, s] = profile_.heading;
-  return {c * x - s * y, profile_.lane + s * x + c * y};
+  const auto [c, s] = profile.heading;
+  return {c * x - s * y, profile.lane + s * x + c * y};
 }
 
 Vec3
 StreetGround::toSensor(const StreetPoint& p, double z) const
 {
-  const auto [c, s] = profile_.heading;
-  const double t = p.t - profile_.lane;
+  const auto [c, s] = profile.heading;
+  const double t = p.t - profile.lane;
   return {c * p.s + s * t, c * t - s * p.s, z};
 }
 
 GroundZone
 StreetGround::zone(const StreetPoint& p) const
 {
-  if (std::abs(p.t) <= profile_.half_width)
+  if (std::abs(p.t) <= profile.half_width)
     return GroundZone::Road;
   return p.t > 0.0 ? GroundZone::LeftWalk : GroundZone::RightWalk;
 }
@@ -60,7 +60,7 @@ StreetGround::zone(const StreetPoint& p) const
 double
 StreetGround::height(const StreetPoint& p, GroundZone zone) const
 {
-  const StreetProfile& f = profile_;
+  const StreetProfile& f = profile;
   const double turns = p.s / f.wave_length + f.wave_phase;
   const double along =
       f.grade * p.s + 0.5 * f.curvature * p.s * p.s + f.wave * fromTurns(turns).sine;
@@ -80,14 +80,14 @@ StreetGround::normal(const StreetPoint& p, GroundZone zone) const
       (height({p.s + h, p.t}, zone) - height({p.s - h, p.t}, zone)) / (2.0 * h);
   const double dt =
       (height({p.s, p.t + h}, zone) - height({p.s, p.t - h}, zone)) / (2.0 * h);
-  const auto [c, s] = profile_.heading;
+  const auto [c, s] = profile.heading;
   return normalized({-(c * ds + s * dt), -(c * dt - s * ds), 1.0});
 }
 
 Pose
 StreetGround::standing(const StreetPoint& p) const
 {
-  const auto [c, s] = profile_.heading;
+  const auto [c, s] = profile.heading;
   Pose pose;
   pose.axes[2] = normal(p, zone(p));
   pose.axes[1] = normalized(cross(pose.axes[2], Vec3{c, -s, 0.0}));
@@ -102,10 +102,10 @@ StreetGround::cast(const Vec3& direction, double reach) const
   const auto at = [&](double distance) {
     return toStreet(direction.x * distance, direction.y * distance);
   };
-  const double drift = at(1.0).t - profile_.lane;
+  const double drift = at(1.0).t - profile.lane;
   std::array<double, 4> ends{0.0, reach, reach, reach};
   for (const double side : {-1.0, 1.0}) {
-    const double crossing = (side * profile_.half_width - profile_.lane) / drift;
+    const double crossing = (side * profile.half_width - profile.lane) / drift;
     if (crossing > 0.0 && crossing < reach)
       ends[side < 0.0 ? 1 : 2] = crossing;
   }
@@ -116,10 +116,9 @@ StreetGround::cast(const Vec3& direction, double reach) const
       return direction.z * distance - height(at(distance), zone);
     };
     if (above(ends[i]) < 0.0)
-      return GroundHit{
-          ends[i],
-          true,
-          toSensor({0.0, profile_.lane + (drift > 0.0 ? -1.0 : 1.0)}, 0.0)};
+      return GroundHit{ends[i],
+                       true,
+                       toSensor({0.0, profile.lane + (drift > 0.0 ? -1.0 : 1.0)}, 0.0)};
     for (double low = ends[i]; low < ends[i + 1]; low += search_step) {
       const double high = std::min(low + search_step, ends[i + 1]);
       if (above(high) < 0.0) {

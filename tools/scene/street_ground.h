@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// The ground of a street: a road between kerbs that rises, bends and undulates.
 
 #pragma once
 
@@ -14,7 +14,7 @@ namespace pcl::scene {
 /** \brief The kinds of ground that a kerb separates. */
 enum class GroundZone { Road, LeftWalk, RightWalk };
 
-/** \brief The shape of a street. Lengths in metres; s runs along it, t to its left, and
+/** \brief The shape of a street. Lengths in meters; s runs along it, t to its left, and
  * the vehicle is at s = 0. */
 struct StreetProfile {
   UnitVector heading;        /**< of the vehicle in the street */
@@ -22,10 +22,10 @@ struct StreetProfile {
   double height = 1.73;      /**< of the sensor above the road */
   double half_width = 4.0;   /**< of the road */
   double kerb = 0.12;        /**< its height */
-  double grade = 0.0;        /**< rise per metre along s, in the sensor's frame */
+  double grade = 0.0;        /**< rise per meter along s, in the sensor's frame */
   double tilt = 0.0;         /**< likewise along t */
   double curvature = 0.0;    /**< of the road's profile, 1 / m */
-  double crown = 0.02;       /**< fall from the middle to the kerb, per metre */
+  double crown = 0.02;       /**< fall from the middle to the kerb, per meter */
   double wave = 0.0;         /**< amplitude of its undulation */
   double wave_length = 30.0; /**< of the undulation */
   double wave_phase = 0.0;   /**< in turns */
@@ -48,11 +48,7 @@ class StreetGround {
 public:
   explicit StreetGround(const StreetProfile& profile);
 
-  const StreetProfile&
-  profile() const
-  {
-    return profile_;
-  }
+  const StreetProfile profile;
 
   StreetPoint toStreet(double x, double y) const;
 
@@ -73,13 +69,12 @@ public:
   Pose standing(const StreetPoint& p) const;
 
   /** \brief The first place where a ray from the sensor meets it.
-   * \param[in] direction unit \param[in] reach metres */
+   * \param[in] direction unit \param[in] reach meters */
   std::optional<GroundHit> cast(const Vec3& direction, double reach) const;
 
 private:
   Vec3 normal(const StreetPoint& p, GroundZone zone) const;
 
-  StreetProfile profile_;
   double base_ = 0.0;
 };
 

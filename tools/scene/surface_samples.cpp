@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Random lines through a scene, and the points where they meet its surfaces.
 
 #include "scene/surface_samples.h"
 
@@ -11,8 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 namespace pcl::scene {
 namespace {
@@ -20,43 +18,7 @@ namespace {
 constexpr std::uint64_t sampling_stream = 3;
 constexpr double edge_spacings = 2.0;
 constexpr double crease_spacings = 4.0;
-constexpr double contact = 1e-7; // metres between surfaces that touch
-
-void
-check(const char* name, double value, double least, double most)
-{
-  if (!(value >= least && value <= most))
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
-                                ": allowed is " + std::to_string(least) + " to " +
-                                std::to_string(most));
-}
-
-void
-validate(const SampleOptions& options)
-{
-  check("objects", options.objects, 0.0, 30.0);
-  check("spacing", options.spacing, 0.0005, 0.02);
-  check("sigma", options.sigma, 0.0, 0.1);
-}
-
-/** The part of the table that objects stand on: the rest is a plane and nothing else.
- */
-World
-cropped(World world)
-{
-  world.table.half_length *= 0.5;
-  world.table.half_width *= 0.6;
-  return world;
-}
-
-Vec3
-randomDirection(Random& random)
-{
-  const double z = random.uniform(-1.0, 1.0);
-  const UnitVector turn = fromTurns(random.uniform());
-  const double radius = std::sqrt(1.0 - z * z);
-  return {radius * turn.cosine, radius * turn.sine, z};
-}
+constexpr double contact = 1e-7; // meters between surfaces that touch
 
 class Sampler {
 public:
@@ -65,12 +27,8 @@ public:
   , options_(options)
   , random_(options.seed, sampling_stream)
   , creases_(world, Observer{})
-  {
-    for (const Solid& solid : world.solids) {
-      bounds_.push_back(boundingSphere(solid));
-      thin_places_.push_back(thinPlaces(solid));
-    }
-  }
+  , thin_places_(world)
+  {}
 
   /** Random lines of the same density everywhere and in every direction meet each piece
    * of surface equally often, a quarter of their number per area from each side
@@ -79,7 +37,7 @@ public:
   run()
   {
     constexpr double pi = 3.14159265358979323846;
-    constexpr double reach = 0.6; // metres around the table's centre: all of the scene
+    constexpr double reach = 0.6; // meters around the table's center: all of the scene
     const double disc = pi * reach * reach;
     const auto lines =
         static_cast<std::uint64_t>(4.0 * disc / (options_.spacing * options_.spacing));
@@ -94,14 +52,13 @@ private:
   Ray
   randomLine(double reach)
   {
-    const Vec3 direction = randomDirection(random_);
-    const Vec3 axis =
-        std::abs(direction.x) < 0.5 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
-    const Vec3 right = normalized(cross(direction, axis));
-    const Vec3 up = cross(direction, right);
+    const double z = random_.uniform(-1.0, 1.0), level = std::sqrt(1.0 - z * z);
+    const UnitVector heading = fromTurns(random_.uniform());
+    const Vec3 direction{level * heading.cosine, level * heading.sine, z};
+    const auto [right, up] = perpendiculars(direction);
     const double radius = reach * std::sqrt(random_.uniform());
     const UnitVector turn = fromTurns(random_.uniform());
-    const Vec3 middle = world_.table.centre + right * (radius * turn.cosine) +
+    const Vec3 middle = world_.table.center + right * (radius * turn.cosine) +
                         up * (radius * turn.sine);
     return {middle - direction * (3.0 * reach), direction};
   }
@@ -109,51 +66,28 @@ private:
   void
   shoot(const Ray& line)
   {
-    Sight sight;
     if (line.direction.z < 0.0) {
-      sight.object = table_index;
-      sight.normal = {0.0, 0.0, 1.0};
-      sight.point = line.origin - line.direction * (line.origin.z / line.direction.z);
-      sight.point.z = 0.0;
-      if (world_.table.contains(sight.point))
-        store(sight);
+      const double t = line.origin.z / line.direction.z;
+      Vec3 point = line.origin - line.direction * t;
+      point.z = 0.0;
+      if (world_.table.contains(point))
+        store({table_index, 0, -t, point, {0.0, 0.0, 1.0}});
     }
     for (std::size_t i = 0; i < world_.solids.size(); ++i) {
       const Hit hit = intersect(world_.solids[i], line);
-      if (!hit.found())
-        continue;
-      sight.object = static_cast<int>(i) + 1;
-      sight.face = hit.face;
-      sight.normal = hit.normal;
-      sight.point = line.origin + line.direction * hit.t;
-      if (sight.point.z > contact)
-        store(sight);
+      if (hit.found() && hit.point.z > contact)
+        store({static_cast<int>(i) + 1, hit.face, hit.t, hit.point, hit.normal});
     }
   }
 
   bool
   touchesAnother(const Sight& sight) const
   {
-    for (std::size_t i = 0; i < world_.solids.size(); ++i) {
-      if (static_cast<int>(i) + 1 == sight.object)
-        continue;
-      const double reach = bounds_[i].radius + contact;
-      if (squaredNorm(sight.point - bounds_[i].centre) < reach * reach &&
+    for (std::size_t i = 0; i < world_.solids.size(); ++i)
+      if (static_cast<int>(i) + 1 != sight.object &&
           !facesAt(world_.solids[i], sight.point, contact).empty())
         return true;
-    }
     return false;
-  }
-
-  bool
-  isNearThinPlace(const Sight& sight) const
-  {
-    if (sight.object <= table_index)
-      return false;
-    const auto& places = thin_places_[static_cast<std::size_t>(sight.object - 1)];
-    return std::any_of(places.begin(), places.end(), [&](const Curve& place) {
-      return place.distance(sight.point) < crease_spacings * options_.spacing;
-    });
   }
 
   void
@@ -162,12 +96,12 @@ private:
     if (touchesAnother(sight))
       return;
     const double distance = creases_.distance(sight.point, crease_cap);
-    const bool is_thin = isNearThinPlace(sight);
+    const bool is_thin =
+        thin_places_.areNear(sight, crease_spacings * options_.spacing);
     for (const double value : {sight.point.x, sight.point.y, sight.point.z})
       scene_.xyz.push_back(
           static_cast<float>(value + options_.sigma * random_.normal()));
-    for (const double value : {sight.normal.x, sight.normal.y, sight.normal.z})
-      scene_.normals.push_back(static_cast<float>(value));
+    append(sight.normal, scene_.normals);
     scene_.instance.push_back(static_cast<std::uint32_t>(sight.object));
     scene_.face.push_back(static_cast<std::uint32_t>(sight.face));
     scene_.crease_mm.push_back(static_cast<float>(1000.0 * distance));
@@ -185,8 +119,7 @@ private:
   const SampleOptions& options_;
   Random random_;
   Creases creases_;
-  std::vector<Sphere> bounds_;
-  std::vector<std::vector<Curve>> thin_places_;
+  ThinPlaces thin_places_;
   Scene scene_;
 };
 
@@ -195,12 +128,17 @@ private:
 Scene
 sampleScene(const SampleOptions& options)
 {
-  validate(options);
+  requireRange("objects", options.objects, 0.0, 30.0, "");
+  requireRange("spacing", options.spacing, 0.0005, 0.02, " m");
+  requireRange("sigma", options.sigma, 0.0, 0.1, " m");
   SceneOptions scene;
   scene.seed = options.seed;
   scene.objects = options.objects;
   scene.shapes = options.shapes;
-  const World world = cropped(randomWorld(scene).world);
+  World world = randomWorld(scene).world;
+  // Where objects stand: the rest of the table is a plane and nothing else.
+  world.table.half_length *= 0.5;
+  world.table.half_width *= 0.6;
   return Sampler(world, options).run();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Points all over the surfaces of a scene, as a CAD model is sampled.
 
 #pragma once
 
@@ -14,8 +14,8 @@ struct SampleOptions {
   unsigned objects = 4;      /**< 0 to 30 */
   std::vector<Shape> shapes; /**< of the objects, in turn; none: all */
   double spacing =
-      0.002;          /**< metres, 1 / sqrt(points per square metre), 0.0005 to 0.02 */
-  double sigma = 0.0; /**< metres of white noise in each coordinate, 0 to 0.1 */
+      0.002;          /**< meters, 1 / sqrt(points per square meter), 0.0005 to 0.02 */
+  double sigma = 0.0; /**< meters of white noise in each coordinate, 0 to 0.1 */
 };
 
 /** \brief Points spread at random over all surfaces of a random table scene, as a CAD

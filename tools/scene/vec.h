@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// Points and directions, and frames of them, with operations that are exact everywhere.
 
 #pragma once
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace pcl::scene {
 
-/** \brief A point or a direction, in metres. Only operations that IEEE 754 rounds
+/** \brief A point or a direction, in meters. Only operations that IEEE 754 rounds
  * exactly (+ - * / sqrt) are used here, so that results are the same everywhere. */
 struct Vec3 {
   double x = 0.0, y = 0.0, z = 0.0;
@@ -67,6 +68,29 @@ inline Vec3
 normalized(const Vec3& a)
 {
   return a * (1.0 / norm(a));
+}
+
+/** \brief Two unit vectors at right angles to a unit vector and to each other. */
+inline std::array<Vec3, 2>
+perpendiculars(const Vec3& a)
+{
+  const Vec3 aside = std::abs(a.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  const Vec3 first = normalized(cross(a, aside));
+  return {first, cross(a, first)};
+}
+
+/** \brief A level direction turned by 90 degrees to the left, seen from above. */
+inline Vec3
+leftOf(const Vec3& a)
+{
+  return {-a.y, a.x, 0.0};
+}
+
+inline void
+append(const Vec3& a, std::vector<float>& values)
+{
+  for (const double value : {a.x, a.y, a.z})
+    values.push_back(static_cast<float>(value));
 }
 
 /** \brief A right-handed orthonormal frame. */

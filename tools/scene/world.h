@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// A table, objects and a camera, and what rays and the camera meet.
 
 #pragma once
 
@@ -13,7 +13,7 @@ namespace pcl::scene {
 /** \brief The visible part of the plane z = 0, facing +z: a rectangle without edges of
  * its own, as a table whose surroundings were cut away. */
 struct Table {
-  Vec3 centre;
+  Vec3 center;
   Vec3 along{1, 0, 0};  /**< unit, in the plane */
   Vec3 across{0, 1, 0}; /**< unit, in the plane */
   double half_length = 0.0, half_width = 0.0;
@@ -27,10 +27,13 @@ struct Camera {
   double focal = 0.0; /**< pixels */
   Pose pose;
 
-  /** \brief Camera-frame direction through a pixel's centre, with z = 1. */
+  /** \brief Camera-frame direction through a pixel's center, with z = 1. Pixels are
+   * counted row by row. */
   Vec3
-  direction(unsigned u, unsigned v) const
+  direction(std::size_t pixel) const
   {
+    const auto u = static_cast<double>(pixel % width);
+    const auto v = static_cast<double>(pixel / width);
     return {(u - 0.5 * (width - 1.0)) / focal, (v - 0.5 * (height - 1.0)) / focal, 1.0};
   }
 };
@@ -62,8 +65,8 @@ struct View {
 
 /** \brief What has to see a point for it to be measured. */
 struct Observer {
-  std::vector<Vec3> eyes;    /**< positions outside all solids */
-  double least_cosine = 0.0; /**< of the angle of incidence */
+  std::vector<Vec3> eyes;  /**< positions outside all solids */
+  double min_cosine = 0.0; /**< of the angle of incidence */
 };
 
 /** \brief Casts rays at everything in a world. */
@@ -74,11 +77,8 @@ public:
   /** \brief The first thing that a ray meets; depth is in lengths of the direction. */
   Sight cast(const Ray& ray) const;
 
-  /** \brief True if a solid is between a position outside all solids and a point on a
-   * surface, or if that surface faces away there. */
-  bool hidden(const Vec3& from, const Vec3& point, const Vec3& normal) const;
-
-  /** \brief True if every eye of an observer sees a point on a surface. */
+  /** \brief True if every eye of an observer sees a point on a surface: it faces them,
+   * and no solid is between. */
   bool seen(const Observer& observer, const Vec3& point, const Vec3& normal) const;
 
 private:

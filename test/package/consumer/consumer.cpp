@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PURPOSE
+// A program outside of the project that uses all of the installed package.
 
 #include <pcl/features/inad.h>
 #include <pcl/features/neighborhood_sweep.h>

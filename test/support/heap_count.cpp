@@ -11,8 +11,9 @@
 
 namespace {
 
-std::atomic<std::ptrdiff_t> in_use{0};
-std::atomic<std::ptrdiff_t> peak{0};
+std::atomic<bool> is_counting{false};
+std::atomic<std::ptrdiff_t> in_use{0}; // what is freed may be older than the count
+std::atomic<std::ptrdiff_t> max_in_use{0};
 
 std::ptrdiff_t
 sizeOf(void* p)
@@ -25,9 +26,11 @@ counted(void* p)
 {
   if (!p)
     throw std::bad_alloc();
-  const std::ptrdiff_t now = in_use += sizeOf(p);
-  std::ptrdiff_t before = peak;
-  while (before < now && !peak.compare_exchange_weak(before, now)) {
+  if (is_counting.load(std::memory_order_relaxed)) {
+    const std::ptrdiff_t now = in_use += sizeOf(p);
+    std::ptrdiff_t before = max_in_use;
+    while (before < now && !max_in_use.compare_exchange_weak(before, now)) {
+    }
   }
   return p;
 }
@@ -35,10 +38,9 @@ counted(void* p)
 void
 release(void* p)
 {
-  if (p) {
+  if (p && is_counting.load(std::memory_order_relaxed))
     in_use -= sizeOf(p);
-    std::free(p);
-  }
+  std::free(p);
 }
 
 } // namespace
@@ -91,22 +93,25 @@ operator delete(void* p, std::size_t, std::align_val_t) noexcept
 namespace pcl {
 namespace test {
 
+HeapCount::HeapCount()
+{
+  in_use = 0;
+  max_in_use = 0;
+  is_counting = true;
+}
+
+HeapCount::~HeapCount() { is_counting = false; }
+
 std::ptrdiff_t
-heapInUse()
+HeapCount::inUse() const
 {
   return in_use;
 }
 
 std::ptrdiff_t
-heapPeak()
+HeapCount::peak() const
 {
-  return peak;
-}
-
-void
-resetHeapPeak()
-{
-  peak = in_use.load();
+  return max_in_use;
 }
 
 } // namespace test

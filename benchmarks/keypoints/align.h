@@ -1,11 +1,6 @@
-/*
- * SPDX-License-Identifier: BSD-3-Clause
- *
- * Point Cloud Library (PCL) - www.pointclouds.org
- * Copyright (c) 2026, pcl_shape contributors
- *
- * All rights reserved
- */
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Brings two views of a scene together by features of keypoints.
 
 #pragma once
 
