@@ -59,7 +59,7 @@ struct GroundPatch {
   bool
   continuesTo(const GroundPatch& other, float max_step) const
   {
-    return std::abs(above(other.x, other.y, other.low)) <=
+    return std::abs(above(other.x, other.y, other.z)) <=
            maxRise(other.x, other.y, max_step);
   }
 };
