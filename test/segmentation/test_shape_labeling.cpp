@@ -63,10 +63,11 @@ TEST_F(OneScene, OneLabelAPointAndVoidBelowTheConfidence)
   for (std::size_t i = 0; i < cloud_->size(); ++i) {
     ASSERT_LE(labels_.labels[i], edge);
     ASSERT_EQ(labels_.labels[i] != 0, labels_.confidence[i] >= default_confidence);
-    if (!isFinite((*cloud_)[i]))
+    if (!isFinite((*cloud_)[i])) {
       ASSERT_EQ(labels_.confidence[i], 0.0f);
     }
   }
+}
 }
 
 TEST_F(OneScene, LessConfidenceKeepsTheSameAndMore)

@@ -185,8 +185,9 @@ TEST_P(SweepIndependence, PointsFurtherAwayThanTwoRadii)
   ASSERT_LT(tile.size(), scene_.size());
   const auto whole = inadOf(scene_), part = inadOf(tile);
   for (std::size_t i = 0; i < inside.size(); ++i)
-    if (inside[i] < scene_.size())
+    if (inside[i] < scene_.size()) {
       ASSERT_EQ(0, std::memcmp(&whole[2 * inside[i]], &part[2 * i], 2 * sizeof(float)));
+    }
 }
 
 TEST_P(SweepIndependence, NumberOfThreads)
