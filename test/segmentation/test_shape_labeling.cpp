@@ -68,7 +68,6 @@ TEST_F(OneScene, OneLabelAPointAndVoidBelowTheConfidence)
     }
   }
 }
-}
 
 TEST_F(OneScene, LessConfidenceKeepsTheSameAndMore)
 {
