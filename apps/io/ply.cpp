@@ -113,7 +113,9 @@ readProperty(const Words& words, Header& header)
              inQuotes(words.size() > 1 ? words[1] : ""),
          "char, uchar, short, ushort, int, uint, float or double");
   if (findField(header.cloud, std::string(words[2])))
-    fail(header.cloud, "property " + inQuotes(words[2]) + " is there twice", "each once");
+    fail(header.cloud,
+         "property " + inQuotes(words[2]) + " is there twice",
+         "each once");
   addField(header.cloud, std::string(words[2]), *datatype);
 }
 
