@@ -18,7 +18,7 @@ namespace po = boost::program_options;
 namespace scene = pcl::scene;
 using namespace grasps;
 
-constexpr double disc_step = 0.004; // metres: less than half of the smallest cup
+constexpr double disc_step = 0.004; // meters: less than half of the smallest cup
 
 struct Arguments {
   std::uint64_t first_seed = 1;
@@ -35,16 +35,16 @@ parseArguments(int argc, char** argv, Arguments& a)
   options.add_options()(
       "first_seed", po::value(&a.first_seed), "of the scenes, two targets each (1)")(
       "scenes", po::value(&a.scenes), "how many (60)")(
-      "cup_radius", po::value(&a.cup_radius), "metres (0.01)")(
+      "cup_radius", po::value(&a.cup_radius), "meters (0.01)")(
       "noise", po::value(&a.noise), "kinect (default) or none")(
       "verbose", po::bool_switch(&a.verbose), "a line for each target")("help", "this");
   if (!parseCommandLine(argc, argv, options))
     return false;
   if (a.noise != "kinect" && a.noise != "none")
-    throw std::invalid_argument("-noise " + a.noise + ": allowed is kinect, none");
+    throw std::invalid_argument("-noise " + a.noise + ": expected kinect, none");
   if (!(a.cup_radius >= 0.004 && a.cup_radius <= 0.1)) {
     throw std::invalid_argument("-cup_radius " + std::to_string(a.cup_radius) +
-                                ": allowed is 0.004 to 0.1 metres");
+                                ": expected 0.004 to 0.1 meters");
   }
   return true;
 }

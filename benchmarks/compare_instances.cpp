@@ -72,10 +72,10 @@ parseArguments(int argc, char** argv, Arguments& a)
   for (const std::string& group : a.groups)
     if (group != "none" && groups().count(group) == 0)
       throw std::invalid_argument("-groups " + group +
-                                  ": allowed is cylinders, boxes, faces, mixed, "
+                                  ": expected cylinders, boxes, faces, mixed, "
                                   "mixed_curved, none");
   if (a.noise != "kinect" && a.noise != "none")
-    throw std::invalid_argument("-noise " + a.noise + ": allowed is kinect, none");
+    throw std::invalid_argument("-noise " + a.noise + ": expected kinect, none");
   return true;
 }
 

@@ -52,7 +52,7 @@ viewOf(std::uint64_t seed, double turn)
 
 struct PoseError {
   double degrees = 0.0;
-  double millimetres = 0.0; ///< in the middle of the first view
+  double millimeters = 0.0; ///< in the middle of the first view
 };
 
 PoseError
@@ -72,11 +72,11 @@ errorOf(const Pose& from, const Pose& to, const Eigen::Matrix4f& found)
 
 /** What one kind of keypoints did over all pairs of views. */
 struct Score {
-  std::vector<double> keypoints, keypoints_ms, align_ms, degrees, millimetres;
+  std::vector<double> keypoints, keypoints_ms, align_ms, degrees, millimeters;
   std::size_t aligned = 0;
 };
 
-constexpr double most_degrees = 5.0, most_millimetres = 20.0;
+constexpr double most_degrees = 5.0, most_millimeters = 20.0;
 
 void
 score(const Pose& from,
@@ -96,8 +96,8 @@ score(const Pose& from,
       millisecondsOf([&] { alignment = align(views[0], views[1], spacing); }));
   const PoseError error = errorOf(from, to, alignment.pose);
   score.degrees.push_back(error.degrees);
-  score.millimetres.push_back(error.millimetres);
-  if (error.degrees <= most_degrees && error.millimetres <= most_millimetres)
+  score.millimeters.push_back(error.millimeters);
+  if (error.degrees <= most_degrees && error.millimeters <= most_millimeters)
     ++score.aligned;
 }
 
@@ -110,7 +110,7 @@ toJson(const std::string& name, double turn, const Score& score)
           {"pairs", pairs},
           {"aligned", static_cast<double>(score.aligned) / static_cast<double>(pairs)},
           {"degrees", median(score.degrees)},
-          {"millimetres", median(score.millimetres)},
+          {"millimeters", median(score.millimeters)},
           {"count", median(score.keypoints)},
           {"keypoints_ms", median(score.keypoints_ms)},
           {"align_ms", median(score.align_ms)}};

@@ -35,7 +35,7 @@ tasksOf(const Arguments& arguments)
   std::vector<Task> tasks;
   for (const std::string& name : arguments.tasks) {
     if (name != "edges" && name != "surfaces")
-      throw std::invalid_argument("-tasks " + name + ": allowed is edges, surfaces");
+      throw std::invalid_argument("-tasks " + name + ": expected edges, surfaces");
     tasks.push_back(name == "edges" ? Task::edges : Task::surfaces);
   }
   return tasks;
@@ -51,13 +51,13 @@ check(const Arguments& arguments)
     for (const double radius : *radii) {
       if (!(radius >= 0.001 && radius <= 1.0)) {
         throw std::invalid_argument("radius " + std::to_string(radius) +
-                                    ": allowed is 0.001 to 1 metre");
+                                    ": expected 0.001 to 1 meter");
       }
     }
   }
   if (arguments.jobs < 1 || arguments.jobs > 256) {
     throw std::invalid_argument("-jobs " + std::to_string(arguments.jobs) +
-                                ": allowed is 1 to 256");
+                                ": expected 1 to 256");
   }
 }
 
@@ -69,7 +69,7 @@ parseArguments(int argc, char** argv, Arguments& a)
   options.add_options()(
       "tasks", po::value(&a.tasks)->multitoken(), "edges, surfaces (both)")(
       "peers", po::value(&a.peers)->multitoken(), "parts of the names of some (all)")(
-      "edge_radii", po::value(&a.edge_radii)->multitoken(), "metres, peers' choice")(
+      "edge_radii", po::value(&a.edge_radii)->multitoken(), "meters, peers' choice")(
       "surface_radii", po::value(&a.surface_radii)->multitoken(), "likewise")(
       "voronoi_radii", po::value(&a.voronoi_radii)->multitoken(), "CGAL's, likewise")(
       "jobs", po::value(&a.jobs), "clouds at a time, one thread each (1)")("help",
@@ -83,7 +83,7 @@ parseArguments(int argc, char** argv, Arguments& a)
 /** Every cloud with one setting. Exceptions must not leave the parallel region. */
 std::vector<Trial>
 trialsOf(const Setting& setting,
-         const std::vector<LabelledCloud>& clouds,
+         const std::vector<LabeledCloud>& clouds,
          Task task,
          int jobs)
 {
@@ -107,7 +107,7 @@ trialsOf(const Setting& setting,
 
 /** The best setting of a peer. */
 Result
-compete(const Peer& peer, const std::vector<LabelledCloud>& clouds, Task task, int jobs)
+compete(const Peer& peer, const std::vector<LabeledCloud>& clouds, Task task, int jobs)
 {
   Result best;
   double best_f1 = -1.0;
@@ -167,9 +167,9 @@ runComparison(int argc, char** argv)
   peers.reserve(tasks.size());
   for (const Task task : tasks)
     peers.push_back(peersOf(task, arguments));
-  std::vector<LabelledCloud> clouds;
+  std::vector<LabeledCloud> clouds;
   for (const std::string& path : arguments.clouds)
-    clouds.push_back(readLabelledCloud(path, tasks));
+    clouds.push_back(readLabeledCloud(path, tasks));
   nlohmann::ordered_json report = describe(clouds);
   report["jobs"] = arguments.jobs;
   for (std::size_t i = 0; i < tasks.size(); ++i) {

@@ -154,7 +154,7 @@ run(int argc, char** argv)
   double radius = 0.010;
   po::options_description description = commonOptions("k_sweep", options);
   description.add_options()("k", po::value(&ks)->multitoken(), "numbers of points")(
-      "normal_radius", po::value(&radius), "metres");
+      "normal_radius", po::value(&radius), "meters");
   parse(argc, argv, description, options);
   const Cloud::ConstPtr cloud = finiteCloudOf(options);
   const Normals::ConstPtr normals = normalsOf(cloud, radius, options.threads);

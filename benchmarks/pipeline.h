@@ -16,7 +16,7 @@
 /** \brief Normals, INAD over one or more radii, and of each the likelihood at every
  * point, over 10 x 10 bins of 90 degrees. */
 struct Pipeline {
-  double normal_radius; ///< metres
+  double normal_radius; ///< meters
   std::vector<double> inad_radii;
   bool own_histogram; ///< the likelihood of the cloud's own histogram, not a plane's
 

@@ -72,7 +72,7 @@ Pipeline::of(const std::string& task, double scale)
   if (task == "pipeline")
     return {0.010 * scale, {0.006 * scale, 0.020 * scale}, true};
   if (task != "edges" && task != "surfaces")
-    throw std::invalid_argument(task + ": pipeline, edges or surfaces is allowed");
+    throw std::invalid_argument(task + ": pipeline, edges or surfaces is expected");
   const auto radii =
       task == "edges" ? pcl::INADParameters::edges() : pcl::INADParameters::surfaces();
   return {radii.normal_radius * scale, {radii.radius * scale}, false};

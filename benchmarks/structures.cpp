@@ -76,8 +76,8 @@ settingsOf(int argc, char** argv)
 {
   Settings settings;
   po::options_description description = commonOptions("structures", settings);
-  description.add_options()("radius", po::value(&settings.radius), "of INAD, metres")(
-      "normal_radius", po::value(&settings.normal_radius), "metres");
+  description.add_options()("radius", po::value(&settings.radius), "of INAD, meters")(
+      "normal_radius", po::value(&settings.normal_radius), "meters");
   parse(argc, argv, description, settings);
   if (settings.shuffle)
     throw std::invalid_argument("organized clouds cannot be shuffled");

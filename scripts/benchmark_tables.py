@@ -98,7 +98,7 @@ def cost(results):
              f"{s['ratio']:.2f}", number(s["max_extra_bytes_per_point"])]
             for s in result["sizes"]]
     return (f"Threads: {result['threads']}, {INSTRUCTIONS[result['target']]}:\n\n" +
-            table(["points", "neighbours/point", "ns/point", "ratio", "extra heap (B/point)"],
+            table(["points", "neighbors/point", "ns/point", "ratio", "extra heap (B/point)"],
                   rows))
 
 
@@ -125,7 +125,7 @@ def agreement(results):
                        ("mu_p999", "sigma_p999", "max_extra_bytes_per_point"))
     return wrapped(
         f"In all comparisons of these two tables both go through exactly the same number of "
-        f"neighbours, and 99.9 % of mu agree within {1e3 * mu:.1g} mrad, of sigma within "
+        f"neighbors, and 99.9 % of mu agree within {1e3 * mu:.1g} mrad, of sigma within "
         f"{1e3 * sigma:.1g} mrad. The most heap in use beside the returned clouds is {heap:.1f} "
         f"bytes a point.")
 

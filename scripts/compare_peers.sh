@@ -27,7 +27,7 @@ if [[ -n $data ]]; then
   compare real "$data"/osd/learn{4,20,22,27,30,33,44}_gt.pcd -tasks edges -edge_radii .012 .015
   # Only these have curved points outside creases.
   compare real "$data"/osd/learn{30,33,44}_gt.pcd -tasks surfaces
-  # A millimetre between points, no noise: smaller radii are better.
+  # A millimeter between points, no noise: smaller radii are better.
   compare exact "$data"/synthetic/*.pcd -tasks edges -edge_radii .003 .005 -voronoi_radii .003 .005
 fi
 for seed in 1 2 3; do

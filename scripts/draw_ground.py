@@ -11,7 +11,7 @@ import numpy as np
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
-LEFT, RIGHT, SIDE = -30.0, 45.0, 14.0  # metres
+LEFT, RIGHT, SIDE = -30.0, 45.0, 14.0  # meters
 COLOURS = {0: "#d1495b", 1: "#2e6f9e"}
 
 
@@ -30,8 +30,8 @@ def read(path):
 
 def draw(axes, cloud):
     order = np.argsort(cloud["z"])
-    colours = [COLOURS[int(ground)] for ground in cloud["ground"][order]]
-    axes.scatter(cloud["x"][order], cloud["y"][order], s=0.35, c=colours, linewidths=0)
+    colors = [COLOURS[int(ground)] for ground in cloud["ground"][order]]
+    axes.scatter(cloud["x"][order], cloud["y"][order], s=0.35, c=colors, linewidths=0)
     axes.set(xlim=(LEFT, RIGHT), ylim=(-SIDE, SIDE), aspect="equal", ylabel="y (m)",
              facecolor="white")
 

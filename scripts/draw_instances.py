@@ -33,7 +33,7 @@ def light(scene):
     return 0.3 + 0.7 * np.minimum(1, np.abs(toward) / 1.2)
 
 
-def coloured(labels, shade):
+def colored(labels, shade):
     palette = np.vstack([[0.82, 0.82, 0.82], plt.get_cmap("tab20").colors])
     indices = np.where(labels > 0, 1 + (2 * (labels - 1) + (labels - 1) // 10) % 20, 0).astype(int)
     picture = palette[indices] * shade[..., None]
@@ -46,8 +46,8 @@ def main():
         sys.exit("usage: scripts/draw_instances.py scene.pcd instances.pcd ... out.png")
     scene = Cloud(sys.argv[1])
     shade = light(scene)
-    panels = [coloured(np.zeros(scene.shape, int), shade)]
-    panels += [coloured(Cloud(path).image("instance").astype(int), shade) for path in sys.argv[2:-1]]
+    panels = [colored(np.zeros(scene.shape, int), shade)]
+    panels += [colored(Cloud(path).image("instance").astype(int), shade) for path in sys.argv[2:-1]]
     rows, columns = np.nonzero(scene.image("instance"))
     part = np.s_[max(0, rows.min() - MARGIN):rows.max() + MARGIN,
                  max(0, columns.min() - MARGIN):columns.max() + MARGIN]

@@ -20,7 +20,7 @@ NAMES = {"creases": "points of creases (`ShapeEdgeDetection`)",
 def row(result):
     return [f"{result['turn']:.0f}°", NAMES[result["keypoints"]], f"{result['count']:.0f}",
             f"{100 * result['aligned']:.0f} %", f"{result['degrees']:.2f}",
-            f"{result['millimetres']:.1f}", f"{result['keypoints_ms'] / 1e3:.2f}",
+            f"{result['millimeters']:.1f}", f"{result['keypoints_ms'] / 1e3:.2f}",
             f"{result['align_ms'] / 1e3:.2f}"]
 
 

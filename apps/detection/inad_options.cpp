@@ -17,7 +17,7 @@ addInadOptions(CommandLine& command_line)
       .option("normal_radius", "R", "of the neighborhoods of the normals")
       .option("scale",
               "S",
-              "of the radii: fixed (metres), depth (metres up to 0.8 m away, growing "
+              "of the radii: fixed (meters), depth (meters up to 0.8 m away, growing "
               "with z),\ndensity (local spacings)")
       .option("k", "N", "the nearest N points instead of both radii")
       .option("outlier_rate", "C", "leave angles out beyond C sigma, 0 for none (2)")

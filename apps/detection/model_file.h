@@ -20,7 +20,7 @@ namespace pcl::app {
  * allowed */
 pcl::ShapeModel loadModel(const std::string& path);
 
-/** \brief A model file that is made, or extended, with labelled samples. */
+/** \brief A model file that is made, or extended, with labeled samples. */
 class ModelFile {
 public:
   /** \param[in] classes what each sample may have

@@ -13,7 +13,7 @@ addResolutionOption(CommandLine& command_line)
 {
   command_line.option("resolution",
                       "L",
-                      "look no finer than cells of L metres, where clouds have many "
+                      "look no finer than cells of L meters, where clouds have many "
                       "points;\nall points get results");
 }
 

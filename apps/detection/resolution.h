@@ -12,7 +12,7 @@ namespace pcl::app {
 
 void addResolutionOption(CommandLine& command_line);
 
-/** \brief Metres, 0 if it is not given, for setResolution(). */
+/** \brief Meters, 0 if it is not given, for setResolution(). */
 double resolutionOf(const Arguments& arguments);
 
 /** \brief Note it among the parameters. */

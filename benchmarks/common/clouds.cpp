@@ -62,7 +62,7 @@ cloudOf(const Options& options)
     if (options.generate.empty() || options.generate == "scene")
       return sceneCloud();
     throw std::invalid_argument(options.generate +
-                                ": scene, sheet or laser is allowed");
+                                ": scene, sheet or laser is expected");
   }
   const auto cloud = pcl::make_shared<Cloud>();
   if (pcl::io::loadPCDFile(options.cloud, *cloud) != 0)

@@ -28,6 +28,6 @@ Cloud::Ptr sceneCloud();
 Cloud::Ptr sheetCloud(std::size_t points);
 
 /** \brief A turn of a laser scanner with 64 rings in a street, ring by ring: ground,
- * houses, cars, trunks. Points are millimetres apart near the scanner and metres far
+ * houses, cars, trunks. Points are millimeters apart near the scanner and meters far
  * away. */
 Cloud::Ptr laserCloud();

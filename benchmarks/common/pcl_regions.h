@@ -13,7 +13,7 @@
 #include <vector>
 
 /** \brief What PCL offers to find whole surfaces, as its users set it up: one thread,
- * the faster, unsorted search. Lengths are in metres. */
+ * the faster, unsorted search. Lengths are in meters. */
 namespace pcl_regions {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
@@ -22,7 +22,7 @@ using Normals = pcl::PointCloud<pcl::Normal>;
 /** \brief pcl::NormalEstimationOMP over a radius. */
 Normals::Ptr normalsOf(const Cloud::ConstPtr& cloud, double radius);
 
-/** \brief pcl::RegionGrowing over 30 neighbours, regions of 100 points or more. */
+/** \brief pcl::RegionGrowing over 30 neighbors, regions of 100 points or more. */
 std::vector<pcl::PointIndices> grownRegions(const Cloud::ConstPtr& cloud,
                                             double degrees);
 
@@ -36,7 +36,7 @@ std::vector<pcl::Indices> planes(const Cloud::ConstPtr& cloud,
 /** \brief How RANSAC judges a cylinder. */
 struct CylinderFit {
   double distance;
-  /** PCL adds it times an angle in radians to distances in metres: 0 leaves normals to
+  /** PCL adds it times an angle in radians to distances in meters: 0 leaves normals to
    * the choice of samples, 0.1 is of PCL's tutorial. */
   double normal_weight;
 };

@@ -50,7 +50,7 @@ planeSetting(double distance, bool is_level, unsigned threads)
 Setting
 morphologicalSetting(double cell, double slope, double initial, double most)
 {
-  constexpr double window = 5.0; // metres: wider than a car
+  constexpr double window = 5.0; // meters: wider than a car
   const auto find = [=](const Cloud::ConstPtr& cloud) {
     pcl::ProgressiveMorphologicalFilter<pcl::PointXYZ> filter;
     filter.setCellSize(static_cast<float>(cell));

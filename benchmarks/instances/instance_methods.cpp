@@ -118,9 +118,9 @@ classOf(Task task)
 }
 
 std::string
-millimetres(double metres)
+millimeters(double meters)
 {
-  return std::to_string(static_cast<int>(std::lround(1000.0 * metres))) + " mm";
+  return std::to_string(static_cast<int>(std::lround(1000.0 * meters))) + " mm";
 }
 
 /** The same with several distances. */
@@ -132,7 +132,7 @@ addWithDistances(const std::string& name,
 {
   for (const double distance : distances)
     methods.push_back(
-        {name, millimetres(distance), [run, distance](const InstanceCloud& cloud) {
+        {name, millimeters(distance), [run, distance](const InstanceCloud& cloud) {
            return run(cloud, distance);
          }});
 }

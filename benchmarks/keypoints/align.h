@@ -29,7 +29,7 @@ struct Alignment {
 
 // [describe]
 /** \brief Fast Point Feature Histograms (Rusu 2009) of the keypoints.
- * \param[in] spacing of the cloud's points, metres: lengths are multiples of it */
+ * \param[in] spacing of the cloud's points, meters: lengths are multiples of it */
 inline Features::Ptr
 describe(const View& view, float spacing)
 {
@@ -60,7 +60,7 @@ describe(const View& view, float spacing)
 
 // [align]
 /** \brief Keypoints with similar surroundings, and the pose that most of them agree on.
- * \param[in] spacing of the clouds' points, metres: lengths are multiples of it */
+ * \param[in] spacing of the clouds' points, meters: lengths are multiples of it */
 inline Alignment
 align(const View& from, const View& to, float spacing)
 {

@@ -13,7 +13,7 @@
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using KeypointsOf = std::function<Cloud::Ptr(const Cloud::ConstPtr&)>;
 
-/** \brief The median distance of a point to the nearest other one, metres. */
+/** \brief The median distance of a point to the nearest other one, meters. */
 float spacingOf(const Cloud& cloud);
 
 /** \brief Points of creases, four local spacings (see AdaptiveRadius) apart. */

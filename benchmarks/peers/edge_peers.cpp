@@ -17,7 +17,7 @@ namespace {
 /** The program of Bazazian et al. as it is: surface variation of the 10 nearest points,
  * from its least (0) to its largest (1) value. */
 Scores
-variationOfNearest(const LabelledCloud& cloud)
+variationOfNearest(const LabeledCloud& cloud)
 {
   constexpr int k = 10;
   pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation(1);
@@ -68,8 +68,8 @@ edgePeers(const std::vector<double>& radii)
   for (const double scale : {1.0 / 3.0, 1.0}) {
     for (const double radius : radii) {
       const double small = scale * radius, large = 3.0 * small;
-      normals.settings.push_back({millimetres(small) + " and " + millimetres(large),
-                                  [=](const LabelledCloud& cloud) {
+      normals.settings.push_back({millimeters(small) + " and " + millimeters(large),
+                                  [=](const LabeledCloud& cloud) {
                                     return differenceOfNormals(
                                         cloud.points, small, large);
                                   }});

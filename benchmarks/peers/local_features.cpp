@@ -68,7 +68,7 @@ curvatureOf(const Cloud::ConstPtr& cloud, double radius)
 } // namespace
 
 std::string
-millimetres(double radius)
+millimeters(double radius)
 {
   const double tenths = std::round(1e4 * radius);
   const std::string text = std::to_string(static_cast<int>(tenths / 10.0));
@@ -81,11 +81,11 @@ surfaceVariation(const std::vector<double>& radii)
 {
   Peer peer{"surface variation (Bazazian), radius", {}, {}};
   for (const double radius : radii) {
-    peer.settings.push_back({millimetres(radius), [=](const LabelledCloud& cloud) {
+    peer.settings.push_back({millimeters(radius), [=](const LabeledCloud& cloud) {
                                return variationOf(cloud.points, radius);
                              }});
     peer.settings.push_back(
-        {millimetres(radius) + " × (z / 0.8 m)²", [=](const LabelledCloud& cloud) {
+        {millimeters(radius) + " × (z / 0.8 m)²", [=](const LabeledCloud& cloud) {
            return variationByDepth(cloud.points, radius);
          }});
   }
@@ -97,10 +97,9 @@ principalCurvature(const std::vector<double>& radii)
 {
   Peer peer{"pcl::PrincipalCurvaturesEstimation", {}, {}};
   for (const double radius : radii) {
-    peer.settings.push_back({"normals and curvature " + millimetres(radius),
-                             [=](const LabelledCloud& cloud) {
-                               return curvatureOf(cloud.points, radius);
-                             }});
+    peer.settings.push_back(
+        {"normals and curvature " + millimeters(radius),
+         [=](const LabeledCloud& cloud) { return curvatureOf(cloud.points, radius); }});
   }
   return peer;
 }

@@ -13,7 +13,7 @@ using pcl_regions::Normals;
 using pcl_regions::normalsOf;
 
 /** \brief "12 mm" */
-std::string millimetres(double radius);
+std::string millimeters(double radius);
 
 /** \brief Surface variation: the smallest eigenvalue over the sum of all. */
 Peer surfaceVariation(const std::vector<double>& radii);

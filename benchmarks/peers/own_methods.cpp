@@ -18,7 +18,7 @@ using Surfaces = pcl::ShapeBackProjection<pcl::PointXYZ, pcl::Normal>;
 /** 1 for the points of the class that is looked for, 0 for others, NaN in no class. */
 template <typename Detector>
 Scores
-detect(Detector& detector, const LabelledCloud& cloud, std::size_t looked_for)
+detect(Detector& detector, const LabeledCloud& cloud, std::size_t looked_for)
 {
   detector.setInputCloud(cloud.points);
   detector.setNumberOfThreads(1);
@@ -35,7 +35,7 @@ template <typename Detector>
 Setting
 defaultMode(std::size_t looked_for)
 {
-  return {"no options", [=](const LabelledCloud& cloud) {
+  return {"no options", [=](const LabeledCloud& cloud) {
             Detector detector;
             return detect(detector, cloud, looked_for);
           }};
@@ -47,7 +47,7 @@ paperMode(const pcl::INADParameters& parameters,
           std::size_t bins,
           std::size_t looked_for)
 {
-  return {"the paper's radii", [=](const LabelledCloud& cloud) {
+  return {"the paper's radii", [=](const LabeledCloud& cloud) {
             Detector detector;
             detector.setMode(Detector::PAPER);
             detector.setModel(pcl::ShapeModel::idealPlane(parameters, bins));

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "labelled_cloud.h"
+#include "labeled_cloud.h"
 
 #include <functional>
 #include <optional>
@@ -19,7 +19,7 @@ using Scores = std::vector<float>;
 /** \brief One way to run a method. */
 struct Setting {
   std::string text; ///< what is set, for the report
-  std::function<Scores(const LabelledCloud&)> score;
+  std::function<Scores(const LabeledCloud&)> score;
 };
 
 /** \brief A method. It runs on one thread. */
@@ -35,7 +35,7 @@ struct Peer {
 std::vector<Peer> ownEdges();
 std::vector<Peer> ownSurfaces();
 
-/** \brief What others offer for edges. \param[in] radii metres, to choose from */
+/** \brief What others offer for edges. \param[in] radii meters, to choose from */
 std::vector<Peer> edgePeers(const std::vector<double>& radii);
 
 /** \brief What others offer to tell curved from planar points. */

@@ -17,7 +17,7 @@ namespace {
 
 constexpr float is_member = 0.5f;
 
-/** How far, in metres, the points of a region are from its plane. */
+/** How far, in meters, the points of a region are from its plane. */
 float
 flatnessOf(const Cloud& cloud, const pcl::Indices& region)
 {
@@ -62,11 +62,11 @@ awayFromPlanes(const Cloud::ConstPtr& cloud, double distance)
 
 /** As many cylinders as the truth has curved parts, after the largest plane. */
 Scores
-onCylinders(const LabelledCloud& labelled, const pcl_regions::CylinderFit& fit)
+onCylinders(const LabeledCloud& labeled, const pcl_regions::CylinderFit& fit)
 {
-  Scores scores(labelled.points->size(), 0.0f);
+  Scores scores(labeled.points->size(), 0.0f);
   for (const pcl::Indices& cylinder :
-       pcl_regions::cylinders(labelled.points, fit, countCurvedParts(labelled)))
+       pcl_regions::cylinders(labeled.points, fit, countCurvedParts(labeled)))
     setScores(cylinder, 1.0f, scores);
   return scores;
 }
@@ -78,14 +78,14 @@ regionPeers()
 {
   Peer growing{"pcl::RegionGrowing, flatness of regions", {}, {}};
   for (const int degrees : {2, 4}) {
-    growing.settings.push_back({"30 neighbours, " + std::to_string(degrees) + "°",
-                                [=](const LabelledCloud& cloud) {
+    growing.settings.push_back({"30 neighbors, " + std::to_string(degrees) + "°",
+                                [=](const LabeledCloud& cloud) {
                                   return flatnessOfRegions(cloud.points, degrees);
                                 }});
   }
   Peer planes{"RANSAC planes, iterated", {}, is_member};
   for (const double distance : {0.005, 0.010}) {
-    planes.settings.push_back({millimetres(distance), [=](const LabelledCloud& cloud) {
+    planes.settings.push_back({millimeters(distance), [=](const LabeledCloud& cloud) {
                                  return awayFromPlanes(cloud.points, distance);
                                }});
   }
@@ -93,7 +93,7 @@ regionPeers()
   for (const pcl_regions::CylinderFit& fit : pcl_regions::cylinderFits()) {
     cylinders.settings.push_back(
         {pcl_regions::describe(fit),
-         [=](const LabelledCloud& cloud) { return onCylinders(cloud, fit); }});
+         [=](const LabeledCloud& cloud) { return onCylinders(cloud, fit); }});
   }
   return {growing, planes, cylinders};
 }

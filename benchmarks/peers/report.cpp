@@ -57,10 +57,10 @@ meansOf(const Json& clouds)
 } // namespace
 
 Json
-describe(const std::vector<LabelledCloud>& clouds)
+describe(const std::vector<LabeledCloud>& clouds)
 {
   Json described;
-  for (const LabelledCloud& cloud : clouds) {
+  for (const LabeledCloud& cloud : clouds) {
     described["clouds"].push_back(
         {{"name", cloud.name}, {"points", cloud.points->size()}});
   }

@@ -22,7 +22,7 @@ struct Result {
 };
 
 /** \brief The clouds: names and sizes. */
-nlohmann::ordered_json describe(const std::vector<LabelledCloud>& clouds);
+nlohmann::ordered_json describe(const std::vector<LabeledCloud>& clouds);
 
 /** \brief A result: cloud by cloud, and means over the clouds for which a number
  * exists. */

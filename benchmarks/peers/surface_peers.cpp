@@ -34,7 +34,7 @@ radiiPeer(const std::string& name, const std::vector<double>& radii)
   Peer peer{name, {}, {}};
   for (const double radius : radii) {
     peer.settings.push_back(
-        {"normals and RSD " + millimetres(radius), [=](const LabelledCloud& cloud) {
+        {"normals and RSD " + millimeters(radius), [=](const LabeledCloud& cloud) {
            return curvatureByRadii(cloud.points, radius);
          }});
   }

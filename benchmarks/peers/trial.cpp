@@ -66,7 +66,7 @@ thresholdsOf(const std::vector<Trial>& trials)
 } // namespace
 
 Trial
-run(const Setting& setting, const LabelledCloud& cloud, Task task)
+run(const Setting& setting, const LabeledCloud& cloud, Task task)
 {
   const Truth& truth = task == Task::edges ? cloud.edges : cloud.surfaces;
   Trial trial{&cloud, &truth, {}, 0.0};
@@ -76,7 +76,7 @@ run(const Setting& setting, const LabelledCloud& cloud, Task task)
   if (scores.size() != cloud.points->size()) {
     throw std::runtime_error(cloud.name + ", " + setting.text + ": " +
                              std::to_string(scores.size()) +
-                             " scores: allowed is one for each of the " +
+                             " scores: expected one for each of the " +
                              std::to_string(cloud.points->size()) + " points");
   }
   for (const Truth::Point& point : truth.points)

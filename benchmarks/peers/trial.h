@@ -12,7 +12,7 @@ namespace peers {
 
 /** \brief What a setting gave on one cloud: the scores of the points of its truth. */
 struct Trial {
-  const LabelledCloud* cloud = nullptr;
+  const LabeledCloud* cloud = nullptr;
   const Truth* truth = nullptr;
   std::vector<float> scores; ///< of truth->points
   double seconds = 0.0;      ///< processor time
@@ -20,7 +20,7 @@ struct Trial {
 
 /** \brief Run a setting on a cloud. \throws std::runtime_error if it does not give a
  * score for each point */
-Trial run(const Setting& setting, const LabelledCloud& cloud, Task task);
+Trial run(const Setting& setting, const LabeledCloud& cloud, Task task);
 
 /** \brief How well the class looked for and the others were found if points belong to
  * it from a threshold on. */

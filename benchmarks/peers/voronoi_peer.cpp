@@ -74,10 +74,10 @@ voronoiPeer(const std::vector<double>& radii)
   Peer peer{"CGAL::vcm_is_on_feature_edge", {}, {}};
   for (const double radius : radii) {
     const double offset = 2.0 * radius; // as in CGAL's example
-    peer.settings.push_back({"offset " + millimetres(offset) + ", convolution " +
-                                 millimetres(radius) + ", cells " +
-                                 millimetres(0.5 * radius),
-                             [=](const LabelledCloud& cloud) {
+    peer.settings.push_back({"offset " + millimeters(offset) + ", convolution " +
+                                 millimeters(radius) + ", cells " +
+                                 millimeters(0.5 * radius),
+                             [=](const LabeledCloud& cloud) {
                                return voronoiScores(cloud.points, offset, radius);
                              }});
   }

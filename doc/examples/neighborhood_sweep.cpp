@@ -19,7 +19,7 @@
 int
 main()
 {
-  std::vector<float> xyz; // metres
+  std::vector<float> xyz; // meters
   for (int i = 0; i < 200; ++i) {
     for (int j = 0; j < 200; ++j) {
       const float x = 0.002f * static_cast<float>(i);

@@ -31,7 +31,7 @@ main(int argc, char** argv)
   pcl::NormalEstimationSweep<pcl::PointXYZ, pcl::Normal> normal_estimation;
   normal_estimation.setSweepIndex(index);
   normal_estimation.setInputCloud(cloud);
-  normal_estimation.setRadiusSearch(0.010); // metres
+  normal_estimation.setRadiusSearch(0.010); // meters
   const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
   normal_estimation.compute(*normals);
 

@@ -29,7 +29,7 @@ problemOfCloud(const std::string& name, const XYZView& points)
   if (points.size >
       static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
     return name + " has " + std::to_string(points.size) +
-           " points: at most 2^31 - 1 are allowed";
+           " points: it must have at most 2^31 - 1";
   }
   for (std::size_t i = 0; i < points.size; ++i)
     if (isFinite(points[i]))
@@ -47,8 +47,8 @@ problemOfIndices(const pcl::Indices& indices, std::size_t size)
   if (bad == indices.end())
     return {};
   return "index " + std::to_string(*bad) + " (at position " +
-         std::to_string(bad - indices.begin()) + ") is out of range: 0 to " +
-         std::to_string(size - 1) + " are allowed";
+         std::to_string(bad - indices.begin()) + ") is out of range: it must be 0 to " +
+         std::to_string(size - 1);
 }
 
 /** \brief Whether at least that many points are finite: counts no further. */
@@ -73,9 +73,9 @@ problemOfSize(double radius, int k, const XYZView& surface)
   if (k != 0) {
     return k > 0 && hasFinite(surface, static_cast<std::size_t>(k))
                ? std::string()
-               : "k is " + std::to_string(k) + ": 1 to " +
+               : "k is " + std::to_string(k) + ": it must be 1 to " +
                      std::to_string(kernels::countFinite(surface)) +
-                     ", the number of finite points, is allowed";
+                     ", the number of finite points";
   }
   return radius > 0.0 && std::isfinite(radius)
              ? std::string()

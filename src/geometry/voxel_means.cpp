@@ -79,12 +79,12 @@ problemOfResolution(double resolution, const XYZView& points)
   const Size size = sizeOf(points);
   const double least = static_cast<double>(size.coordinate) / float_digits;
   if (resolution < least)
-    return given + numberText(least) +
-           " or more is allowed, what a float holds at the cloud's largest "
+    return given + "it must be " + numberText(least) +
+           " or more, what a float holds at the cloud's largest "
            "coordinate, " +
            numberText(static_cast<double>(size.coordinate)) + " m";
   if (size.extent > 0.0f && resolution >= static_cast<double>(size.extent))
-    return given + "less than the cloud's extent is allowed, " +
+    return given + "it must be less than the cloud's extent, " +
            numberText(static_cast<double>(size.extent)) + " m";
   return {};
 }

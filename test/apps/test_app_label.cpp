@@ -249,10 +249,10 @@ TEST_F(Label, ModelsOfOneClassOrAnotherScaleAreRefused)
         expectRefused(label({"-model", model}), 1, {model, "1 class", "expected"});
     }
   };
-  const std::string metres = path("metres.json"), spacings = path("spacings.json");
-  add(metres, {"-radius", "0.03", "-normal_radius", "0.03"});
+  const std::string meters = path("meters.json"), spacings = path("spacings.json");
+  add(meters, {"-radius", "0.03", "-normal_radius", "0.03"});
   expectRefused(
-      label({"-model", metres}), 1, {metres, "-scale fixed", "-scale density"});
+      label({"-model", meters}), 1, {meters, "-scale fixed", "-scale density"});
   add(spacings, {"-scale", "density", "-radius", "7", "-normal_radius", "5"});
   ASSERT_EQ(label({"-model", spacings}).status, 0);
   EXPECT_TRUE(manifest()["counts"].contains("folded"));

@@ -114,7 +114,7 @@ TEST_F(ResolutionOption, BadOnesAreRefused)
     EXPECT_FALSE(exists(out));
   }
   expectFailure(runApp("pcl_shape_grasp", {scene, "-resolution", "1e-12"}),
-                {"resolution is 1e-12 m", "or more is allowed", "scene.pcd"});
+                {"resolution is 1e-12 m", "or more, what a float holds", "scene.pcd"});
 }
 
 TEST_F(ResolutionOption, NeedsTheDefaultMode)

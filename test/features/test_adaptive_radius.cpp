@@ -85,12 +85,12 @@ TEST(AdaptiveRadius, DensityDoesNotKnowTheUnit)
 {
   using Estimation = INADEstimation<PointXYZ, Normal>;
   const auto cloud = toCloud<PointXYZ>(noisyFold(0.001));
-  const auto metres = inadOf(cloud, 3.0, Estimation::DENSITY);
+  const auto meters = inadOf(cloud, 3.0, Estimation::DENSITY);
   // Powers of two are exact in float: not a bit may change.
-  EXPECT_TRUE(sameBits(metres, inadOf(scaled(*cloud, 1024), 3.0, Estimation::DENSITY)));
+  EXPECT_TRUE(sameBits(meters, inadOf(scaled(*cloud, 1024), 3.0, Estimation::DENSITY)));
   EXPECT_TRUE(
-      sameBits(metres, inadOf(scaled(*cloud, 1 / 128.0f), 3.0, Estimation::DENSITY)));
-  EXPECT_FALSE(sameBits(metres, inadOf(cloud, 3.5, Estimation::DENSITY)));
+      sameBits(meters, inadOf(scaled(*cloud, 1 / 128.0f), 3.0, Estimation::DENSITY)));
+  EXPECT_FALSE(sameBits(meters, inadOf(cloud, 3.5, Estimation::DENSITY)));
 }
 
 TEST(AdaptiveRadius, WhatNoFloatCanBeReachesAllPointsOrNone)

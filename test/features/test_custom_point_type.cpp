@@ -39,7 +39,7 @@ struct LaserPoint {
 };
 
 /** \brief INAD with something more. */
-struct LabelledINAD {
+struct LabeledINAD {
   float label = 7.0f;
   float sigma = 0.0f;
   float mu = 0.0f;
@@ -51,7 +51,7 @@ POINT_CLOUD_REGISTER_POINT_STRUCT(LaserPoint,
                                                                              ring,
                                                                              ring))
 POINT_CLOUD_REGISTER_POINT_STRUCT(
-    LabelledINAD, (float, label, label)(float, sigma, sigma)(float, mu, mu))
+    LabeledINAD, (float, label, label)(float, sigma, sigma)(float, mu, mu))
 
 namespace {
 
@@ -89,11 +89,11 @@ TEST_F(CustomPointType, Normals)
 
 TEST_F(CustomPointType, INADIntoACustomOutput)
 {
-  INADEstimation<LaserPoint, Normal, LabelledINAD> estimation;
+  INADEstimation<LaserPoint, Normal, LabeledINAD> estimation;
   estimation.setInputCloud(cloud_);
   estimation.setInputNormals(trueNormalsOf<Normal>(surface_));
   estimation.setRadiusSearch(0.015);
-  PointCloud<LabelledINAD> output;
+  PointCloud<LabeledINAD> output;
   estimation.compute(output);
   const auto expected = sweptINAD(NeighborhoodSweep(surface_.points()),
                                   NeighborhoodSize::ofRadius(0.015),

@@ -154,9 +154,9 @@ TEST(Scene, LabelsFollowTheConventions)
       ASSERT_LE(distance, 50.0F);
       ASSERT_EQ(scene.surface[i] == SurfaceCrease, distance < 10.0F);
       ASSERT_EQ(scene.edge[i] == EdgeCrease, distance < 5.0F);
-      const bool labelled =
+      const bool labeled =
           scene.surface[i] == SurfacePlanar || scene.surface[i] == SurfaceCurved;
-      ASSERT_EQ(scene.edge[i] == EdgeNot, labelled);
+      ASSERT_EQ(scene.edge[i] == EdgeNot, labeled);
       ASSERT_LE(scene.instance[i], scene.objects.size());
       if (scene.instance[i] == 0) {
         ASSERT_NE(scene.surface[i], SurfaceCurved);

@@ -17,7 +17,7 @@ namespace pcl::test {
  * are; where they meet follows from the world's geometry. */
 class CreaseTruth {
 public:
-  /** \param[in] spacing mean distance of points, metres */
+  /** \param[in] spacing mean distance of points, meters */
   CreaseTruth(const scene::World& world,
               const scene::Observer& observer,
               double spacing)

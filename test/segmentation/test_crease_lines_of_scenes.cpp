@@ -42,7 +42,7 @@ walk(const Lines& lines, const Visit& visit)
   }
 }
 
-/** \brief Metres of lines, and of the creases that they should follow. */
+/** \brief Meters of lines, and of the creases that they should follow. */
 struct Followed {
   double length = 0, off = 0, covered = 0, all = 0;
 };

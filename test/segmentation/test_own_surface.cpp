@@ -72,7 +72,7 @@ TEST(AdaptiveDetection, AnySurfaceCanBeASample)
   ShapeModel model(parameters);
   model.setSmoothing(1.0);
   model.setFloor(3e-4);
-  constexpr double density = 250000; // per square metre
+  constexpr double density = 250000; // per square meter
   const auto points = [](double area) {
     return static_cast<std::size_t>(density * area);
   };

@@ -23,7 +23,7 @@ using namespace pcl::test;
 constexpr double body_radius = 0.1;
 constexpr double radius = 0.75 * body_radius;
 constexpr double side = 0.4;
-constexpr std::size_t density = 40000; // points a square metre
+constexpr std::size_t density = 40000; // points a square meter
 
 const INADParameters parameters{radius, radius, 0, 2.0};
 

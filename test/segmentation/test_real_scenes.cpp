@@ -15,7 +15,7 @@
 #include <string>
 
 /** \brief A point of a depth camera's scene with its ground truth. */
-struct LabelledPoint {
+struct LabeledPoint {
   PCL_ADD_POINT4D;
   std::uint32_t surface; ///< 0 void, 1 planar, 2 curved, 3 near a crease
   std::uint32_t edge;    ///< 0 no, 1 yes, 255 void
@@ -23,7 +23,7 @@ struct LabelledPoint {
 };
 
 POINT_CLOUD_REGISTER_POINT_STRUCT(
-    LabelledPoint,
+    LabeledPoint,
     (float, x, x)(float, y, y)(float, z, z)(std::uint32_t,
                                             surface,
                                             surface)(std::uint32_t, edge, edge))
@@ -72,7 +72,7 @@ protected:
         std::string(PCL_SHAPE_TEST_DATA) + "/osd/" + scene + "_gt.pcd";
     ASSERT_EQ(0, io::loadPCDFile(file, truth_)) << file;
     cloud_ = make_shared<Cloud>();
-    for (const LabelledPoint& point : truth_)
+    for (const LabeledPoint& point : truth_)
       cloud_->push_back(PointXYZ(point.x, point.y, point.z));
   }
 
@@ -111,7 +111,7 @@ protected:
     RecordProperty("curved_f1", std::to_string(curved.f1()));
   }
 
-  PointCloud<LabelledPoint> truth_;
+  PointCloud<LabeledPoint> truth_;
   Cloud::Ptr cloud_;
 };
 

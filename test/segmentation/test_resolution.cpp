@@ -179,7 +179,7 @@ TYPED_TEST(Resolution, BadOnesAreRefused)
     expectRefused({text, "positive and finite, or 0"});
   }
   detection.setResolution(1e-9);
-  expectRefused({"resolution is 1e-09 m", "or more is allowed"});
+  expectRefused({"resolution is 1e-09 m", "or more, what a float holds"});
   detection.setResolution(2.0);
   expectRefused({"resolution is 2 m", "less than the cloud's extent"});
   detection.setResolution(0.01);

@@ -54,7 +54,7 @@ std::vector<double> beamElevations(unsigned beams);
  * sheet). 1 % of the returns get lost.
  *
  * The same options give the same labels, and coordinates within 1e-6 m, on any machine.
- * \throws std::invalid_argument that names the parameter, its value and what is allowed
+ * \throws std::invalid_argument that names the parameter, its value and what it must be
  */
 LidarScan scanStreet(const LidarOptions& options);
 

@@ -107,7 +107,7 @@ struct Scene {
  *
  * The same options give the same labels, and coordinates within 1e-6 m, on any machine.
  *
- * \throws std::invalid_argument that names the parameter, its value and what is allowed
+ * \throws std::invalid_argument that names the parameter, its value and what it must be
  */
 Scene generateScene(const SceneOptions& options);
 

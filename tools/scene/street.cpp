@@ -13,7 +13,7 @@ constexpr std::uint64_t street_stream = 11;
 constexpr double far_end = 120.0; // meters to the front and to the back
 
 /** Ranges as found in towns: kerbs of 8 to 16 cm, crowns of 1.5 to 3 %, grades to 6 %,
- * crests and sags with radii of 600 m and more, undulation of a few centimetres. */
+ * crests and sags with radii of 600 m and more, undulation of a few centimeters. */
 StreetProfile
 randomProfile(Random& random)
 {

@@ -26,7 +26,7 @@ struct SampleOptions {
  * a crease, and a point within 4 of one is SurfaceCrease; nothing is left out but rims
  * and apexes (see thinPlaces()). Where surfaces touch there are no points between them.
  *
- * \throws std::invalid_argument that names the parameter, its value and what is allowed
+ * \throws std::invalid_argument that names the parameter, its value and what it must be
  */
 Scene sampleScene(const SampleOptions& options);
 

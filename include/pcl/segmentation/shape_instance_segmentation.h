@@ -36,7 +36,7 @@ struct ShapePrimitive {
 /** \brief One instance, and what it is like. \ingroup segmentation */
 struct ShapeInstance {
   pcl::Indices indices;                       ///< of its points, ascending
-  Eigen::Vector3f centroid{0.0f, 0.0f, 0.0f}; ///< metres
+  Eigen::Vector3f centroid{0.0f, 0.0f, 0.0f}; ///< meters
   /** \brief The share of its points that are of each class, in the order of
    * ShapeInstanceSegmentation::getClasses(); points on edges count only if there are no
    * others. */

@@ -134,7 +134,7 @@ hasLabels(const Cloud::ConstPtr& cloud)
   labeling.setShapeField(field);
   labeling.label(labels);
   const auto planar = std::count(labels.labels.begin(), labels.labels.end(), 1U);
-  std::cout << planar << " points are labelled planar\n";
+  std::cout << planar << " points are labeled planar\n";
   return labels.confidence.size() == cloud->size() &&
          planar > static_cast<std::ptrdiff_t>(cloud->size() / 2);
 }

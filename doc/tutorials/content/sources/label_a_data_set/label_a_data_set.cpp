@@ -20,7 +20,7 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
 /** The points as PointXYZL; void points are 0. */
 pcl::PointCloud<pcl::PointXYZL>
-labelled(const Cloud& cloud, const pcl::PointLabels& labels)
+labeled(const Cloud& cloud, const pcl::PointLabels& labels)
 {
   // [copy]
   pcl::PointCloud<pcl::PointXYZL> result;
@@ -66,8 +66,8 @@ main(int argc, char** argv)
       std::cout << ' ' << counts[label] << ' ' << names[label] << ',';
     std::cout << " mean confidence " << confidence / static_cast<double>(cloud->size())
               << '\n';
-    const std::string output = "labelled_" + std::to_string(file) + ".pcd";
-    pcl::io::savePCDFileBinaryCompressed(output, labelled(*cloud, labels));
+    const std::string output = "labeled_" + std::to_string(file) + ".pcd";
+    pcl::io::savePCDFileBinaryCompressed(output, labeled(*cloud, labels));
   }
   return argc > 1 ? 0 : 1;
 }

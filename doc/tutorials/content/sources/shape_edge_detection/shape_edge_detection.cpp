@@ -55,10 +55,10 @@ main(int argc, char** argv)
   // [lines]
 
   // [save]
-  pcl::PointCloud<pcl::PointXYZL> labelled;
-  pcl::copyPointCloud(*cloud, labelled);
-  for (std::size_t i = 0; i < labelled.size(); ++i)
-    labelled[i].label = static_cast<std::uint32_t>(edges.types[i]);
-  return pcl::io::savePCDFileBinaryCompressed("edges.pcd", labelled) == 0 ? 0 : 1;
+  pcl::PointCloud<pcl::PointXYZL> labeled;
+  pcl::copyPointCloud(*cloud, labeled);
+  for (std::size_t i = 0; i < labeled.size(); ++i)
+    labeled[i].label = static_cast<std::uint32_t>(edges.types[i]);
+  return pcl::io::savePCDFileBinaryCompressed("edges.pcd", labeled) == 0 ? 0 : 1;
   // [save]
 }

@@ -22,10 +22,10 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
 namespace {
 
-constexpr double radius = 0.025; // metres, of normals and INAD
+constexpr double radius = 0.025; // meters, of normals and INAD
 
 // [surfaces]
-/** Points of a surface of width x width metres from x = left on, with noise. */
+/** Points of a surface of width x width meters from x = left on, with noise. */
 template <typename Height>
 void
 addSurface(Cloud& cloud, float left, float width, const Height& height)
@@ -135,11 +135,11 @@ main()
   // [find]
 
   // [count]
-  pcl::PointCloud<pcl::PointXYZL> labelled;
-  pcl::copyPointCloud(*cloud, labelled);
+  pcl::PointCloud<pcl::PointXYZL> labeled;
+  pcl::copyPointCloud(*cloud, labeled);
   for (std::size_t c = 0; c < classes.size(); ++c) {
     for (const pcl::index_t index : classes[c].indices) {
-      labelled[static_cast<std::size_t>(index)].label =
+      labeled[static_cast<std::size_t>(index)].label =
           static_cast<std::uint32_t>(c + 1);
     }
   }
@@ -148,10 +148,10 @@ main()
   for (std::size_t sheet = 0; sheet < ends.size(); ++sheet) {
     std::array<std::size_t, 3> counts{};
     for (; i < ends[sheet]; ++i)
-      ++counts[labelled[i].label];
+      ++counts[labeled[i].label];
     std::cout << sheets[sheet] << ": " << counts[1] << " points flat, " << counts[2]
               << " corrugated, " << counts[0] << " unknown\n";
   }
   // [count]
-  return pcl::io::savePCDFileBinaryCompressed("sheets.pcd", labelled) == 0 ? 0 : 1;
+  return pcl::io::savePCDFileBinaryCompressed("sheets.pcd", labeled) == 0 ? 0 : 1;
 }

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Reads clouds with truth and selects what is evaluated.
 
-#include "labelled_cloud.h"
+#include "labeled_cloud.h"
 
 #include "cli/errors.h"
 #include "evaluation/evaluation_tasks.h"
@@ -47,15 +47,15 @@ Truth::hasAny() const
   });
 }
 
-LabelledCloud
-readLabelledCloud(const std::string& path, const std::vector<Task>& tasks)
+LabeledCloud
+readLabeledCloud(const std::string& path, const std::vector<Task>& tasks)
 {
   const pcl::app::CloudFile file = pcl::app::readCloud(path);
-  LabelledCloud cloud;
+  LabeledCloud cloud;
   cloud.name = std::filesystem::path(path).stem().string();
   cloud.points = pcl::app::pointsOf(file);
   if (!cloud.points->is_dense) {
-    throw pcl::app::InputError(path + ": points that are not finite: allowed is an "
+    throw pcl::app::InputError(path + ": points that are not finite: expected an "
                                       "unorganized cloud without them");
   }
   for (const Task task : tasks) {
@@ -66,7 +66,7 @@ readLabelledCloud(const std::string& path, const std::vector<Task>& tasks)
 }
 
 std::size_t
-countCurvedParts(const LabelledCloud& cloud)
+countCurvedParts(const LabeledCloud& cloud)
 {
   constexpr double gap = 0.010;
   constexpr int least = 100;

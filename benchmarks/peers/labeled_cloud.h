@@ -27,7 +27,7 @@ struct Truth {
   bool hasAny() const;
 };
 
-struct LabelledCloud {
+struct LabeledCloud {
   std::string name;
   Cloud::Ptr points;
   Truth edges;    ///< empty unless asked for
@@ -38,10 +38,9 @@ enum class Task { edges, surfaces };
 
 /** \brief Read a cloud with truth. \throws pcl::app::InputError if it has none for
  * these tasks, or points that are not finite */
-LabelledCloud readLabelledCloud(const std::string& path,
-                                const std::vector<Task>& tasks);
+LabeledCloud readLabeledCloud(const std::string& path, const std::vector<Task>& tasks);
 
 /** \brief The connected parts of the truth's curved points, of 100 points or more. */
-std::size_t countCurvedParts(const LabelledCloud& cloud);
+std::size_t countCurvedParts(const LabeledCloud& cloud);
 
 } // namespace peers
