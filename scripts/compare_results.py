@@ -55,10 +55,10 @@ CASES = [
     ("table dense street", "surfaces", "back_projection in.pcd out.pcd -normals" + EVALUATE + "curved"),
     ("table dense", "surfaces-coarse", "back_projection in.pcd out.pcd -resolution 0.006" + EVALUATE + "planar"),
     ("table", "surfaces-paper", "back_projection in.pcd out.pcd -mode paper -radius 0.02" + EVALUATE + "planar"),
-    ("table", "models", "histogram in.pcd model.json -radius 0.02 -field surface -classes flat=1,round=2:0.5 "
-     "-png map.png; histogram in.pcd model.json -radius 0.02 -field surface -value 3 -name crease; "
-     "back_projection in.pcd out.pcd -model model.json; histogram in.pcd flat.json -radius 0.02 -field surface "
-     "-value 1; edge_detection in.pcd edges.pcd -model flat.json"),
+    ("table", "models", "histogram in.pcd model.json -radius 0.02 -field surface -classes flat=1,round=2:0.5; "
+     "histogram in.pcd model.json -radius 0.02 -field surface -value 3 -name crease; "
+     "back_projection in.pcd out.pcd -mode paper -model model.json; "
+     "histogram in.pcd flat.json -radius 0.02 -field surface -value 1; edge_detection in.pcd edges.pcd -mode paper -model flat.json"),
     ("table", "density-model", "histogram in.pcd model.json -radius 4 -normal_radius 3 -scale density -field surface "
      "-classes planar=1,curved=2 -smoothing 1 -floor 0.1; back_projection in.pcd out.pcd -model model.json; "
      "instances in.pcd instances.pcd -model model.json -class curved"),
