@@ -215,7 +215,7 @@ TEST_F(Tasks, TheAppPrintsATable)
       "p.pcd",
       asciiCloud(
           "x y z surface", "F F F U", {"0 0 1 1", "0 0 1 2", "0 0 1 0", "0 0 1 1"}));
-  const Outcome outcome =
+  const auto outcome =
       runApp("pcl_shape_evaluate",
              {predicted, truth, "-task", "curved", "-json", path("json")});
   expectSuccess(outcome);
@@ -234,7 +234,7 @@ TEST_F(Tasks, APredictionThatIsTheTruthItselfIsNoticed)
                 asciiCloud("x y z edge", "F F F U", {"0 0 1 1", "0 0 1 0", last}));
   };
   const std::string truth = edges("t.pcd", "0 0 1 255");
-  const Outcome copied =
+  const auto copied =
       runApp("pcl_shape_evaluate", {edges("c.pcd", "0 0 1 255"), truth});
   EXPECT_EQ(copied.status, 0);
   for (const char* word : {"warning", "c.pcd", "'edge'", "t.pcd"})
