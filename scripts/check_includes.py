@@ -3,7 +3,7 @@
 
 Usage: scripts/check_includes.py [-closure FILE]
 The rooms of src know only those before them, the engine (src/sweep) knows neither PCL nor Eigen, and applications
-know only public headers. Every C++ file begins with the licence and one line that says what it is for. Prints what
+know only public headers. Every C++ file begins with the license and one line that says what it is for. Prints what
 is wrong; exit status 1 if anything is. With -closure: all that FILE includes, directly or not.
 """
 import argparse
@@ -23,7 +23,7 @@ PUBLIC = {"neighborhood_sweep": "sweep", "sweep_index": "sweep", "adaptive_detec
           "ground_detection": "ground", "instance_detection": "instances", "label_confidence": "labels",
           "shape_primitive": "instances", "suction_grasp": "grasps"}
 # What folders outside of src may include besides themselves; tests may include everything.
-KNOWS = {"include": [], "tools": ["include"], "apps": ["include", "tools"], "doc": ["include"],
+KNOWS = {"include": [], "tools": ["include"], "apps": ["include", "tools"], "doc": ["include", "benchmarks/keypoints/align.h"],
          "benchmarks": ["include", "tools", "apps", "test/support", "src/sweep/portable/targets.h"]}
 FROM_ROOT = {"src": ["src"], "tools": ["tools"], "apps": ["apps", "tools"]}
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.M)
@@ -44,7 +44,8 @@ def is_code(name):
 def found(name, written):
     """The repository's file that an include means, or None."""
     roots = FROM_ROOT.get(name.split("/")[0]) or [str(pathlib.Path(name).parent), "test", "test/apps", "test/viewer",
-                                                  "benchmarks", "src", "apps", "tools"]
+                                                  "benchmarks", "benchmarks/keypoints", "src", "apps",
+                                                  "tools"]
     for root in roots + ["include"]:
         path = (ROOT / root / written).resolve()
         if path.is_file() and ROOT in path.parents:
@@ -118,7 +119,7 @@ def main():
     for name in filter(is_code, listed("src", "include", "apps", "tools", "test", "benchmarks", "doc")):
         problems += wrong_includes(name)
         if not name.startswith(("include/", "doc/")) and not HEADER.match((ROOT / name).read_text()):
-            problems.append(f"{name}: begins without the licence's two lines and one that says what it is for")
+            problems.append(f"{name}: begins without the license's two lines and one that says what it is for")
     for name in listed():
         if not name.endswith((".png", ".pcd", ".gif")):
             for path in MACHINE_PATH.findall((ROOT / name).read_text()):
