@@ -3,14 +3,13 @@
 // The default mode of surfaces and edges, and models of several classes.
 
 #include "app_test.h"
+#include "io/cloud_file.h"
+#include "io/pcd.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-
-#include <common/cloud_file.h>
-#include <common/pcd_reader.h>
 
 using namespace pcl::app;
 using namespace pcl_shape_test;

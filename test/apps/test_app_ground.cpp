@@ -3,15 +3,14 @@
 // pcl_shape_ground, and streets of pcl_shape_scene.
 
 #include "app_test.h"
+#include "io/cloud_file.h"
+#include "io/pcd.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-
-#include <common/cloud_file.h>
-#include <common/pcd_reader.h>
 
 using namespace pcl::app;
 using namespace pcl_shape_test;
