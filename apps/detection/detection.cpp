@@ -31,11 +31,13 @@ checkMethod(const Arguments& arguments, bool paper)
   if (paper && arguments.has("resolution"))
     throw UsageError("-resolution '" + arguments.text("resolution") +
                      "' belongs to the default method; leave it out, or -mode paper");
-  for (const std::string option : paper_options)
+  for (const std::string option : paper_options) {
+    const std::string value = arguments.text(option);
     if (!paper && arguments.has(option))
-      throw UsageError("-" + option +
-                       " belongs to the paper's method; add -mode paper, "
-                       "or leave it out");
+      throw UsageError("-" + option + (value.empty() ? "" : " '" + value + "'") +
+                       " belongs to the paper's method; add -mode paper, or leave it "
+                       "out");
+  }
 }
 
 void

@@ -144,7 +144,8 @@ TEST_F(Models, MissingOnesAreRefused)
 TEST_F(Models, OtherRadiiAreRefusedUnlessToldSo)
 {
   const std::string model = makeModel();
-  const Words arguments{fold, path("out.pcd"), "-model", model, "-radius", "0.03"};
+  const Words arguments{
+      fold, path("out.pcd"), "-mode", "paper", "-model", model, "-radius", "0.03"};
   for (const char* app : {"pcl_shape_back_projection", "pcl_shape_edge_detection"}) {
     expectRefused(runApp(app, arguments),
                   1,
@@ -152,7 +153,13 @@ TEST_F(Models, OtherRadiiAreRefusedUnlessToldSo)
     EXPECT_FALSE(exists(path("out.pcd")));
   }
   for (const Words& other : {Words{"-radius", "0.03"}, Words{"-k", "30"}}) {
-    Words ignoring{fold, path("out.pcd"), "-model", model, "-ignore_model_parameters"};
+    Words ignoring{fold,
+                   path("out.pcd"),
+                   "-mode",
+                   "paper",
+                   "-model",
+                   model,
+                   "-ignore_model_parameters"};
     ignoring.insert(ignoring.end(), other.begin(), other.end());
     expectSuccess(runApp("pcl_shape_back_projection", ignoring));
   }
@@ -196,10 +203,10 @@ TEST_F(Models, EdgesNeedOneClass)
 {
   const std::string model = makeModel();
   expectSuccess(runApp(histogram, {fold, model, "-name", "fold"}));
-  expectRefused(
-      runApp("pcl_shape_edge_detection", {fold, path("out.pcd"), "-model", model}),
-      1,
-      {model, "2 classes", "expected one"});
+  expectRefused(runApp("pcl_shape_edge_detection",
+                       {fold, path("out.pcd"), "-mode", "paper", "-model", model}),
+                1,
+                {model, "2 classes", "expected one"});
 }
 
 TEST_F(Models, SamplesWithoutACountedPointAreRefused)

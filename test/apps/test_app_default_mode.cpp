@@ -74,7 +74,11 @@ TEST_F(DefaultMode, TypesNeedIt)
   expectRefused(runApp("pcl_shape_edge_detection",
                        {sampledScene(), path("out.pcd"), "-types", "-radius", "0.01"}),
                 2,
-                {"-types", "radii", "use the default mode"});
+                {"-radius '0.01'", "paper's method", "-mode paper"});
+  expectRefused(runApp("pcl_shape_edge_detection",
+                       {sampledScene(), path("out.pcd"), "-types", "-mode", "paper"}),
+                2,
+                {"-types", "default method"});
 }
 
 TEST_F(DefaultMode, AThresholdNeedsOneClass)
@@ -82,7 +86,7 @@ TEST_F(DefaultMode, AThresholdNeedsOneClass)
   const std::string scene = sampledScene(), out = path("out.pcd");
   expectRefused(runApp("pcl_shape_back_projection", {scene, out, "-threshold", "0.9"}),
                 2,
-                {"-threshold", "likeliest", "expected"});
+                {"-threshold", "likeliest", "-mode paper"});
   expectSuccess(runApp("pcl_shape_back_projection",
                        {scene, out, "-mode", "paper", "-threshold", "0.9"}));
 }

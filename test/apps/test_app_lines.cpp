@@ -101,10 +101,10 @@ TEST_F(AppLines, NeedTheDefaultModeAndOneCloudAndAFileOfTheirOwn)
   const std::string out = path("out.pcd"), lines = path("lines.json");
   expectRefused(runApp(app, {cloud, out, "-lines", lines, "-radius", "0.01"}),
                 2,
-                {"-lines", "radii", "use the default mode"});
+                {"-radius '0.01'", "paper's method", "-mode paper"});
   expectRefused(runApp(app, {cloud, out, "-lines", lines, "-mode", "paper"}),
                 2,
-                {"-lines", "-mode paper", "use the default mode"});
+                {"-lines", "-mode paper", "default method"});
   expectRefused(
       runApp(app, {"-input_dir", path("."), "-output_dir", path("d"), "-lines", lines}),
       2,

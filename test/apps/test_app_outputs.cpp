@@ -85,11 +85,14 @@ TEST_F(Outputs, MissingNormalsAreRefused)
 
 TEST_F(Outputs, MorePointsThanThereAreIsRefused)
 {
-  for (const char* app :
-       {"pcl_inad_estimation", "pcl_shape_back_projection", "pcl_shape_edge_detection"})
-    expectRefused(runApp(app, {plane(), path("out.pcd"), "-k", "401"}),
-                  1,
-                  {"in.pcd", "-k", "'401'", "1 to", "400"});
+  const Words words{"in.pcd", "-k", "'401'", "1 to", "400"};
+  const Words arguments{plane(), path("out.pcd"), "-k", "401"};
+  expectRefused(runApp("pcl_inad_estimation", arguments), 1, words);
+  for (const char* app : {"pcl_shape_back_projection", "pcl_shape_edge_detection"}) {
+    Words of_paper = arguments;
+    of_paper.insert(of_paper.end(), {"-mode", "paper"});
+    expectRefused(runApp(app, of_paper), 1, words);
+  }
   EXPECT_EQ(files(), Words{"in.pcd"});
 }
 

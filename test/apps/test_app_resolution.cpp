@@ -120,14 +120,15 @@ TEST_F(ResolutionOption, BadOnesAreRefused)
 TEST_F(ResolutionOption, NeedsTheDefaultMode)
 {
   const std::string out = path("out.pcd");
-  for (const Words& other :
-       {Words{"-mode", "paper"}, Words{"-radius", "0.02"}, Words{"-scale", "fixed"}}) {
-    Words words{scene, out, "-resolution", "0.003"};
-    words.insert(words.end(), other.begin(), other.end());
-    expectRefused(runApp("pcl_shape_edge_detection", words),
-                  2,
-                  {"-resolution '0.003'", "default mode"});
-  }
+  const Words words{scene, out, "-resolution", "0.003"};
+  const auto with = [&](const Words& other) {
+    Words all = words;
+    all.insert(all.end(), other.begin(), other.end());
+    return runApp("pcl_shape_edge_detection", all);
+  };
+  expectRefused(with({"-mode", "paper"}), 2, {"-resolution '0.003'", "default method"});
+  expectRefused(with({"-radius", "0.02"}), 2, {"-radius '0.02'", "paper's method"});
+  expectRefused(with({"-scale", "fixed"}), 2, {"-scale 'fixed'", "paper's method"});
 }
 
 TEST_F(ResolutionOption, ADirectoryOfLabelsKeepsToOne)

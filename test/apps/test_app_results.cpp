@@ -86,6 +86,8 @@ TEST_F(Results, TheEdgeOfAFoldIsFound)
   const Outcome outcome = runApp("pcl_shape_edge_detection",
                                  {fold,
                                   path("out.pcd"),
+                                  "-mode",
+                                  "paper",
                                   "-normal_radius",
                                   "0.012",
                                   "-radius",
@@ -120,9 +122,15 @@ TEST_F(Results, SeveralClassesHaveALikelihoodEach)
     expectSuccess(
         runApp("pcl_shape_histogram",
                {cloud, model, "-radius", "0.02", "-name", name, "-bins", "20"}));
-  expectSuccess(
-      runApp("pcl_shape_back_projection",
-             {fold, path("out.pcd"), "-model", model, "-json", path("json")}));
+  expectSuccess(runApp("pcl_shape_back_projection",
+                       {fold,
+                        path("out.pcd"),
+                        "-mode",
+                        "paper",
+                        "-model",
+                        model,
+                        "-json",
+                        path("json")}));
   const CloudFile cloud = readCloud(path("out.pcd"));
   const auto first = floatsOf(cloud, "likelihood");
   const auto flat = floatsOf(cloud, "likelihood_flat");
