@@ -53,4 +53,4 @@ labelsOf(const ShapeField& field, double confidence, unsigned threads)
 
 } // namespace pcl::detail
 
-PCL_INSTANTIATE_PRODUCT(ShapeLabeling, (PCL_SHAPE_POINT_TYPES)(PCL_SHAPE_NORMAL_TYPES))
+PCL_INSTANTIATE(ShapeLabeling, PCL_SHAPE_POINT_TYPES)

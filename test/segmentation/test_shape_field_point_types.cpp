@@ -52,7 +52,7 @@ detectedIn(const typename PointCloud<PointT>::Ptr& cloud)
   surfaces.compute(likelihoods);
   append(values, likelihoods.at(0));
 
-  ShapeLabeling<PointT, PointNT> labeling;
+  ShapeLabeling<PointT> labeling;
   labeling.setInputCloud(cloud);
   PointLabels labels;
   labeling.label(labels);

@@ -38,11 +38,11 @@ struct PointLabels {
  * confidence out of [0, 1]; a model with a class called edge) are reported
  * by PCL_ERROR and give empty outputs. \ingroup segmentation
  */
-template <typename PointT, typename PointNT = pcl::Normal>
+template <typename PointT>
 class ShapeLabeling : public ShapeFieldUser<PointT> {
 public:
-  using Ptr = shared_ptr<ShapeLabeling<PointT, PointNT>>;
-  using ConstPtr = shared_ptr<const ShapeLabeling<PointT, PointNT>>;
+  using Ptr = shared_ptr<ShapeLabeling<PointT>>;
+  using ConstPtr = shared_ptr<const ShapeLabeling<PointT>>;
 
   /** \brief The confidence from which labels are kept: see doc/labels.md. */
   static constexpr double default_confidence = 0.9;

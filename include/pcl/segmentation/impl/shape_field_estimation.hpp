@@ -116,12 +116,18 @@ ShapeFieldUser<PointT>::findFieldProblem()
   if (!this->input_)
     return "no input cloud is set: call setInputCloud() with one";
   PCLBase<PointT>::initCompute();
-  estimation_.setInputCloud(this->input_);
-  estimation_.setIndices(this->indices_);
-  const std::string problem = estimation_.findProblem();
-  if (!problem.empty() || !field_)
-    return problem;
-  return detail::problemOfField(*field_, this->input_.get(), this->input_->size());
+  if (!field_) {
+    estimation_.setInputCloud(this->input_);
+    estimation_.setIndices(this->indices_);
+    return estimation_.findProblem();
+  }
+  constexpr double any_radius = 1.0;
+  const XYZView points = detail::xyzOf(*this->input_);
+  const std::string problem =
+      detail::problemOf({points, points, this->indices_.get(), any_radius, 0});
+  return problem.empty()
+             ? detail::problemOfField(*field_, this->input_.get(), points.size)
+             : problem;
 }
 
 template <typename PointT>

@@ -30,18 +30,18 @@ PCL_SHAPE_EXPORTS std::vector<std::string> labelNames(std::vector<std::string> c
 
 } // namespace detail
 
-template <typename PointT, typename PointNT>
+template <typename PointT>
 std::vector<std::string>
-ShapeLabeling<PointT, PointNT>::getClasses() const
+ShapeLabeling<PointT>::getClasses() const
 {
   return detail::labelNames(
       this->field_ ? this->field_->classes
                    : detail::classNames(this->estimation_.getSurfaceModel()));
 }
 
-template <typename PointT, typename PointNT>
+template <typename PointT>
 void
-ShapeLabeling<PointT, PointNT>::label(PointLabels& labels)
+ShapeLabeling<PointT>::label(PointLabels& labels)
 {
   labels = PointLabels();
   std::string problem =
@@ -63,5 +63,5 @@ ShapeLabeling<PointT, PointNT>::label(PointLabels& labels)
 
 } // namespace pcl
 
-#define PCL_INSTANTIATE_ShapeLabeling(T, NT)                                           \
-  template class PCL_SHAPE_EXPORTS pcl::ShapeLabeling<T, NT>;
+#define PCL_INSTANTIATE_ShapeLabeling(T)                                               \
+  template class PCL_SHAPE_EXPORTS pcl::ShapeLabeling<T>;
