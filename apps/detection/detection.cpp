@@ -15,14 +15,19 @@
 namespace pcl::app {
 namespace {
 
-const char* const paper_options[] = {"radius",
-                                     "normal_radius",
-                                     "k",
-                                     "outlier_rate",
-                                     "scale",
-                                     "use_normals",
-                                     "bins",
-                                     "ignore_model_parameters"};
+struct PaperOption {
+  const char* name;
+  bool has_value;
+};
+
+constexpr PaperOption paper_options[] = {{"radius", true},
+                                         {"normal_radius", true},
+                                         {"k", true},
+                                         {"outlier_rate", true},
+                                         {"scale", true},
+                                         {"bins", true},
+                                         {"use_normals", false},
+                                         {"ignore_model_parameters", false}};
 
 /** Refuse options of the method that is not in use. */
 void
@@ -31,13 +36,12 @@ checkMethod(const Arguments& arguments, bool paper)
   if (paper && arguments.has("resolution"))
     throw UsageError("-resolution '" + arguments.text("resolution") +
                      "' belongs to the default method; leave it out, or -mode paper");
-  for (const std::string option : paper_options) {
-    const std::string value = arguments.text(option);
+  for (const auto& [option, has_value] : paper_options)
     if (!paper && arguments.has(option))
-      throw UsageError("-" + option + (value.empty() ? "" : " '" + value + "'") +
+      throw UsageError("-" + std::string(option) +
+                       (has_value ? " '" + arguments.text(option) + "'" : "") +
                        " belongs to the paper's method; add -mode paper, or leave it "
                        "out");
-  }
 }
 
 void
