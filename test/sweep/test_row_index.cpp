@@ -153,8 +153,8 @@ expectInOrder(const RowIndex& index)
   for (std::size_t r = 0; r < index.rowCount(); ++r) {
     const Row &row = index.rows[r], &next = index.rows[r + 1];
     ASSERT_LT(row.begin, next.begin);
-    if (r + 1 < index.rowCount())
-      ASSERT_TRUE(row.iz < next.iz || (row.iz == next.iz && row.iy < next.iy));
+    ASSERT_TRUE(r + 1 == index.rowCount() || row.iz < next.iz ||
+                (row.iz == next.iz && row.iy < next.iy));
     for (std::uint32_t i = row.begin; i < next.begin; ++i) {
       ASSERT_EQ(cellOf(index.y[i], index.cellsPerMeter()), row.iy);
       ASSERT_EQ(cellOf(index.z[i], index.cellsPerMeter()), row.iz);
