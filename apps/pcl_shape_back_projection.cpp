@@ -54,8 +54,9 @@ run(const Arguments& arguments)
   requireFieldNames(settings, arguments);
   if (arguments.has("threshold") &&
       (!settings.paper || settings.model.classes().size() > 1))
-    throw UsageError("-threshold with several classes, of which points belong to the "
-                     "likeliest; it needs one class, as with -mode paper");
+    throw UsageError("-threshold '" + arguments.text("threshold") +
+                     "' needs a model of one class: of several each point gets the "
+                     "likeliest; add -mode paper, or leave it out");
   return runFilter(arguments, [&](CloudFile& file, Report& report) {
     classify(file, arguments, settings, report);
   });

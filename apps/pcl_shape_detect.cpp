@@ -103,7 +103,7 @@ main(int argc, char** argv)
       "pcl_shape_detect",
       "in.pcd out.pcd",
       "Compute what is known of a cloud once, and add the fields that are asked for; "
-      "without\nany of these options those of -edges -types -surfaces.");
+      "without\n-edges, -types, -surfaces and -instances those of the first three.");
   command_line.flag("edges", "add edge_likelihood (NaN unknown) and edge: 1 on creases")
       .flag("types", "add edge_type: 1 crease, 2 corner, 3 open boundary, 0 none")
       .flag("surfaces", "add likelihood and surface: 1 planar, 2 curved, 0 unknown")

@@ -54,8 +54,9 @@ requireClasses(const DetectionSettings& settings, const Arguments& arguments)
                      "'; expected edge, and then the rest");
   for (const std::string option : {"types", "lines"})
     if (settings.paper && arguments.has(option))
-      throw UsageError("-" + option +
-                       " belongs to the default method; leave it out, or -mode paper");
+      throw UsageError(
+          "-" + option +
+          " belongs to the default method; it cannot be used with -mode paper");
 }
 
 int

@@ -99,11 +99,11 @@ main(int argc, char** argv)
       "pcl_shape_ground",
       "in.pcd out.pcd",
       "Add the fields ground_likelihood (NaN unknown) and ground: "
-      "1 on road, pavement and the\nlike in a vehicle's laser scan, "
+      "1 on road, sidewalk and the\nlike in a vehicle's laser scan, "
       "0 elsewhere. The scanner is at the VIEWPOINT.");
   command_line.option("up", "X,Y,Z", "a direction, roughly up (0,0,1)")
       .option("max_slope", "A", "of the ground towards up, degrees (20)")
-      .option("max_step", "S", "that ground continues over, meters: a kerb (0.2)")
+      .option("max_step", "S", "that ground continues over, meters: a curb (0.2)")
       .option("threshold", "L", "the likelihood from which a point is ground (0.5)");
   addFilterOptions(command_line);
   return runApp(command_line, argc, argv, run);

@@ -12,7 +12,7 @@ matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
 LEFT, RIGHT, SIDE = -30.0, 45.0, 14.0  # meters
-COLOURS = {0: "#d1495b", 1: "#2e6f9e"}
+COLORS = {0: "#d1495b", 1: "#2e6f9e"}
 
 
 def read(path):
@@ -30,7 +30,7 @@ def read(path):
 
 def draw(axes, cloud):
     order = np.argsort(cloud["z"])
-    colors = [COLOURS[int(ground)] for ground in cloud["ground"][order]]
+    colors = [COLORS[int(ground)] for ground in cloud["ground"][order]]
     axes.scatter(cloud["x"][order], cloud["y"][order], s=0.35, c=colors, linewidths=0)
     axes.set(xlim=(LEFT, RIGHT), ylim=(-SIDE, SIDE), aspect="equal", ylabel="y (m)",
              facecolor="white")
@@ -45,7 +45,7 @@ def main():
     for ax, cloud in zip(axes[:, 0], clouds):
         draw(ax, cloud)
     axes[-1, 0].set_xlabel("x (m), forward")
-    marks = [pyplot.Line2D([], [], marker="o", linestyle="", color=COLOURS[label], label=text)
+    marks = [pyplot.Line2D([], [], marker="o", linestyle="", color=COLORS[label], label=text)
              for label, text in ((1, "ground"), (0, "not ground"))]
     figure.legend(handles=marks, loc="upper center", ncols=2)
     figure.savefig(sys.argv[-1], dpi=110)

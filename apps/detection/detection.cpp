@@ -34,8 +34,9 @@ void
 checkMethod(const Arguments& arguments, bool paper)
 {
   if (paper && arguments.has("resolution"))
-    throw UsageError("-resolution '" + arguments.text("resolution") +
-                     "' belongs to the default method; leave it out, or -mode paper");
+    throw UsageError(
+        "-resolution '" + arguments.text("resolution") +
+        "' belongs to the default method; it cannot be used with -mode paper");
   for (const auto& [option, has_value] : paper_options)
     if (!paper && arguments.has(option))
       throw UsageError("-" + std::string(option) +
@@ -76,7 +77,10 @@ addDetectionOptions(CommandLine& command_line)
       .option("mode", "M", "default (default), or paper: the published method");
   addResolutionOption(command_line);
   command_line.flag("normals", "write normal_x normal_y normal_z curvature too")
-      .option("threshold", "T", "likelihood from which a point is of the surface (0.5)")
+      .option("threshold",
+              "T",
+              "likelihood from which a point is of the surface (0.5); edges, or with "
+              "-mode paper")
       .option("bins", "N", "with -mode paper: N x N bins for an ideal plane (10)");
   addInadOptions(command_line);
   command_line.flag("ignore_model_parameters",

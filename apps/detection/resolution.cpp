@@ -11,10 +11,8 @@ namespace pcl::app {
 void
 addResolutionOption(CommandLine& command_line)
 {
-  command_line.option("resolution",
-                      "L",
-                      "look no finer than cells of L meters, where clouds have many "
-                      "points;\nall points get results");
+  command_line.option(
+      "resolution", "L", "look no finer than L meters, in clouds with many points");
 }
 
 double

@@ -259,7 +259,8 @@ protected:
    * likelihoods, of so many classes. */
   virtual std::size_t classOf(const float* likelihoods, std::size_t classes) const = 0;
 
-  /** \brief Whether a field needs no classes, and which of its models is set. */
+  /** \brief Whether only the edges of a field are needed: setModel() then sets its
+   * edge model, else its surface model. */
   virtual bool
   edgesOnly() const
   {

@@ -60,8 +60,8 @@ public:
   }
 
   /** \brief Find neighbors with this instead of the much faster pcl::NeighborhoodSweep.
-   * It is asked by several threads at once: use setNumberOfThreads(1) with one that
-   * does not bear that. */
+   * It is asked by several threads at once: use setNumberOfThreads(1) with one that is
+   * not thread-safe. */
   void
   setSearchMethod(const SearchPtr& search)
   {

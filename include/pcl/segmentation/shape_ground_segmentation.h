@@ -52,7 +52,7 @@ public:
   using Ptr = shared_ptr<ShapeGroundSegmentation<PointT>>;
   using ConstPtr = shared_ptr<const ShapeGroundSegmentation<PointT>>;
 
-  /** \param[in] up where up is, roughly; of any length. (0, 0, 1) by default */
+  /** \param[in] up where up is, roughly; of any length but 0. (0, 0, 1) by default */
   void
   setUp(const Eigen::Vector3f& up)
   {
