@@ -706,4 +706,32 @@ TEST(DetectionModes, KindsOfEdgesNeedTheDefault)
   EXPECT_EQ(400U, edges.types.size());
 }
 
+TEST(Settings, EverySetterHasItsGetter)
+{
+  ShapeEdgeDetection<PointXYZ> detection;
+  detection.setMode(detection.PAPER);
+  detection.setNormalRadius(0.02);
+  detection.setRadius(0.01);
+  detection.setOutlierRate(3.0);
+  detection.setIgnoreModelParameters(true);
+  EXPECT_EQ(0.02, detection.getNormalRadius());
+  EXPECT_EQ(0.01, detection.getRadius());
+  EXPECT_EQ(3.0, detection.getOutlierRate());
+  EXPECT_TRUE(detection.getIgnoreModelParameters());
+  ShapeBackProjection<PointXYZ> nearest;
+  nearest.setMode(nearest.PAPER);
+  nearest.setKSearch(7);
+  EXPECT_EQ(7, nearest.getKSearch());
+
+  ShapeInstanceSegmentation<PointXYZ> segmentation;
+  segmentation.setModel(ShapeModel::defaultEdges());
+  EXPECT_EQ("edge", segmentation.getModel().classes().front().name);
+  const auto cloud = toCloud<PointXYZ>(grid(20, 0.004));
+  cloud->sensor_origin_ = Eigen::Vector4f(1.0f, 2.0f, 3.0f, 0.0f);
+  segmentation.setInputCloud(cloud);
+  EXPECT_EQ(Eigen::Vector3f(1.0f, 2.0f, 3.0f), segmentation.getViewPoint());
+  segmentation.setViewPoint(4.0f, 5.0f, 6.0f);
+  EXPECT_EQ(Eigen::Vector3f(4.0f, 5.0f, 6.0f), segmentation.getViewPoint());
+}
+
 } // namespace

@@ -65,6 +65,12 @@ public:
     threads_ = threads;
   }
 
+  unsigned
+  getNumberOfThreads() const
+  {
+    return threads_;
+  }
+
   /** \brief c: angles further than c sigma from mu are rejected, once.
    * \param[in] rate 2 by default, 0 for no rejection, not negative
    */

@@ -60,6 +60,12 @@ public:
     threads_ = threads;
   }
 
+  unsigned
+  getNumberOfThreads() const
+  {
+    return threads_;
+  }
+
   /** \brief Flip the normals towards this point, meters, instead of the sensor origin.
    */
   void

@@ -77,11 +77,23 @@ public:
     normal_radius_ = radius;
   }
 
+  double
+  getNormalRadius() const
+  {
+    return getParameters().normal_radius;
+  }
+
   /** \brief PAPER mode. \param[in] radius meters, of the INAD's neighborhood */
   void
   setRadius(double radius)
   {
     radius_ = radius;
+  }
+
+  double
+  getRadius() const
+  {
+    return getParameters().radius;
   }
 
   /** \brief PAPER mode: what the radii are measured in. */
@@ -100,11 +112,23 @@ public:
     k_ = k;
   }
 
+  int
+  getKSearch() const
+  {
+    return getParameters().k;
+  }
+
   /** \brief PAPER mode: the sigma multiple beyond which angles are rejected. */
   void
   setOutlierRate(double rate)
   {
     outlier_rate_ = rate;
+  }
+
+  double
+  getOutlierRate() const
+  {
+    return getParameters().outlier_rate;
   }
 
   /** \brief PAPER mode: back-project the model at other radii than those it was made
@@ -113,6 +137,12 @@ public:
   setIgnoreModelParameters(bool ignore)
   {
     ignore_model_parameters_ = ignore;
+  }
+
+  bool
+  getIgnoreModelParameters() const
+  {
+    return ignore_model_parameters_;
   }
 
   /** \brief The model in use. */

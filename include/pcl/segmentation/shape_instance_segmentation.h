@@ -100,6 +100,12 @@ public:
     this->estimation_.setSurfaceModel(model);
   }
 
+  const ShapeModel&
+  getModel() const
+  {
+    return this->estimation_.getSurfaceModel();
+  }
+
   /** \brief The names of the classes, in the order of ShapeInstance::shares. */
   std::vector<std::string> getClasses() const;
 
@@ -145,6 +151,15 @@ public:
   setViewPoint(float x, float y, float z)
   {
     view_point_ = Eigen::Vector3f(x, y, z);
+  }
+
+  /** \brief The viewpoint in use, meters. */
+  Eigen::Vector3f
+  getViewPoint() const
+  {
+    if (view_point_ || !this->input_)
+      return view_point_.value_or(Eigen::Vector3f::Zero());
+    return this->input_->sensor_origin_.template head<3>();
   }
 
   /** \brief The points of each instance; there may be none.

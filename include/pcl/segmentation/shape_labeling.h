@@ -69,6 +69,12 @@ public:
     this->estimation_.setSurfaceModel(model);
   }
 
+  const ShapeModel&
+  getModel() const
+  {
+    return this->estimation_.getSurfaceModel();
+  }
+
   /** \brief The names of the labels from 1 on. */
   std::vector<std::string> getClasses() const;
 

@@ -159,6 +159,15 @@ public:
     view_point_ = Eigen::Vector3f(x, y, z);
   }
 
+  /** \brief The viewpoint in use, meters. */
+  Eigen::Vector3f
+  getViewPoint() const
+  {
+    if (view_point_ || !this->input_)
+      return view_point_.value_or(Eigen::Vector3f::Zero());
+    return this->input_->sensor_origin_.template head<3>();
+  }
+
   /** \brief Grasps, the best first: those that seal come first. Places nearer than a
    * cup radius are given once.
    * \return false after an error, which was reported */
