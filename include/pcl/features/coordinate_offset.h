@@ -74,7 +74,7 @@ coordinateScale(const DoubleXYZ& points, std::size_t of_points = 0)
 
 /** \brief An offset for coordinates that are too large for float: 0 where float holds
  * them to a thousandth of the points' spacing, which is finer than any sensor, else the
- * median of the points in as few digits as bring it within the cloud.
+ * median of the points, rounded to the power of ten above their extent.
  *
  * Subtract it in double, before anything becomes a float. */
 inline std::array<double, 3>
@@ -88,7 +88,7 @@ coordinateOffset(const DoubleXYZ& points)
     return offset;
   // All points at one place: to the unit.
   const double unit =
-      scale.extent > 0.0 ? std::pow(10.0, std::floor(std::log10(scale.extent))) : 1.0;
+      scale.extent > 0.0 ? std::pow(10.0, std::ceil(std::log10(scale.extent))) : 1.0;
   for (std::size_t c = 0; c < offset.size(); ++c) {
     // Dividing by a whole number is exact where multiplying by 0.01 is not.
     const double rounded = unit < 1.0
