@@ -355,16 +355,14 @@ readFields(const HeaderLines& lines, CloudFile& cloud)
 void
 readSize(const HeaderLines& lines, CloudFile& cloud)
 {
-  const auto given = [&](const char* keyword) {
-    return lines.find(keyword) ? lines.integer(keyword, max_points) : std::uint64_t{0};
-  };
   // The oldest files have POINTS alone, others leave POINTS out.
-  std::uint64_t points = given("POINTS");
-  const bool has_width = lines.find("WIDTH") || lines.find("HEIGHT") || points == 0;
-  const std::uint64_t width = has_width ? lines.integer("WIDTH", max_points) : points;
-  const std::uint64_t height = std::max<std::uint64_t>(given("HEIGHT"), 1);
-  if (points == 0)
-    points = width * height;
+  const bool has_points = lines.find("POINTS");
+  const bool has_width = lines.find("WIDTH") || lines.find("HEIGHT") || !has_points;
+  const std::uint64_t width = lines.integer(has_width ? "WIDTH" : "POINTS", max_points);
+  const std::uint64_t height =
+      lines.find("HEIGHT") ? lines.integer("HEIGHT", max_points) : 1;
+  const std::uint64_t points =
+      has_points ? lines.integer("POINTS", max_points) : width * height;
   if (width * height != points)
     fail(cloud.path,
          "WIDTH " + std::to_string(width) + " times HEIGHT " + std::to_string(height) +

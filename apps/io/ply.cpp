@@ -461,7 +461,8 @@ takeVertices(CloudFile& cloud, const Element& vertex, Body& body)
   cloud.blob.data = std::move(data);
 }
 
-/** What PCL and scanners write of the camera: its position, and its axes as columns. */
+/** What PCL and scanners write of the camera: its position, and its axes, which are the
+ * rows of PCL's rotation. */
 class Camera {
 public:
   void
@@ -496,7 +497,8 @@ public:
       std::copy(values_.begin() + 9, values_.end(), cloud.viewpoint.begin());
     if (!isKnown(0, 9))
       return;
-    const Eigen::Matrix3f axes = Eigen::Map<const Eigen::Matrix3f>(values_.data());
+    const Eigen::Matrix3f axes =
+        Eigen::Map<const Eigen::Matrix3f>(values_.data()).transpose();
     const Eigen::Quaternionf turn(axes);
     if (turn.coeffs().allFinite() && turn.norm() > 0.0f)
       cloud.viewpoint = {cloud.viewpoint[0],
@@ -543,8 +545,13 @@ takeElements(Header& header, Body& body)
 bool
 isPlain(const Header& header)
 {
-  const Element& first = header.elements.front();
-  return header.format == "binary_little_endian" && header.elements.size() == 1 &&
+  const auto& elements = header.elements;
+  const Element& first = elements.front();
+  const bool has_camera =
+      std::any_of(elements.begin(), elements.end(), [](const Element& element) {
+        return element.name == "camera";
+      });
+  return header.format == "binary_little_endian" && isVertex(first) && !has_camera &&
          std::none_of(first.properties.begin(),
                       first.properties.end(),
                       [](const InProperty& p) { return p.count_type.has_value(); });

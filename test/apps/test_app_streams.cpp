@@ -40,7 +40,7 @@ protected:
   std::string
   fold(const std::string& name) const
   {
-    return file(name, asciiCloud("x y z", "F F F", foldRows(12)));
+    return file(name, asciiCloud("x y z", "F F F", foldRows(30)));
   }
 };
 
@@ -48,7 +48,7 @@ protected:
 CloudFile
 movedFold(double x, double y, double z)
 {
-  const CloudFile fold = decodePcd("fold", asciiCloud("x y z", "F F F", foldRows(12)));
+  const CloudFile fold = decodePcd("fold", asciiCloud("x y z", "F F F", foldRows(30)));
   CloudFile moved;
   for (const char* const name : {"x", "y", "z"})
     addField(moved, name, pcl::PCLPointField::FLOAT64);
@@ -172,7 +172,7 @@ TEST_F(Streams, CoordinatesThatFloatDestroyedGiveAWarning)
 TEST_F(Streams, ALimitOfTheFileSizeLeavesNothing)
 {
   fold("in.pcd");
-  const Outcome outcome = shell("ulimit -f 1; exec $APP in.pcd out.pcd -format binary");
+  const Outcome outcome = shell("ulimit -c 0; ulimit -f 1; exec $APP in.pcd out.pcd -format binary");
   EXPECT_EQ(outcome.status, -SIGXFSZ) << outcome.err;
   EXPECT_NE(outcome.err.find("SIGXFSZ"), std::string::npos) << outcome.err;
   EXPECT_EQ(files(), Words{"in.pcd"});
