@@ -152,9 +152,8 @@ run(const Arguments& arguments)
   report.setText("parameters", "convention", convention);
   const CloudFile predicted =
       report.time("read", [&] { return readInput(arguments, operands[0], report); });
-  CloudFile truth = report.time("read_truth", [&] {
-    return readAnyCloud(operands[1], floatsOfBin(arguments));
-  });
+  CloudFile truth = report.time(
+      "read_truth", [&] { return readAnyCloud(operands[1], floatsOfBin(arguments)); });
   truth.offset = predicted.offset; // to compare the same points
   const TaskPoints selected =
       selectPoints(task,

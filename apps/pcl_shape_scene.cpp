@@ -29,7 +29,8 @@ run(const Arguments& arguments)
   report.setText("", "output", path);
   const CloudFile cloud =
       is_lidar ? lidarCloud(arguments, report) : tableCloud(arguments, options, report);
-  report.time("write", [&] { output.write(encodeOutput(arguments, path, cloud, format)); });
+  report.time("write",
+              [&] { output.write(encodeOutput(arguments, path, cloud, format)); });
   commitWithJson(arguments, toJson(arguments.app(), report), output);
   printSummary(path, report, path);
   return 0;

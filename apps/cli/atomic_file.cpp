@@ -61,7 +61,8 @@ removePendingAndEnd(int signal)
       ::unlink(name);
   for (const EndingSignal& ending : ending_signals)
     if (ending.number == signal) {
-      // The message is the last thing that it says: there is nobody to tell of an error.
+      // The message is the last thing that it says: there is nobody to tell of an
+      // error.
       const ssize_t written =
           ::write(STDERR_FILENO, ending.message, std::strlen(ending.message));
       static_cast<void>(written);
@@ -108,7 +109,8 @@ resolve(const std::string& path)
 
 namespace {
 
-/** Keeps signals from this thread while a file exists that the handler does not know. */
+/** Keeps signals from this thread while a file exists that the handler does not know.
+ */
 class BlockedSignals {
 public:
   BlockedSignals()

@@ -13,8 +13,8 @@
 
 namespace pcl::app {
 
-/** \brief The files of a directory with one of these endings, in whatever case, sorted. \throws
- * InputError if there is none */
+/** \brief The files of a directory with one of these endings, in whatever case, sorted.
+ * \throws InputError if there is none */
 std::vector<std::string> cloudsIn(const std::string& directory,
                                   const std::vector<std::string>& endings);
 

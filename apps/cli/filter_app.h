@@ -53,9 +53,8 @@ void reportPoints(const pcl::PointCloud<pcl::PointXYZ>& points, Report& report);
 void printSummary(const std::string& path, const Report& report);
 
 /** \brief The same on standard error if the output file is standard output. */
-void printSummary(const std::string& path,
-                  const Report& report,
-                  const std::string& output);
+void
+printSummary(const std::string& path, const Report& report, const std::string& output);
 
 /** \brief Throws unless the -json file, if there is one, can be written and differs
  * from the given files and the -model file. */

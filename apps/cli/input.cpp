@@ -55,11 +55,12 @@ warnOfRounding(const Arguments& arguments, const CloudFile& cloud)
   if (step == 0.0)
     return;
   char text[128]; // two numbers of up to 12 characters
-  std::snprintf(text,
-                sizeof(text),
-                "float holds them in steps of %.3g, while the points are about %.3g apart",
-                step,
-                pcl::coordinateScale(points).spacing);
+  std::snprintf(
+      text,
+      sizeof(text),
+      "float holds them in steps of %.3g, while the points are about %.3g apart",
+      step,
+      pcl::coordinateScale(points).spacing);
   logLine(arguments.app() + ": " + cloud.path +
           ": warning: the coordinates are too large for their type: " + text +
           "; expected coordinates in double, or with an offset subtracted before they "

@@ -20,10 +20,10 @@ void addInputOptions(CommandLine& command_line);
 /** \brief Throws a UsageError for what is wrong with these options. */
 void checkInputOptions(const Arguments& arguments);
 
-/** \brief Read a cloud of any format, from standard input for "-", and choose its offset:
- * -offset, or where its coordinates are doubles that float does not hold, one near its
- * middle. An offset is said on standard error and noted in the report; coordinates that
- * float has destroyed give a warning. */
+/** \brief Read a cloud of any format, from standard input for "-", and choose its
+ * offset: -offset, or where its coordinates are doubles that float does not hold, one
+ * near its middle. An offset is said on standard error and noted in the report;
+ * coordinates that float has destroyed give a warning. */
 CloudFile
 readInput(const Arguments& arguments, const std::string& path, Report& report);
 

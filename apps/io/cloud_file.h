@@ -21,7 +21,7 @@ struct CloudFile {
   pcl::PCLPointCloud2 blob;
   std::array<float, 7> viewpoint{0, 0, 0, 1, 0, 0, 0}; ///< tx ty tz qw qx qy qz
   std::array<double, 3> offset{0, 0, 0}; ///< pointsOf() subtracts it, the file keeps it
-  bool is_view_known = true; ///< else the points are seen from the offset
+  bool is_view_known = true;             ///< else the points are seen from the offset
 
   std::size_t
   size() const

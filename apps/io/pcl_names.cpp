@@ -70,8 +70,7 @@ packColors(CloudFile& cloud, const std::string& prefix)
       packed[i * bytes + c] = *cloud.at(i, *channels[c]); // 0xAARRGGBB
   pcl::PCLPointField color;
   color.name = has_alpha ? "rgba" : "rgb";
-  color.datatype =
-      has_alpha ? pcl::PCLPointField::UINT32 : pcl::PCLPointField::FLOAT32;
+  color.datatype = has_alpha ? pcl::PCLPointField::UINT32 : pcl::PCLPointField::FLOAT32;
   color.count = 1;
   constexpr std::size_t red = 2;
   std::vector<FieldSource> sources;

@@ -8,13 +8,13 @@
 
 namespace pcl::app {
 
-/** \brief Coordinates, normals, colors and intensity in capitals get PCL's names, unless
- * a field has the name already. */
+/** \brief Coordinates, normals, colors and intensity in capitals get PCL's names,
+ * unless a field has the name already. */
 void usePclNames(CloudFile& cloud);
 
 /** \brief The same for the properties of PLY: nx ny nz are normal_x normal_y normal_z;
- * red green blue (or diffuse_red and so on), bytes, become the one field rgb, with alpha
- * rgba, as pcl::PLYReader makes them. */
+ * red green blue (or diffuse_red and so on), bytes, become the one field rgb, with
+ * alpha rgba, as pcl::PLYReader makes them. */
 void usePclNamesOfPly(CloudFile& cloud);
 
 } // namespace pcl::app

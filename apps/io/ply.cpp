@@ -122,7 +122,8 @@ readElement(const Words& words, Header& header)
              inQuotes(words[2]),
          is_vertex ? "a whole number from 1 to " + std::to_string(max_points)
                    : "a whole number");
-  if (is_vertex && std::any_of(header.elements.begin(), header.elements.end(), isVertex))
+  if (is_vertex &&
+      std::any_of(header.elements.begin(), header.elements.end(), isVertex))
     fail(header.cloud, "element vertex is there twice", "one");
   header.elements.push_back({std::string(words[1]), *count, {}});
 }
@@ -133,9 +134,8 @@ typeOf(const Words& words, std::size_t at, const Header& header)
   const auto datatype = at < words.size() ? datatypeOf(words[at]) : std::nullopt;
   if (!datatype)
     fail(header.cloud,
-         "property " + inQuotes(words.back()) + " of " +
-             header.elements.back().name + " has type " +
-             inQuotes(at < words.size() ? words[at] : ""),
+         "property " + inQuotes(words.back()) + " of " + header.elements.back().name +
+             " has type " + inQuotes(at < words.size() ? words[at] : ""),
          "char, uchar, short, ushort, int, uint, float or double");
   return *datatype;
 }
@@ -262,7 +262,8 @@ public:
   virtual void end() = 0;
 
   /** The next value, in the machine's order of bytes, to \p to. */
-  virtual void take(const InProperty& property, std::uint8_t type, std::uint8_t* to) = 0;
+  virtual void
+  take(const InProperty& property, std::uint8_t type, std::uint8_t* to) = 0;
 
   /** What a value needs at least. */
   virtual std::size_t minBytes(std::uint8_t type) const = 0;
@@ -468,10 +469,18 @@ public:
   void
   set(const InProperty& property, const std::uint8_t* bytes)
   {
-    constexpr std::array<const char*, 12> names{"x_axisx", "x_axisy", "x_axisz",
-                                                "y_axisx", "y_axisy", "y_axisz",
-                                                "z_axisx", "z_axisy", "z_axisz",
-                                                "view_px", "view_py", "view_pz"};
+    constexpr std::array<const char*, 12> names{"x_axisx",
+                                                "x_axisy",
+                                                "x_axisz",
+                                                "y_axisx",
+                                                "y_axisy",
+                                                "y_axisz",
+                                                "z_axisx",
+                                                "z_axisy",
+                                                "z_axisz",
+                                                "view_px",
+                                                "view_py",
+                                                "view_pz"};
     const auto place = std::find(names.begin(), names.end(), property.name);
     if (place == names.end())
       return;
@@ -536,8 +545,7 @@ takeElements(Header& header, Body& body)
       camera.apply(header.cloud);
     }
     else
-      takeElement(
-          header.cloud, *element, body, [](const InProperty&, const auto*) {});
+      takeElement(header.cloud, *element, body, [](const InProperty&, const auto*) {});
   }
 }
 
@@ -666,7 +674,8 @@ appendText(const CloudFile& cloud,
     for (const Property& property : properties)
       visitType(*datatypeOf(property.type), [&](auto value) {
         std::memcpy(&value,
-                    cloud.blob.data.data() + i * cloud.blob.point_step + property.offset,
+                    cloud.blob.data.data() + i * cloud.blob.point_step +
+                        property.offset,
                     sizeof(value));
         if (value != value) // std::to_chars would keep a NaN's sign
           text += "nan";

@@ -12,13 +12,14 @@
 
 namespace pcl::app {
 
-/** \brief The vertices of a PLY file, text or binary of either order of bytes: one field
- * a property, with PCL's names (see usePclNamesOfPly()). Lists are left out, and all
- * elements but a camera, which gives the viewpoint.
- * \throws InputError that names the path, what is wrong, and what is expected */
+/** \brief The vertices of a PLY file, text or binary of either order of bytes: one
+ * field a property, with PCL's names (see usePclNamesOfPly()). Lists are left out, and
+ * all elements but a camera, which gives the viewpoint. \throws InputError that names
+ * the path, what is wrong, and what is expected */
 CloudFile decodePly(const std::string& path, std::string_view file);
 
-/** \brief The bytes of a PLY file with one element, vertex, binary little-endian or text.
+/** \brief The bytes of a PLY file with one element, vertex, binary little-endian or
+ * text.
  *
  * A field becomes a property of the same name and type, one of several values
  * name_0, name_1 ..., normal_x and so on nx ny nz, a packed color red, green, blue (and

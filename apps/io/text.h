@@ -38,13 +38,12 @@ parseValue(std::string_view word)
   return std::nullopt;
 }
 
-/** \brief The same, for the words that are in files of points: with a plus sign, a whole
- * number as 3.0, NaN and infinity as Microsoft's runtime writes them (1.#QNAN, -1.#IND,
- * 1.#INF). What PCL accepts for a whole number is read as there: a fraction is cut off,
- * NaN is 0, and -1 without a sign in the type is the largest number. */
+/** \brief The same, for the words that are in files of points: with a plus sign, a
+ * whole number as 3.0, NaN and infinity as Microsoft's runtime writes them (1.#QNAN,
+ * -1.#IND, 1.#INF). What PCL accepts for a whole number is read as there: a fraction is
+ * cut off, NaN is 0, and -1 without a sign in the type is the largest number. */
 template <typename T>
-std::optional<T>
-parseFileValue(std::string_view word);
+std::optional<T> parseFileValue(std::string_view word);
 
 /** \brief Lower case of ASCII letters. */
 std::string toLower(std::string_view word);

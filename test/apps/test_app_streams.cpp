@@ -32,9 +32,9 @@ protected:
   Outcome
   shell(const std::string& command) const
   {
-    return runProgram("/bin/sh",
-                      {"-c", "APP='" + pathOf(edges) + "'; cd '" + path("") + "'; " +
-                                 command});
+    return runProgram(
+        "/bin/sh",
+        {"-c", "APP='" + pathOf(edges) + "'; cd '" + path("") + "'; " + command});
   }
 
   std::string
@@ -60,9 +60,8 @@ movedFold(double x, double y, double z)
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t c = 0; c < 3; ++c) {
       const double value = points[i][c] + by[c];
-      std::memcpy(moved.blob.data.data() + (i * 3 + c) * sizeof(value),
-                  &value,
-                  sizeof(value));
+      std::memcpy(
+          moved.blob.data.data() + (i * 3 + c) * sizeof(value), &value, sizeof(value));
     }
   return moved;
 }
@@ -73,7 +72,8 @@ TEST_F(Streams, TheEndingSaysTheFormatInAnyCase)
   expectSuccess(runApp(edges, {in, path("out.PLY")}));
   expectSuccess(runApp(edges, {in, path("text.ply"), "-format", "ascii"}));
   expectSuccess(runApp(edges, {in, path("out.pcd")}));
-  EXPECT_EQ(readFile(path("out.PLY")).substr(0, 31), "ply\nformat binary_little_endian");
+  EXPECT_EQ(readFile(path("out.PLY")).substr(0, 31),
+            "ply\nformat binary_little_endian");
   EXPECT_EQ(readFile(path("text.ply")).substr(0, 16), "ply\nformat ascii");
   const CloudFile cloud = readAnyCloud(path("out.pcd"));
   for (const char* const name : {"out.PLY", "text.ply"})
@@ -142,10 +142,10 @@ TEST_F(Streams, LargeDoublesLoseAnOffsetAndKeepTheirValues)
   const auto expected = labelsOf(readAnyCloud(path("near_out.pcd")), "edge");
   EXPECT_EQ(labelsOf(out, "edge"), expected);
   EXPECT_GT(std::count(expected.begin(), expected.end(), 1u), 0);
-  ASSERT_EQ(runApp(edges,
-                   {path("far.ply"), path("g.pcd"), "-offset", "500000,5400000,300"})
-                .status,
-            0);
+  ASSERT_EQ(
+      runApp(edges, {path("far.ply"), path("g.pcd"), "-offset", "500000,5400000,300"})
+          .status,
+      0);
   EXPECT_EQ(labelsOf(readAnyCloud(path("g.pcd")), "edge"), expected);
   expectRefused(
       runApp(edges, {path("far.ply"), path("g.pcd"), "-offset", "1,2"}), 2, {"X,Y,Z"});
@@ -172,7 +172,8 @@ TEST_F(Streams, CoordinatesThatFloatDestroyedGiveAWarning)
 TEST_F(Streams, ALimitOfTheFileSizeLeavesNothing)
 {
   fold("in.pcd");
-  const Outcome outcome = shell("ulimit -c 0; ulimit -f 1; exec $APP in.pcd out.pcd -format binary");
+  const Outcome outcome =
+      shell("ulimit -c 0; ulimit -f 1; exec $APP in.pcd out.pcd -format binary");
   EXPECT_EQ(outcome.status, -SIGXFSZ) << outcome.err;
   EXPECT_NE(outcome.err.find("SIGXFSZ"), std::string::npos) << outcome.err;
   EXPECT_EQ(files(), Words{"in.pcd"});

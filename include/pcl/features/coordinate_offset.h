@@ -34,7 +34,8 @@ struct CoordinateScale {
 };
 
 /** \brief Measure the finite points; all zero if there is none. It does not depend on
- * their order. \param[in] of_points how many there are, if these are a sample of them */
+ * their order. \param[in] of_points how many there are, if these are a sample of them
+ */
 inline CoordinateScale
 coordinateScale(const DoubleXYZ& points, std::size_t of_points = 0)
 {
@@ -134,8 +135,7 @@ destructiveFloatSpacing(const DoubleXYZ& points)
   }
   if (nearest.empty())
     return 0.0;
-  const auto middle =
-      nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
   std::nth_element(nearest.begin(), middle, nearest.end());
   constexpr double destroyed = 0.25;
   return step >= destroyed * *middle ? step : 0.0;
