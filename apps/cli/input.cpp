@@ -6,13 +6,14 @@
 
 #include "cli/app.h"
 #include "io/any_cloud.h"
-#include "io/text.h"
 
 #include <pcl/features/coordinate_offset.h>
 
 #include <nlohmann/json.hpp>
 
+#include <charconv>
 #include <cstdio>
+#include <iterator>
 
 namespace pcl::app {
 namespace {
@@ -42,7 +43,10 @@ toText(const std::array<double, 3>& vector)
   std::string text;
   for (const double value : vector) {
     text += text.empty() ? "" : ",";
-    appendNumber(value, text);
+    char digits[400]; // 309 before the point, as 500000 is easier to read than 5e+05
+    text.append(
+        digits,
+        std::to_chars(digits, std::end(digits), value, std::chars_format::fixed).ptr);
   }
   return text;
 }
