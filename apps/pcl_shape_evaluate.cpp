@@ -9,7 +9,6 @@
 #include "cli/report.h"
 #include "evaluation/evaluation_tasks.h"
 #include "io/any_cloud.h"
-#include "io/pcd.h"
 
 #include <cmath>
 #include <cstdio>
@@ -118,6 +117,8 @@ checkOut(const Arguments& arguments, const std::string& task)
     throw UsageError("-out with -task '" + task +
                      "'; expected -task edge, planar, curved or ground");
   checkOutputPath(arguments, "out", arguments.operands(2));
+  if (arguments.has("out"))
+    checkCloudOutput(arguments, arguments.text("out"));
 }
 
 /** The predicted cloud with the field outcome, complete in its temporary file. */
@@ -128,7 +129,8 @@ writeOutcomes(const Arguments& arguments,
               AtomicFile& file)
 {
   setField(predicted, "outcome", outcomesOf(selected, predicted.size()));
-  file.write(encodeCloud(predicted, outputFormat(arguments)));
+  file.write(encodeOutput(
+      arguments, arguments.text("out"), predicted, outputFormat(arguments)));
 }
 
 int
@@ -141,6 +143,7 @@ run(const Arguments& arguments)
   arguments.threads();
   checkJsonPath(arguments, {operands[0], operands[1], arguments.text("out")});
   outputFormat(arguments);
+  checkInputOptions(arguments);
 
   Report report;
   report.setText("", "predicted", operands[0]);
@@ -148,9 +151,10 @@ run(const Arguments& arguments)
   report.setText("parameters", "task", task);
   report.setText("parameters", "convention", convention);
   const CloudFile predicted =
-      report.time("read", [&] { return readAnyCloud(operands[0]); });
-  const CloudFile truth =
-      report.time("read_truth", [&] { return readAnyCloud(operands[1]); });
+      report.time("read", [&] { return readInput(arguments, operands[0], report); });
+  CloudFile truth = report.time(
+      "read_truth", [&] { return readAnyCloud(operands[1], floatsOfBin(arguments)); });
+  truth.offset = predicted.offset; // to compare the same points
   const TaskPoints selected =
       selectPoints(task,
                    convention == "paper" ? Convention::paper : Convention::strict,
@@ -206,6 +210,7 @@ main(int argc, char** argv)
           "write the predicted cloud with the field outcome: 2 hit, 3 miss, 4 false "
           "alarm");
   addFormatOption(command_line);
+  addInputOptions(command_line);
   addCommonOptions(command_line, false);
   return runApp(command_line, argc, argv, run);
 }

@@ -7,12 +7,12 @@
 #include "cli/filter_app.h"
 #include "cli/pcl_errors.h"
 #include "detection/resolution.h"
-#include "io/pcd.h"
 #include "results/result_files.h"
 #include "results/selection.h"
 
 #include <pcl/segmentation/suction_grasp_estimation.h>
 
+#include <array>
 #include <cstdio>
 #include <sstream>
 
@@ -69,13 +69,10 @@ void
 setViewPoint(Estimation& estimation, const CloudFile& file, const Arguments& arguments)
 {
   const auto numbers = arguments.numbers("viewpoint", 3, three_numbers);
-  if (!numbers) {
-    estimation.setViewPoint(file.viewpoint[0], file.viewpoint[1], file.viewpoint[2]);
-    return;
-  }
-  estimation.setViewPoint(static_cast<float>((*numbers)[0]),
-                          static_cast<float>((*numbers)[1]),
-                          static_cast<float>((*numbers)[2]));
+  std::array<float, 3> origin = viewOriginOf(file);
+  for (std::size_t c = 0; numbers && c < origin.size(); ++c)
+    origin[c] = static_cast<float>((*numbers)[c] - file.offset[c]);
+  estimation.setViewPoint(origin[0], origin[1], origin[2]);
 }
 
 Grasps
@@ -119,9 +116,11 @@ run(const Arguments& arguments)
   Estimation estimation = makeEstimation(arguments, report);
   checkSelection(arguments);
   arguments.numbers("viewpoint", 3, three_numbers);
+  checkInputOptions(arguments);
   checkJsonPath(arguments, {path});
 
-  const CloudFile file = report.time("read", [&] { return readCloud(path); });
+  const CloudFile file =
+      report.time("read", [&] { return readInput(arguments, path, report); });
   reportViewPoint(file, arguments, report);
   reportSelection(arguments, report);
   reportPoints(*pointsOf(file), report);
@@ -158,6 +157,7 @@ main(int argc, char** argv)
           "viewpoint", "X,Y,Z", "from where the cloud was seen, instead of the file's");
   addResolutionOption(command_line);
   addSelectionOptions(command_line);
+  addInputOptions(command_line);
   addCommonOptions(command_line);
   return runApp(command_line, argc, argv, run);
 }

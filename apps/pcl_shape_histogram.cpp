@@ -8,7 +8,7 @@
 #include "cli/filter_app.h"
 #include "detection/inad_options.h"
 #include "detection/model_file.h"
-#include "io/pcd.h"
+#include "io/any_cloud.h"
 
 #include <iostream>
 
@@ -20,7 +20,7 @@ std::vector<std::string>
 samplesOf(const Arguments& arguments)
 {
   if (arguments.has("input_dir"))
-    return cloudsIn(arguments.text("input_dir"));
+    return cloudsIn(arguments.text("input_dir"), cloudEndings());
   const auto& operands = arguments.operandsFrom(2);
   return {operands.begin(), operands.end() - 1};
 }
@@ -45,6 +45,7 @@ run(const Arguments& arguments)
                                      : arguments.operandsFrom(2).back();
   const std::vector<SampleOptions> classes = sampleOptions(arguments);
   arguments.threads();
+  checkInputOptions(arguments);
   const std::vector<std::string> samples = samplesOf(arguments);
   std::vector<std::string> others = samples;
   others.push_back(model_path);
@@ -56,7 +57,8 @@ run(const Arguments& arguments)
   for (const std::string& sample : samples) {
     Report& report = reports.emplace_back();
     report.setText("", "input", sample);
-    CloudFile cloud = report.time("read", [&] { return readCloud(sample); });
+    CloudFile cloud =
+        report.time("read", [&] { return readInput(arguments, sample, report); });
     model.add(cloud, report);
   }
   Report result;
@@ -100,7 +102,8 @@ main(int argc, char** argv)
       .option("mu_range", "A", "degrees, angles from there are beyond the bins (90)")
       .option("sigma_range", "A", "degrees, the same for sigma (90)")
       .option("prior", "P", "how frequent the class is, relative to the others (1)")
-      .option("input_dir", "D", "all .pcd files of D instead of sample.pcd");
+      .option("input_dir", "D", "all clouds of D instead of sample.pcd");
+  addInputOptions(command_line);
   addCommonOptions(command_line);
   return runApp(command_line, argc, argv, run);
 }

@@ -22,7 +22,7 @@ std::string
 formatOfFile(const Arguments& arguments, const std::string& output)
 {
   if (!arguments.has("format"))
-    return fs::path(output).extension() == ".ply" ? "ply" : "pcd";
+    return endingOf(output) == ".ply" ? "ply" : "pcd";
   const std::string format = arguments.choice("format", labelFormats());
   if (format == "kitti")
     throw UsageError("-format 'kitti' of a single file; expected pcd or ply, or a "
@@ -39,23 +39,25 @@ labelFile(const Arguments& arguments)
   const LabelSettings settings = labelSettings(arguments);
   const std::string format = formatOfFile(arguments, operands[1]);
   checkJsonPath(arguments, operands);
-  checkOutputs(arguments, {operands[1]});
+  checkCloudOutput(arguments, operands[1]);
   AtomicFile output(operands[1]);
   Report report;
   report.setText("", "input", operands[0]);
   report.setText("", "output", operands[1]);
-  CloudFile cloud = report.time("read", [&] { return readAnyCloud(operands[0]); });
+  CloudFile cloud =
+      report.time("read", [&] { return readInput(arguments, operands[0], report); });
   const std::vector<std::uint32_t> labels = labelCloud(cloud, settings, report);
   report.time("write",
               [&] { output.write(encodeLabeled(format, cloud, labels).front()); });
   commitWithJson(arguments, toJson(arguments.app(), report), output);
-  printSummary(operands[0], report);
+  printSummary(operands[0], report, operands[1]);
   return 0;
 }
 
 int
 run(const Arguments& arguments)
 {
+  checkInputOptions(arguments);
   if (arguments.hasBoth("input_dir", "output_dir")) {
     arguments.operands(0);
     return labelDirectory(
@@ -92,6 +94,7 @@ main(int argc, char** argv)
       .option("input_dir", "D", "a directory of clouds, instead of DIR ...")
       .option("output_dir", "D", "... and OUTDIR");
   addResolutionOption(command_line);
+  addInputOptions(command_line);
   addCommonOptions(command_line);
   return runApp(command_line, argc, argv, run);
 }

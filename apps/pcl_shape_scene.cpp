@@ -22,15 +22,17 @@ run(const Arguments& arguments)
   const PCDFormat format = outputFormat(arguments);
   arguments.threads();
   checkJsonPath(arguments, {path});
+  checkCloudOutput(arguments, path);
   AtomicFile output(path);
 
   Report report;
   report.setText("", "output", path);
   const CloudFile cloud =
       is_lidar ? lidarCloud(arguments, report) : tableCloud(arguments, options, report);
-  report.time("write", [&] { output.write(encodeCloud(cloud, format)); });
+  report.time("write",
+              [&] { output.write(encodeOutput(arguments, path, cloud, format)); });
   commitWithJson(arguments, toJson(arguments.app(), report), output);
-  printSummary(path, report);
+  printSummary(path, report, path);
   return 0;
 }
 

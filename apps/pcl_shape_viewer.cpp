@@ -6,7 +6,6 @@
 #include "cli/atomic_file.h"
 #include "cli/errors.h"
 #include "cli/filter_app.h"
-#include "io/pcd.h"
 #include "viewer/window.h"
 
 #include <iostream>
@@ -164,10 +163,12 @@ run(const Arguments& arguments)
 {
   const std::string input = arguments.operands(1)[0];
   arguments.threads();
+  checkInputOptions(arguments);
   checkFiles(arguments, input);
   Report report;
   report.setText("", "input", input);
-  const CloudFile cloud = report.time("read", [&] { return readCloud(input); });
+  const CloudFile cloud =
+      report.time("read", [&] { return readInput(arguments, input, report); });
   const Scene scene = report.time("prepare", [&] { return sceneOf(arguments, cloud); });
   reportScene(scene, report);
   requireDisplay();
@@ -215,6 +216,7 @@ main(int argc, char** argv)
               "viewpoint)")
       .option("point_size", "N", "pixels, 1 to 50 (by the distance between points)")
       .flag("keys", "begin with the list of keys on the screen");
+  addInputOptions(command_line);
   addCommonOptions(command_line, false);
   return runApp(command_line, argc, argv, run);
 }

@@ -5,6 +5,7 @@
 #include "cli/atomic_file.h"
 
 #include "cli/errors.h"
+#include "cli/read_file.h"
 #include "io/text.h"
 
 #include <array>
@@ -15,6 +16,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <random>
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -30,12 +32,41 @@ namespace {
  * report has three. */
 std::array<std::atomic<const char*>, 4> pending{};
 
+struct EndingSignal {
+  int number;
+  const char* message; ///< prepared: a handler may not compose one
+};
+
+#define PCL_SHAPE_ENDED_BY(NAME, WHY)                                                  \
+  {                                                                                    \
+    NAME, "ended by " #NAME WHY "; unfinished output was removed\n"                    \
+  }
+
+constexpr EndingSignal ending_signals[] = {
+    PCL_SHAPE_ENDED_BY(SIGINT, ""),
+    PCL_SHAPE_ENDED_BY(SIGTERM, ""),
+    PCL_SHAPE_ENDED_BY(SIGHUP, ""),
+    PCL_SHAPE_ENDED_BY(SIGQUIT, ""),
+    PCL_SHAPE_ENDED_BY(SIGPIPE, ", nobody reads the output"),
+    PCL_SHAPE_ENDED_BY(SIGXCPU, ", the limit of processor time"),
+    PCL_SHAPE_ENDED_BY(SIGXFSZ, ", the limit of the size of files")};
+
+#undef PCL_SHAPE_ENDED_BY
+
 extern "C" void
 removePendingAndEnd(int signal)
 {
   for (const auto& path : pending)
     if (const char* const name = path.load())
       ::unlink(name);
+  for (const EndingSignal& ending : ending_signals)
+    if (ending.number == signal) {
+      // The message is the last thing that it says: there is nobody to tell of an
+      // error.
+      const ssize_t written =
+          ::write(STDERR_FILENO, ending.message, std::strlen(ending.message));
+      static_cast<void>(written);
+    }
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -76,19 +107,72 @@ resolve(const std::string& path)
 
 } // namespace
 
-AtomicFile::AtomicFile(const std::string& path)
-: path_(path)
-, target_(resolve(path))
-, temporary_(target_ + '.' + std::to_string(::getpid()) + ".tmp")
+namespace {
+
+/** Keeps signals from this thread while a file exists that the handler does not know.
+ */
+class BlockedSignals {
+public:
+  BlockedSignals()
+  {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &old_);
+  }
+  ~BlockedSignals() { pthread_sigmask(SIG_SETMASK, &old_, nullptr); }
+  BlockedSignals(const BlockedSignals&) = delete;
+  BlockedSignals& operator=(const BlockedSignals&) = delete;
+
+private:
+  sigset_t old_{};
+};
+
+/** \return the number of the error, or 0 */
+int
+writeAll(int descriptor, std::string_view contents)
 {
+  while (!contents.empty()) {
+    const ssize_t written = ::write(descriptor, contents.data(), contents.size());
+    if (written >= 0)
+      contents.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR)
+      return errno;
+  }
+  return 0;
+}
+
+/** TARGET.RANDOM.PROCESS.tmp. In a container every process may be number 1: the number
+ * alone would be that of the process which was killed before. */
+std::string
+temporaryName(const std::string& target)
+{
+  std::random_device random;
+  constexpr unsigned digits = 36; // and small letters
+  constexpr int length = 8;       // 10^12 names
+  std::string word;
+  for (int i = 0; i < length; ++i)
+    word += "0123456789abcdefghijklmnopqrstuvwxyz"[random() % digits];
+  return target + '.' + word + '.' + std::to_string(::getpid()) + ".tmp";
+}
+
+} // namespace
+
+AtomicFile::AtomicFile(const std::string& path) : path_(path)
+{
+  if (path_ == standard_stream)
+    return;
+  target_ = resolve(path_);
   constexpr mode_t by_umask = 0666;
-  replacePending(nullptr, temporary_.c_str());
-  descriptor_ =
-      ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, by_umask);
-  if (descriptor_ < 0) {
-    const std::string why = std::strerror(errno);
-    replacePending(temporary_.c_str(), nullptr);
-    fail(path_, why);
+  constexpr int most_attempts = 100;
+  for (int attempt = 0; descriptor_ < 0; ++attempt) {
+    temporary_ = temporaryName(target_);
+    const BlockedSignals blocked;
+    descriptor_ =
+        ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, by_umask);
+    if (descriptor_ >= 0)
+      replacePending(nullptr, temporary_.c_str());
+    else if (errno != EINTR && (errno != EEXIST || attempt >= most_attempts))
+      fail(path_, std::strerror(errno));
   }
   if (struct stat old{}; ::stat(target_.c_str(), &old) == 0)
     ::fchmod(descriptor_, old.st_mode & 07777);
@@ -96,6 +180,8 @@ AtomicFile::AtomicFile(const std::string& path)
 
 AtomicFile::~AtomicFile()
 {
+  if (temporary_.empty())
+    return;
   if (descriptor_ >= 0)
     ::close(descriptor_);
   if (!is_committed_)
@@ -106,18 +192,22 @@ AtomicFile::~AtomicFile()
 void
 AtomicFile::write(std::string_view contents)
 {
-  while (!contents.empty()) {
-    const ssize_t written = ::write(descriptor_, contents.data(), contents.size());
-    if (written >= 0)
-      contents.remove_prefix(static_cast<std::size_t>(written));
-    else if (errno != EINTR)
-      fail(path_, std::strerror(errno));
-  }
+  if (temporary_.empty())
+    for_standard_output_ += contents;
+  else if (const int error = writeAll(descriptor_, contents))
+    fail(path_, std::strerror(error));
 }
 
 void
 AtomicFile::commit()
 {
+  if (temporary_.empty()) {
+    if (const int error = writeAll(STDOUT_FILENO, for_standard_output_))
+      throw InputError(std::string("standard output: cannot be written: ") +
+                       std::strerror(error));
+    for_standard_output_.clear();
+    return;
+  }
   const int closed = ::close(std::exchange(descriptor_, -1));
   if (closed != 0 || std::rename(temporary_.c_str(), target_.c_str()) != 0)
     fail(path_, std::strerror(errno));
@@ -138,11 +228,11 @@ removeOrphans(const std::string& directory)
   for (auto entry = fs::recursive_directory_iterator(directory, error);
        !error && entry != fs::recursive_directory_iterator();
        entry.increment(error)) {
-    const fs::path& path = entry->path(); // NAME.PROCESS.tmp
+    const fs::path& path = entry->path(); // NAME.RANDOM.PROCESS.tmp
     const auto process =
         parseValue<pid_t>(path.stem().extension().string().erase(0, 1));
     if (path.extension() == ".tmp" && process && *process > 0 &&
-        ::kill(*process, 0) != 0 && errno == ESRCH)
+        (*process == ::getpid() || (::kill(*process, 0) != 0 && errno == ESRCH)))
       orphans.push_back(path);
     if (entry.depth() > 0)
       entry.disable_recursion_pending();
@@ -154,9 +244,9 @@ removeOrphans(const std::string& directory)
 void
 removeTemporaryFilesOnSignals()
 {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-    if (std::signal(signal, removePendingAndEnd) == SIG_IGN)
-      std::signal(signal, SIG_IGN);
+  for (const EndingSignal& ending : ending_signals)
+    if (std::signal(ending.number, removePendingAndEnd) == SIG_IGN)
+      std::signal(ending.number, SIG_IGN);
 }
 
 } // namespace pcl::app

@@ -12,8 +12,9 @@ namespace pcl::app {
 /** \brief A file that appears complete or not at all.
  *
  * The contents go to a temporary file beside it, which commit() renames. Without
- * commit() nothing is left, and a file that was there stays as it was. All methods
- * throw an InputError that names the path.
+ * commit() nothing is left, and a file that was there stays as it was. For the path "-"
+ * commit() writes to standard output. All methods throw an InputError that names the
+ * path.
  */
 class AtomicFile {
 public:
@@ -32,17 +33,20 @@ private:
   std::string temporary_;
   int descriptor_ = -1;
   bool is_committed_ = false;
+  std::string for_standard_output_;
 };
 
 /** \brief \throws InputError if a file cannot be written at the path */
 void requireWritable(const std::string& path);
 
 /** \brief Remove the temporary files in a directory, and in the directories there,
- * whose process was killed. */
+ * whose process was killed. A file with this process's number counts as such: call it
+ * before the first AtomicFile. */
 void removeOrphans(const std::string& directory);
 
-/** \brief On SIGINT, SIGTERM and SIGHUP remove the temporary file, then end as usual.
- */
+/** \brief On the signals that end a process and that it may catch (SIGINT, SIGTERM,
+ * SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU, SIGXFSZ) remove the temporary files, say so on
+ * standard error, and end as usual. */
 void removeTemporaryFilesOnSignals();
 
 } // namespace pcl::app

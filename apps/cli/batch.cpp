@@ -7,6 +7,7 @@
 #include "cli/app.h"
 #include "cli/errors.h"
 #include "cli/filter_app.h"
+#include "io/any_cloud.h"
 
 #include <algorithm>
 #include <chrono>
@@ -37,7 +38,7 @@ cloudsIn(const std::string& directory, const std::vector<std::string>& endings)
   std::error_code error;
   std::vector<std::string> clouds;
   for (const auto& entry : fs::directory_iterator(directory, error))
-    if (std::count(endings.begin(), endings.end(), entry.path().extension()) > 0)
+    if (std::count(endings.begin(), endings.end(), endingOf(entry.path())) > 0)
       clouds.push_back(entry.path().string());
   if (error)
     throw InputError(directory + ": cannot be listed: " + error.message() +

@@ -13,10 +13,10 @@
 
 namespace pcl::app {
 
-/** \brief The files of a directory with one of these endings, sorted. \throws
- * InputError if there is none */
+/** \brief The files of a directory with one of these endings, in whatever case, sorted.
+ * \throws InputError if there is none */
 std::vector<std::string> cloudsIn(const std::string& directory,
-                                  const std::vector<std::string>& endings = {".pcd"});
+                                  const std::vector<std::string>& endings);
 
 /** \brief Make a directory unless it is there. \throws InputError if it cannot be made
  */

@@ -4,11 +4,15 @@
 
 #include "cli/filter_app.h"
 
+#include "cli/app.h"
 #include "cli/errors.h"
+#include "cli/read_file.h"
+#include "io/any_cloud.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <optional>
 
 namespace fs = std::filesystem;
@@ -18,7 +22,8 @@ namespace {
 
 /** The output is complete in its temporary file when this returns. */
 void
-process(const std::string& input,
+process(const Arguments& arguments,
+        const std::string& input,
         const std::string& output_path,
         const Filter& filter,
         PCDFormat format,
@@ -27,9 +32,12 @@ process(const std::string& input,
 {
   report.setText("", "input", input);
   report.setText("", "output", output_path);
-  CloudFile cloud = report.time("read", [&] { return readCloud(input); });
+  CloudFile cloud =
+      report.time("read", [&] { return readInput(arguments, input, report); });
   filter(cloud, report);
-  report.time("write", [&] { output.write(encodeCloud(cloud, format)); });
+  report.time("write", [&] {
+    output.write(encodeOutput(arguments, output_path, cloud, format));
+  });
 }
 
 int
@@ -38,13 +46,37 @@ runOne(const Arguments& arguments, const Filter& filter)
   const auto& operands = arguments.operands(2);
   const PCDFormat format = outputFormat(arguments);
   checkJsonPath(arguments, operands);
-  checkOutputs(arguments, {operands[1]});
+  checkCloudOutput(arguments, operands[1]);
   AtomicFile output(operands[1]);
   Report report;
-  process(operands[0], operands[1], filter, format, output, report);
+  process(arguments, operands[0], operands[1], filter, format, output, report);
   commitWithJson(arguments, toJson(arguments.app(), report), output);
-  printSummary(operands[0], report);
+  printSummary(operands[0], report, operands[1]);
   return 0;
+}
+
+/** The output has the input's name; KITTI's .bin holds no fields, and becomes .pcd. */
+std::string
+outputName(const std::string& input)
+{
+  fs::path name = fs::path(input).filename();
+  if (endingOf(input) == ".bin")
+    name.replace_extension(endingOf(name.stem().string()) == ".pcd" ? "" : ".pcd");
+  return name.string();
+}
+
+void
+requireDifferent(const std::vector<std::string>& inputs,
+                 const std::vector<std::string>& outputs)
+{
+  std::map<std::string, std::string> input_of;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const auto [other, is_new] = input_of.emplace(outputs[i], inputs[i]);
+    if (!is_new)
+      throw InputError(other->second + " and " + inputs[i] +
+                       " would have the same output; expected different names before "
+                       "the ending");
+  }
 }
 
 int
@@ -54,20 +86,21 @@ runDirectory(const Arguments& arguments, const Filter& filter)
   const PCDFormat format = outputFormat(arguments);
   const std::string input_dir = arguments.text("input_dir");
   const fs::path output_dir = arguments.text("output_dir");
-  const std::vector<std::string> inputs = cloudsIn(input_dir);
+  const std::vector<std::string> inputs = cloudsIn(input_dir, cloudEndings());
   prepareOutputDirectory(output_dir, input_dir);
   const auto outputOf = [&](const std::string& input) {
-    return (output_dir / fs::path(input).filename()).string();
+    return (output_dir / outputName(input)).string();
   };
   std::vector<std::string> outputs;
   for (const std::string& input : inputs)
     outputs.push_back(outputOf(input));
+  requireDifferent(inputs, outputs);
   checkJsonPath(arguments, inputs);
   checkJsonPath(arguments, outputs);
   checkOutputs(arguments, outputs);
   return runBatch(arguments, inputs, [&](const std::string& input, Report& report) {
     AtomicFile output(outputOf(input));
-    process(input, outputOf(input), filter, format, output, report);
+    process(arguments, input, outputOf(input), filter, format, output, report);
     output.commit();
     return true;
   });
@@ -105,7 +138,9 @@ void
 addFormatOption(CommandLine& command_line)
 {
   command_line.option(
-      "format", "F", "of the output: binary_compressed (default), binary, ascii");
+      "format",
+      "F",
+      "of the output: binary_compressed (default), binary, ascii; PLY by its ending");
 }
 
 void
@@ -113,8 +148,9 @@ addFilterOptions(CommandLine& command_line)
 {
   addFormatOption(command_line);
   command_line
-      .option("input_dir", "D", "process all .pcd files of D, instead of in.pcd ...")
+      .option("input_dir", "D", "process all clouds of D, instead of in.pcd ...")
       .option("output_dir", "D", "... and write them to D");
+  addInputOptions(command_line);
   addCommonOptions(command_line);
 }
 
@@ -129,6 +165,7 @@ int
 runFilter(const Arguments& arguments, const Filter& filter)
 {
   arguments.threads();
+  checkInputOptions(arguments);
   return arguments.hasBoth("input_dir", "output_dir") ? runDirectory(arguments, filter)
                                                       : runOne(arguments, filter);
 }
@@ -148,6 +185,30 @@ printSummary(const std::string& path, const Report& report)
 }
 
 void
+printSummary(const std::string& path, const Report& report, const std::string& output)
+{
+  if (output == standard_stream)
+    logLine(path + ": " + report.summary());
+  else
+    printSummary(path, report);
+}
+
+std::string
+encodeOutput(const Arguments& arguments,
+             const std::string& path,
+             const CloudFile& cloud,
+             PCDFormat format)
+{
+  std::string names;
+  for (const std::string& name : fieldsLeftOut(path, cloud))
+    names += " '" + name + "'";
+  if (!names.empty())
+    logLine(arguments.app() + ": " + path + ": warning: left out" + names +
+            ": PLY has no integers of 64 bits; expected a .pcd file for them");
+  return encodeAnyCloud(path, cloud, format);
+}
+
+void
 checkJsonPath(const Arguments& arguments, const std::vector<std::string>& others)
 {
   checkOutputPath(arguments, "json", others);
@@ -161,6 +222,9 @@ checkOutputPath(const Arguments& arguments,
   if (!arguments.has(option))
     return;
   const std::string path = arguments.text(option);
+  if (path == standard_stream)
+    throw UsageError("-" + option +
+                     " '-' is standard output, which is for clouds; expected a file");
   if (isAmong(others, path) || isModel(arguments, path))
     throw UsageError("-" + option + " '" + path +
                      "' is an input or output file; expected another file");
@@ -174,6 +238,16 @@ checkOutputs(const Arguments& arguments, const std::vector<std::string>& outputs
     if (isModel(arguments, output))
       throw UsageError("output '" + output +
                        "' is the -model file; expected another file");
+}
+
+void
+checkCloudOutput(const Arguments& arguments, const std::string& output)
+{
+  checkOutputs(arguments, {output});
+  if (endingOf(output) == ".bin")
+    throw UsageError("output '" + output +
+                     "' is of KITTI's format, which has no fields; expected .pcd or "
+                     ".ply");
 }
 
 void

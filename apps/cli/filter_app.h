@@ -8,6 +8,7 @@
 #include "cli/atomic_file.h"
 #include "cli/batch.h"
 #include "cli/command_line.h"
+#include "cli/input.h"
 #include "cli/report.h"
 #include "io/cloud_file.h"
 #include "io/pcd.h"
@@ -33,6 +34,13 @@ PCDFormat outputFormat(const Arguments& arguments);
  * -threads has an effect */
 void addCommonOptions(CommandLine& command_line, bool is_parallel = true);
 
+/** \brief The bytes of a cloud file for a path, and a warning where a field is left out
+ * because its format cannot hold it. */
+std::string encodeOutput(const Arguments& arguments,
+                         const std::string& path,
+                         const CloudFile& cloud,
+                         PCDFormat format);
+
 /** \brief Read a cloud, filter it and write it; or every cloud of -input_dir to
  * -output_dir. A summary of each goes to standard output, and to the -json file.
  * \return the exit status: in a directory, files that fail don't stop the others */
@@ -43,6 +51,10 @@ void reportPoints(const pcl::PointCloud<pcl::PointXYZ>& points, Report& report);
 
 /** \brief One line with the counts and the time of a file. */
 void printSummary(const std::string& path, const Report& report);
+
+/** \brief The same on standard error if the output file is standard output. */
+void
+printSummary(const std::string& path, const Report& report, const std::string& output);
 
 /** \brief Throws unless the -json file, if there is one, can be written and differs
  * from the given files and the -model file. */
@@ -55,6 +67,9 @@ void checkOutputPath(const Arguments& arguments,
 
 /** \brief Throws if one of the files to write is the -model file. */
 void checkOutputs(const Arguments& arguments, const std::vector<std::string>& outputs);
+
+/** \brief The same of a cloud, and throws if its ending is KITTI's .bin. */
+void checkCloudOutput(const Arguments& arguments, const std::string& output);
 
 /** \brief Make the output and the -json file appear, once both are written. */
 void commitWithJson(const Arguments& arguments,

@@ -8,8 +8,12 @@
 
 namespace pcl::app {
 
-/** \brief All bytes of a regular file. \param[in] expected what the file should be, for
- * messages, such as "a PCD file" \throws InputError that names the path */
+/** \brief The path that stands for standard input, or standard output. */
+constexpr const char* standard_stream = "-";
+
+/** \brief All bytes of a regular file, of a pipe, or of standard input. \param[in]
+ * expected what the file should be, for messages, such as "a PCD file" \throws
+ * InputError that names the path */
 std::string readFile(const std::string& path, const std::string& expected);
 
 } // namespace pcl::app

@@ -27,7 +27,7 @@ runFilterWithLines(const Arguments& arguments, const LineFilter& filter)
   const int status = runFilter(arguments, [&](CloudFile& file, Report& report) {
     const std::vector<pcl::CreaseLine> lines = filter(file, report);
     if (lines_file)
-      lines_file->write(linesToJson(file.path, lines));
+      lines_file->write(linesToJson(file, lines));
   });
   if (lines_file && status == 0)
     lines_file->commit();

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Reads a cloud of any known format.
+// Reads and writes a cloud of any known format.
 
 #pragma once
 
 #include "io/cloud_file.h"
+#include "io/pcd.h"
 
 #include <string>
 #include <string_view>
@@ -15,11 +16,26 @@ namespace pcl::app {
 /** \brief The endings of the files that readAnyCloud() knows: .pcd, .ply, .bin. */
 const std::vector<std::string>& cloudEndings();
 
-/** \brief A cloud of the format that its path's ending says: PCD, PLY, or the
- * velodyne/NAME.bin of KITTI; any other ending is taken for PCD.
- * \throws InputError that names the path, what is wrong, and what is expected */
-CloudFile decodeAnyCloud(const std::string& path, std::string_view file);
+/** \brief A path's ending in lower case, such as .pcd. */
+std::string endingOf(const std::string& path);
 
-CloudFile readAnyCloud(const std::string& path);
+/** \brief A cloud of the format that its path's ending says, in whatever case: PCD,
+ * PLY, or the velodyne/NAME.bin of KITTI. Without one of these endings it is PLY if it
+ * begins so, else PCD. \param[in] floats of a point of a .bin file, 4 or 5; 0 if its
+ * size says it \throws InputError that names the path, what is wrong, and what is
+ * expected */
+CloudFile
+decodeAnyCloud(const std::string& path, std::string_view file, unsigned floats = 0);
+
+/** \brief The same of a file, or of standard input if the path is "-". */
+CloudFile readAnyCloud(const std::string& path, unsigned floats = 0);
+
+/** \brief The bytes of a PLY file if the path's ending says so, else of a PCD file.
+ * Text is text in both. */
+std::string
+encodeAnyCloud(const std::string& path, const CloudFile& cloud, PCDFormat format);
+
+/** \brief The fields that encodeAnyCloud() leaves out. */
+std::vector<std::string> fieldsLeftOut(const std::string& path, const CloudFile& cloud);
 
 } // namespace pcl::app

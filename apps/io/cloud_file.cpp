@@ -9,6 +9,7 @@
 #include <pcl/common/point_tests.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -34,29 +35,56 @@ singleField(const CloudFile& cloud, const std::string& name)
   return *field;
 }
 
+bool
+isFloating(const pcl::PCLPointField& field)
+{
+  return field.datatype == pcl::PCLPointField::FLOAT32 ||
+         field.datatype == pcl::PCLPointField::FLOAT64;
+}
+
 const pcl::PCLPointField&
-floatField(const CloudFile& cloud, const std::string& name)
+floatingField(const CloudFile& cloud, const std::string& name)
 {
   const pcl::PCLPointField& field = singleField(cloud, name);
-  if (field.datatype != pcl::PCLPointField::FLOAT32)
+  if (!isFloating(field))
     throw InputError(cloud.path + ": field '" + name +
-                     "' is not of type float32; expected SIZE 4, TYPE F");
+                     "' is not of type float32 or float64; expected SIZE 4 or 8, "
+                     "TYPE F");
   return field;
 }
 
-/** Copy float32 fields to the members of points: `to` gives member c of point i. */
+/** Call \p use with the number of each point and its value, float or double. */
+template <typename Use>
+void
+eachValue(const CloudFile& cloud, const std::string& name, const Use& use)
+{
+  const pcl::PCLPointField& field = floatingField(cloud, name);
+  const auto visit = [&](auto value) {
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      std::memcpy(&value, cloud.at(i, field), sizeof(value));
+      use(i, value);
+    }
+  };
+  if (field.datatype == pcl::PCLPointField::FLOAT32)
+    visit(float{});
+  else
+    visit(double{});
+}
+
+/** Copy fields to the members of points: `to` gives member c of point i. */
 template <typename Member>
 void
 copyFloats(const CloudFile& cloud,
            const std::vector<const char*>& names,
            const Member& to)
 {
-  for (std::size_t c = 0; c < names.size(); ++c) {
-    const pcl::PCLPointField& field = floatField(cloud, names[c]);
-    for (std::size_t i = 0; i < cloud.size(); ++i)
-      std::memcpy(&to(i, c), cloud.at(i, field), sizeof(float));
-  }
+  for (std::size_t c = 0; c < names.size(); ++c)
+    eachValue(cloud, names[c], [&](std::size_t i, auto value) {
+      to(i, c) = static_cast<float>(value);
+    });
 }
+
+constexpr std::array<const char*, 3> coordinate_names{"x", "y", "z"};
 
 /** The new values of a field, packed. */
 struct Column {
@@ -70,40 +98,48 @@ struct Column {
 void
 setColumns(CloudFile& cloud, const std::vector<Column>& columns)
 {
-  struct Source {
-    const std::uint8_t* values;
-    std::size_t step;
-  };
-  const pcl::PCLPointCloud2& old = cloud.blob;
-  std::vector<pcl::PCLPointField> fields = old.fields;
-  std::vector<Source> sources;
-  for (const auto& field : fields)
-    sources.push_back({old.data.data() + field.offset, old.point_step});
+  std::vector<FieldSource> sources = sourcesOf(cloud);
   for (const Column& column : columns) {
     if (column.size != cloud.size())
       throw std::logic_error(cloud.path + ": " + std::to_string(column.size) +
                              " values for a field of " + std::to_string(cloud.size()) +
                              " points");
-    const auto found = std::find_if(fields.begin(), fields.end(), [&](const auto& f) {
-      return f.name == column.name;
+    const auto found = std::find_if(sources.begin(), sources.end(), [&](const auto& s) {
+      return s.field.name == column.name;
     });
-    const auto place = static_cast<std::size_t>(found - fields.begin());
-    if (found == fields.end()) {
-      fields.emplace_back();
-      sources.emplace_back();
-    }
-    fields[place].name = column.name;
-    fields[place].datatype = column.datatype;
-    fields[place].count = 1;
-    sources[place] = {static_cast<const std::uint8_t*>(column.values),
-                      valueSize(column.datatype)};
+    FieldSource& source = found == sources.end() ? sources.emplace_back() : *found;
+    source.field.name = column.name;
+    source.field.datatype = column.datatype;
+    source.field.count = 1;
+    source.values = static_cast<const std::uint8_t*>(column.values);
+    source.step = valueSize(column.datatype);
   }
-  std::uint32_t step = 0;
-  for (auto& field : fields) {
-    field.offset = step;
-    step += static_cast<std::uint32_t>(valueSize(field.datatype)) * field.count;
-  }
+  setFields(cloud, sources);
+}
 
+} // namespace
+
+std::vector<FieldSource>
+sourcesOf(const CloudFile& cloud)
+{
+  std::vector<FieldSource> sources;
+  for (const auto& field : cloud.blob.fields)
+    sources.push_back(
+        {field, cloud.blob.data.data() + field.offset, cloud.blob.point_step});
+  return sources;
+}
+
+void
+setFields(CloudFile& cloud, const std::vector<FieldSource>& sources)
+{
+  std::vector<pcl::PCLPointField> fields;
+  std::uint32_t step = 0;
+  for (const FieldSource& source : sources) {
+    fields.push_back(source.field);
+    fields.back().offset = step;
+    step += static_cast<std::uint32_t>(valueSize(source.field.datatype)) *
+            source.field.count;
+  }
   std::vector<std::uint8_t> data(cloud.size() * step);
   for (std::size_t f = 0; f < fields.size(); ++f) {
     const std::size_t bytes = valueSize(fields[f].datatype) * fields[f].count;
@@ -116,8 +152,6 @@ setColumns(CloudFile& cloud, const std::vector<Column>& columns)
   cloud.blob.point_step = step;
   cloud.blob.row_step = step * cloud.blob.width;
 }
-
-} // namespace
 
 const pcl::PCLPointField*
 findField(const CloudFile& cloud, const std::string& name)
@@ -139,16 +173,40 @@ addField(CloudFile& cloud, const std::string& name, std::uint8_t datatype)
   cloud.blob.point_step += static_cast<std::uint32_t>(valueSize(datatype));
 }
 
+std::vector<std::array<double, 3>>
+coordinatesOf(const CloudFile& cloud)
+{
+  std::vector<std::array<double, 3>> points(cloud.size());
+  for (std::size_t c = 0; c < coordinate_names.size(); ++c)
+    eachValue(cloud, coordinate_names[c], [&](std::size_t i, auto value) {
+      points[i][c] = static_cast<double>(value);
+    });
+  return points;
+}
+
+std::array<float, 3>
+viewOriginOf(const CloudFile& cloud)
+{
+  std::array<float, 3> origin{};
+  for (std::size_t c = 0; cloud.is_view_known && c < origin.size(); ++c)
+    origin[c] =
+        static_cast<float>(static_cast<double>(cloud.viewpoint[c]) - cloud.offset[c]);
+  return origin;
+}
+
 pcl::PointCloud<pcl::PointXYZ>::Ptr
 pointsOf(const CloudFile& cloud)
 {
   const auto points = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(
       cloud.blob.width, cloud.blob.height);
-  copyFloats(cloud, {"x", "y", "z"}, [&](std::size_t i, std::size_t c) -> float& {
-    return (*points)[i].data[c];
-  });
+  for (std::size_t c = 0; c < coordinate_names.size(); ++c)
+    eachValue(cloud, coordinate_names[c], [&](std::size_t i, auto value) {
+      (*points)[i].data[c] =
+          static_cast<float>(static_cast<double>(value) - cloud.offset[c]);
+    });
   const auto& v = cloud.viewpoint;
-  points->sensor_origin_ = Eigen::Vector4f(v[0], v[1], v[2], 0.0f);
+  const std::array<float, 3> origin = viewOriginOf(cloud);
+  points->sensor_origin_ = Eigen::Vector4f(origin[0], origin[1], origin[2], 0.0f);
   points->sensor_orientation_ = Eigen::Quaternionf(v[3], v[4], v[5], v[6]);
   const std::size_t finite = countFinite(*points);
   if (finite == 0)
@@ -188,8 +246,8 @@ std::vector<float>
 floatsOf(const CloudFile& cloud, const std::string& field)
 {
   std::vector<float> values(cloud.size());
-  copyFloats(cloud, {field.c_str()}, [&](std::size_t i, std::size_t) -> float& {
-    return values[i];
+  eachValue(cloud, field, [&](std::size_t i, auto value) {
+    values[i] = static_cast<float>(value);
   });
   return values;
 }

@@ -20,6 +20,8 @@ struct CloudFile {
   std::string path; ///< for messages
   pcl::PCLPointCloud2 blob;
   std::array<float, 7> viewpoint{0, 0, 0, 1, 0, 0, 0}; ///< tx ty tz qw qx qy qz
+  std::array<double, 3> offset{0, 0, 0}; ///< pointsOf() subtracts it, the file keeps it
+  bool is_view_known = true;             ///< else the points are seen from the offset
 
   std::size_t
   size() const
@@ -78,18 +80,39 @@ const pcl::PCLPointField* findField(const CloudFile& cloud, const std::string& n
  * yet. */
 void addField(CloudFile& cloud, const std::string& name, std::uint8_t datatype);
 
-/** \brief The points; is_dense says whether all are finite.
- * \throws InputError unless x, y and z are single float32 values and a point is finite
- */
+/** \brief A field of a cloud to be, and where its values are. */
+struct FieldSource {
+  pcl::PCLPointField field; ///< its offset does not matter
+  const std::uint8_t* values;
+  std::size_t step; ///< bytes from a point's value to the next one's
+};
+
+/** \brief Make a cloud of these fields, packed. The sources may be the cloud's data. */
+void setFields(CloudFile& cloud, const std::vector<FieldSource>& sources);
+
+/** \brief The fields of a cloud as they are. */
+std::vector<FieldSource> sourcesOf(const CloudFile& cloud);
+
+/** \brief x, y and z of every point in double.
+ * \throws InputError unless they are single float32 or float64 values */
+std::vector<std::array<double, 3>> coordinatesOf(const CloudFile& cloud);
+
+/** \brief The points, with the offset subtracted in double; is_dense says whether all
+ * are finite. \throws InputError unless x, y and z are single float32 or float64 values
+ * and a point is finite */
 pcl::PointCloud<pcl::PointXYZ>::Ptr pointsOf(const CloudFile& cloud);
+
+/** \brief Where the points were seen from, with the offset subtracted. */
+std::array<float, 3> viewOriginOf(const CloudFile& cloud);
 
 std::size_t countFinite(const pcl::PointCloud<pcl::PointXYZ>& points);
 
 /** \brief The normals in normal_x, normal_y and normal_z.
- * \throws InputError unless they are single float32 values */
+ * \throws InputError unless they are single float32 or float64 values */
 pcl::PointCloud<pcl::Normal>::Ptr normalsOf(const CloudFile& cloud);
 
-/** \brief The values of a single-valued float32 field. \throws InputError without it */
+/** \brief The values of a single-valued field of floats or doubles. \throws InputError
+ * without it */
 std::vector<float> floatsOf(const CloudFile& cloud, const std::string& field);
 
 /** \brief The values of a single-valued field of any type. \throws InputError without

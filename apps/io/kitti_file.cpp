@@ -60,20 +60,47 @@ appendMap(const char* key,
 
 } // namespace
 
-CloudFile
-decodeVelodyne(const std::string& path, std::string_view file)
+namespace {
+
+/** As many as fit the size of the file; if both do, nobody can tell. */
+unsigned
+floatsOfPoint(const std::string& path, std::size_t bytes)
 {
-  if (file.empty() || file.size() % point_bytes != 0)
-    throw InputError(path + ": " + std::to_string(file.size()) +
-                     " bytes; expected 16 for each point, x y z intensity");
+  const bool fits_four = bytes % (4 * sizeof(float)) == 0;
+  const bool fits_five = bytes % (5 * sizeof(float)) == 0;
+  if (bytes == 0 || (!fits_four && !fits_five))
+    throw InputError(path + ": " + std::to_string(bytes) +
+                     " bytes; expected 16 for each point, x y z intensity, or 20, with "
+                     "ring");
+  if (fits_four && fits_five)
+    throw InputError(path + ": " + std::to_string(bytes) + " bytes are " +
+                     std::to_string(bytes / 16) + " points of 4 floats or " +
+                     std::to_string(bytes / 20) +
+                     " of 5; expected -floats 4 (x y z intensity, as of KITTI) or "
+                     "-floats 5 (with ring, as of nuScenes)");
+  return fits_four ? 4 : 5;
+}
+
+} // namespace
+
+CloudFile
+decodeVelodyne(const std::string& path, std::string_view file, unsigned floats)
+{
+  const unsigned columns = floats > 0 ? floats : floatsOfPoint(path, file.size());
+  const std::size_t bytes = columns * sizeof(float);
+  if (file.empty() || file.size() % bytes != 0)
+    throw InputError(path + ": " + std::to_string(file.size()) + " bytes; expected " +
+                     std::to_string(bytes) + " for each point, by -floats " +
+                     std::to_string(columns));
   if (file.size() > max_bytes)
     throw InputError(path + ": " + std::to_string(file.size()) +
                      " bytes; must be less than 4 GiB");
   CloudFile cloud;
   cloud.path = path;
-  for (const char* name : {"x", "y", "z", "intensity"})
-    addField(cloud, name, pcl::PCLPointField::FLOAT32);
-  cloud.blob.width = static_cast<std::uint32_t>(file.size() / point_bytes);
+  constexpr std::array<const char*, 5> names{"x", "y", "z", "intensity", "ring"};
+  for (unsigned c = 0; c < columns; ++c)
+    addField(cloud, names[c], pcl::PCLPointField::FLOAT32);
+  cloud.blob.width = static_cast<std::uint32_t>(file.size() / bytes);
   cloud.blob.height = 1;
   cloud.blob.row_step = static_cast<std::uint32_t>(file.size());
   readBinaryPoints(cloud, file);
@@ -83,16 +110,14 @@ decodeVelodyne(const std::string& path, std::string_view file)
 std::string
 encodeVelodyne(const CloudFile& cloud)
 {
-  const std::array<std::vector<float>, values_per_point> columns{floatsOf(cloud, "x"),
-                                                                 floatsOf(cloud, "y"),
-                                                                 floatsOf(cloud, "z"),
-                                                                 intensitiesOf(cloud)};
+  const auto points = pointsOf(cloud);
+  const std::vector<float> intensities = intensitiesOf(cloud);
   std::string bytes(point_bytes * cloud.size(), '\0');
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    for (std::size_t c = 0; c < columns.size(); ++c)
-      std::memcpy(bytes.data() + i * point_bytes + c * sizeof(float),
-                  &columns[c][i],
-                  sizeof(float));
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const auto& p = (*points)[i];
+    const std::array<float, values_per_point> point{p.x, p.y, p.z, intensities[i]};
+    std::memcpy(bytes.data() + i * point_bytes, point.data(), point_bytes);
+  }
   return bytes;
 }
 

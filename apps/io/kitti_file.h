@@ -13,11 +13,14 @@
 
 namespace pcl::app {
 
-/** \brief A scan of KITTI, four float32 a point: x, y, z and intensity.
+/** \brief A scan of KITTI, four float32 a point: x, y, z and intensity; or of nuScenes,
+ * with a fifth, ring. \param[in] floats 4 or 5, or 0 if the size of the file says it
  * \throws InputError that names the path, what is wrong, and what is expected */
-CloudFile decodeVelodyne(const std::string& path, std::string_view file);
+CloudFile
+decodeVelodyne(const std::string& path, std::string_view file, unsigned floats = 0);
 
-/** \brief The same bytes. The fourth number is the field intensity, reflectivity or
+/** \brief The bytes of such a scan, of four float32 a point, with the cloud's offset
+ * subtracted. The fourth number is the field intensity, reflectivity or
  * remission, if it is a float, else 0. */
 std::string encodeVelodyne(const CloudFile& cloud);
 

@@ -6,10 +6,12 @@
 
 #include "cli/errors.h"
 #include "cli/read_file.h"
+#include "io/pcl_names.h"
 #include "io/text.h"
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -153,7 +155,7 @@ formatOf(std::string_view name)
 {
   for (const PCDFormat format :
        {PCDFormat::ascii, PCDFormat::binary, PCDFormat::binary_compressed})
-    if (name == nameOf(format))
+    if (toLower(name) == nameOf(format))
       return format;
   return std::nullopt;
 }
@@ -178,10 +180,19 @@ typeLetter(std::uint8_t datatype)
   });
 }
 
+/** A count of a header, perhaps with a plus sign. */
+std::optional<std::uint64_t>
+parseWhole(std::string_view word)
+{
+  return parseValue<std::uint64_t>(
+      word.size() > 1 && word.front() == '+' ? word.substr(1) : word);
+}
+
 std::optional<std::uint8_t>
 datatypeOf(std::string_view type, std::string_view size)
 {
   using Field = pcl::PCLPointField;
+  const auto bytes = parseWhole(size);
   for (const std::uint8_t datatype : {Field::INT8,
                                       Field::UINT8,
                                       Field::INT16,
@@ -192,8 +203,8 @@ datatypeOf(std::string_view type, std::string_view size)
                                       Field::UINT64,
                                       Field::FLOAT32,
                                       Field::FLOAT64})
-    if (type == std::string(1, typeLetter(datatype)) &&
-        size == std::to_string(valueSize(datatype)))
+    if (toLower(type) == toLower(std::string(1, typeLetter(datatype))) &&
+        bytes == valueSize(datatype))
       return datatype;
   return std::nullopt;
 }
@@ -258,11 +269,16 @@ HeaderLines::add(std::string_view line, std::size_t number)
   Words words = splitWords(line);
   if (words.empty() || words.front().front() == '#')
     return;
-  const std::string keyword(words.front());
+  std::string keyword(words.front());
+  std::transform(keyword.begin(), keyword.end(), keyword.begin(), [](unsigned char c) {
+    return static_cast<char>(std::toupper(c));
+  });
+  if (keyword == "COLUMNS") // of version 0.5
+    keyword = "FIELDS";
   const std::string where = "header line " + std::to_string(number) + " ";
   if (std::count(keywords.begin(), keywords.end(), keyword) == 0)
     fail(path_,
-         where + "begins with " + inQuotes(keyword),
+         where + "begins with " + inQuotes(words.front()),
          "VERSION, FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, VIEWPOINT, POINTS or "
          "DATA");
   words.erase(words.begin());
@@ -287,7 +303,7 @@ std::uint64_t
 HeaderLines::integer(const std::string& keyword, std::uint64_t max) const
 {
   const std::string_view word = words(keyword, 1).front();
-  const auto value = parseValue<std::uint64_t>(word);
+  const auto value = parseWhole(word);
   if (!value || *value == 0 || *value > max)
     fail(path_,
          keyword + " is " + inQuotes(word),
@@ -302,30 +318,30 @@ readFields(const HeaderLines& lines, CloudFile& cloud)
   const Words* const names = lines.find("FIELDS");
   if (!names || names->empty())
     fail(cloud.path, "the header has no FIELDS", "at least x y z");
-  const Words& sizes = lines.words("SIZE", names->size());
-  const Words& types = lines.words("TYPE", names->size());
-  const Words ones(names->size(), "1");
-  const Words& counts =
-      lines.find("COUNT") ? lines.words("COUNT", names->size()) : ones;
+  const auto wordsOr = [&](const char* keyword, std::string_view usual) {
+    return lines.find(keyword) ? lines.words(keyword, names->size())
+                               : Words(names->size(), usual);
+  };
+  const Words sizes = wordsOr("SIZE", "4"); // of version 0.5, as PCL has them
+  const Words types = wordsOr("TYPE", "F");
+  const Words counts = wordsOr("COUNT", "1");
   std::uint64_t step = 0;
   for (std::size_t i = 0; i < names->size(); ++i) {
     const std::string_view name = (*names)[i];
     const std::string field = "field " + inQuotes(name);
-    if (name != padding_field && std::count(names->begin(), names->end(), name) > 1)
-      fail(cloud.path, field + " is there twice", "each name once");
     const auto datatype = datatypeOf(types[i], sizes[i]);
     if (!datatype)
       fail(cloud.path,
            field + " has SIZE " + inQuotes(sizes[i]) + " and TYPE " +
                inQuotes(types[i]),
            "SIZE 1, 2, 4 or 8 with TYPE I or U, SIZE 4 or 8 with TYPE F");
-    const auto count = parseValue<std::uint32_t>(counts[i]);
+    const auto count = parseWhole(counts[i]);
     if (!count || *count == 0 || *count > max_count)
       fail(cloud.path,
            field + " has COUNT " + inQuotes(counts[i]),
            "a whole number from 1 to " + std::to_string(max_count));
     addField(cloud, std::string(name), *datatype);
-    cloud.blob.fields.back().count = *count;
+    cloud.blob.fields.back().count = static_cast<std::uint32_t>(*count);
     cloud.blob.fields.back().offset = static_cast<std::uint32_t>(step);
     step += valueSize(*datatype) * *count;
     if (step > max_bytes)
@@ -339,16 +355,20 @@ readFields(const HeaderLines& lines, CloudFile& cloud)
 void
 readSize(const HeaderLines& lines, CloudFile& cloud)
 {
-  const std::uint64_t width = lines.integer("WIDTH", max_points);
+  // The oldest files have POINTS alone, others leave POINTS out.
+  const bool has_points = lines.find("POINTS");
+  const bool has_width = lines.find("WIDTH") || lines.find("HEIGHT") || !has_points;
+  const std::uint64_t width = lines.integer(has_width ? "WIDTH" : "POINTS", max_points);
   const std::uint64_t height =
       lines.find("HEIGHT") ? lines.integer("HEIGHT", max_points) : 1;
-  const std::uint64_t points = lines.integer("POINTS", max_points);
+  const std::uint64_t points =
+      has_points ? lines.integer("POINTS", max_points) : width * height;
   if (width * height != points)
     fail(cloud.path,
          "WIDTH " + std::to_string(width) + " times HEIGHT " + std::to_string(height) +
              " is not POINTS " + std::to_string(points),
          "POINTS = WIDTH x HEIGHT");
-  if (points * cloud.blob.point_step > max_bytes)
+  if (points > max_points || points * cloud.blob.point_step > max_bytes)
     fail(cloud.path,
          "POINTS " + std::to_string(points) + " of " +
              std::to_string(cloud.blob.point_step) + " bytes",
@@ -401,10 +421,15 @@ readRow(CloudFile& cloud, const Words& words, std::size_t row)
 {
   std::uint8_t* to = cloud.blob.data.data() + row * cloud.blob.point_step;
   std::size_t word = 0;
-  for (const auto& field : cloud.blob.fields)
+  for (const auto& field : cloud.blob.fields) {
+    if (field.name == padding_field) {
+      word += field.count; // means nothing, whatever it says
+      to += valueSize(field.datatype) * field.count;
+      continue;
+    }
     for (std::uint32_t i = 0; i < field.count; ++i, ++word)
       visitType(field.datatype, [&](auto zero) {
-        const auto value = parseValue<decltype(zero)>(words[word]);
+        const auto value = parseFileValue<decltype(zero)>(words[word]);
         if (!value)
           fail(cloud.path,
                "point " + std::to_string(row) + " has " + inQuotes(words[word]) +
@@ -413,31 +438,80 @@ readRow(CloudFile& cloud, const Words& words, std::size_t row)
         std::memcpy(to, &*value, sizeof(*value));
         to += sizeof(*value);
       });
+  }
 }
 
 /** The columns of a compressed body, one field after the other, to points. */
 void
 interleave(CloudFile& cloud, const std::vector<std::uint8_t>& columns)
 {
-  cloud.blob.data.resize(columns.size());
+  std::vector<FieldSource> sources;
   const std::uint8_t* from = columns.data();
   for (const auto& field : cloud.blob.fields) {
     const std::size_t bytes = valueSize(field.datatype) * field.count;
-    std::uint8_t* const to = cloud.blob.data.data() + field.offset;
-    for (std::size_t i = 0; i < cloud.size(); ++i, from += bytes)
-      std::memcpy(to + i * cloud.blob.point_step, from, bytes);
+    sources.push_back({field, from, bytes});
+    from += bytes * cloud.size();
   }
+  setFields(cloud, sources);
+}
+
+bool
+isPadding(const pcl::PCLPointField& field)
+{
+  return field.name == padding_field;
+}
+
+/** Leave out the columns that mean nothing. PCL leaves them out of compressed data
+ * without saying so in the header, so no file with them is read by all alike. */
+void
+dropPadding(CloudFile& cloud)
+{
+  std::vector<FieldSource> sources = sourcesOf(cloud);
+  sources.erase(std::remove_if(sources.begin(),
+                               sources.end(),
+                               [](const FieldSource& s) { return isPadding(s.field); }),
+                sources.end());
+  if (sources.empty())
+    fail(cloud.path, "FIELDS has only padding, '_'", "at least x y z");
+  if (sources.size() < cloud.blob.fields.size())
+    setFields(cloud, sources);
+}
+
+/** The description of the points without padding: what PCL means by a compressed file
+ * that has it. */
+void
+forgetPadding(CloudFile& cloud)
+{
+  auto& fields = cloud.blob.fields;
+  fields.erase(std::remove_if(fields.begin(), fields.end(), isPadding), fields.end());
+  std::uint32_t step = 0;
+  for (auto& field : fields) {
+    field.offset = step;
+    step += static_cast<std::uint32_t>(valueSize(field.datatype)) * field.count;
+  }
+  cloud.blob.point_step = step;
+}
+
+std::size_t
+bytesWithoutPadding(const CloudFile& cloud)
+{
+  std::size_t step = 0;
+  for (const auto& field : cloud.blob.fields)
+    step += isPadding(field) ? 0 : valueSize(field.datatype) * field.count;
+  return cloud.size() * step;
 }
 
 void
 readCompressed(CloudFile& cloud, std::string_view body)
 {
   std::array<std::uint32_t, 2> sizes{}; // compressed and not
-  const std::size_t expected = cloud.size() * cloud.blob.point_step;
   if (body.size() < sizeof(sizes))
     failTruncated(cloud, sizeof(sizes), body.size());
   std::memcpy(sizes.data(), body.data(), sizeof(sizes));
   body.remove_prefix(sizeof(sizes));
+  if (sizes[1] != 0 && sizes[1] == bytesWithoutPadding(cloud))
+    forgetPadding(cloud);
+  const std::size_t expected = cloud.size() * cloud.blob.point_step;
   if (sizes[1] != expected)
     fail(cloud.path,
          "the compressed data says that it holds " + std::to_string(sizes[1]) +
@@ -471,7 +545,7 @@ readAsciiPoints(CloudFile& cloud, std::string_view body)
   cloud.blob.data.resize(cloud.size() * cloud.blob.point_step);
   std::size_t row = 0;
   while (!body.empty()) {
-    const Words words = splitWords(takeLine(body));
+    const Words words = splitPoint(takeLine(body));
     if (words.empty())
       continue;
     if (row == cloud.size())
@@ -520,6 +594,8 @@ decodePcd(const std::string& path, std::string_view file)
     readBinaryPoints(cloud, body);
   else
     readCompressed(cloud, body);
+  dropPadding(cloud);
+  usePclNames(cloud);
   return cloud;
 }
 

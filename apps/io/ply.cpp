@@ -6,12 +6,17 @@
 
 #include "cli/errors.h"
 #include "io/pcd.h"
+#include "io/pcl_names.h"
 #include "io/text.h"
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <type_traits>
 
 namespace pcl::app {
 namespace {
@@ -52,12 +57,24 @@ nameOf(std::uint8_t datatype)
   return nullptr;
 }
 
+/** A value, or a list of them, that each instance of an element has. */
+struct InProperty {
+  std::string name;
+  std::uint8_t datatype = 0;
+  std::optional<std::uint8_t> count_type; ///< of a list
+};
+
+struct Element {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<InProperty> properties;
+};
+
 /** What the lines of a header say. */
 struct Header {
   CloudFile cloud; ///< all but the points
-  std::uint64_t points = 0;
   std::uint32_t columns = 0, rows = 0;
-  std::size_t elements = 0;
+  std::vector<Element> elements;
   std::string format;
 };
 
@@ -65,6 +82,12 @@ struct Header {
 fail(const CloudFile& cloud, const std::string& what, const std::string& expected)
 {
   throw InputError(cloud.path + ": " + what + "; expected " + expected);
+}
+
+bool
+isVertex(const Element& element)
+{
+  return element.name == "vertex";
 }
 
 /** The viewpoint, as encodePly() writes it. */
@@ -83,40 +106,65 @@ readViewpoint(const Words& words, CloudFile& cloud)
   cloud.viewpoint = viewpoint;
 }
 
-/** Only the first element is read, and it must be vertex. */
 void
 readElement(const Words& words, Header& header)
 {
-  if (++header.elements > 1)
-    return;
-  if (words.size() != 3 || words[1] != "vertex")
+  if (words.size() != 3)
     fail(header.cloud,
-         "the first element is " + inQuotes(words.size() > 1 ? words[1] : ""),
-         "vertex");
-  const auto points = parseValue<std::uint64_t>(words[2]);
-  if (!points || *points == 0 || *points > max_points)
+         "element " + inQuotes(words.size() > 1 ? words[1] : "") + " has " +
+             std::to_string(words.size() - 1) + " words",
+         "a name and a count");
+  const auto count = parseValue<std::uint64_t>(words[2]);
+  const bool is_vertex = words[1] == "vertex";
+  if (!count || (is_vertex && (*count == 0 || *count > max_points)))
     fail(header.cloud,
-         "element vertex is " + inQuotes(words[2]),
-         "a whole number from 1 to " + std::to_string(max_points));
-  header.points = *points;
+         "element " + std::string(is_vertex ? "vertex" : inQuotes(words[1])) + " is " +
+             inQuotes(words[2]),
+         is_vertex ? "a whole number from 1 to " + std::to_string(max_points)
+                   : "a whole number");
+  if (is_vertex &&
+      std::any_of(header.elements.begin(), header.elements.end(), isVertex))
+    fail(header.cloud, "element vertex is there twice", "one");
+  header.elements.push_back({std::string(words[1]), *count, {}});
 }
 
+std::uint8_t
+typeOf(const Words& words, std::size_t at, const Header& header)
+{
+  const auto datatype = at < words.size() ? datatypeOf(words[at]) : std::nullopt;
+  if (!datatype)
+    fail(header.cloud,
+         "property " + inQuotes(words.back()) + " of " + header.elements.back().name +
+             " has type " + inQuotes(at < words.size() ? words[at] : ""),
+         "char, uchar, short, ushort, int, uint, float or double");
+  return *datatype;
+}
+
+/** `property TYPE NAME` or `property list TYPE TYPE NAME`. */
 void
 readProperty(const Words& words, Header& header)
 {
-  if (header.elements != 1)
-    return;
-  const auto datatype = words.size() == 3 ? datatypeOf(words[1]) : std::nullopt;
-  if (!datatype)
+  const bool is_list = words.size() > 1 && words[1] == "list";
+  if (header.elements.empty())
+    fail(header.cloud, "a property is before any element", "an element line before it");
+  if (words.size() != (is_list ? 5 : 3))
     fail(header.cloud,
-         "property " + inQuotes(words.back()) + " of vertex has type " +
-             inQuotes(words.size() > 1 ? words[1] : ""),
-         "char, uchar, short, ushort, int, uint, float or double");
-  if (findField(header.cloud, std::string(words[2])))
-    fail(header.cloud,
-         "property " + inQuotes(words[2]) + " is there twice",
-         "each once");
-  addField(header.cloud, std::string(words[2]), *datatype);
+         "property " + inQuotes(words.size() > 1 ? words.back() : "") + " has " +
+             std::to_string(words.size() - 1) + " words",
+         "a type and a name, or list, two types and a name");
+  InProperty property;
+  property.name = std::string(words.back());
+  property.datatype = typeOf(words, is_list ? 3 : 1, header);
+  if (is_list) {
+    property.count_type = typeOf(words, 2, header);
+    if (visitType(*property.count_type,
+                  [](auto value) { return std::is_floating_point_v<decltype(value)>; }))
+      fail(header.cloud,
+           "list " + inQuotes(property.name) + " has a count of type " +
+               inQuotes(words[2]),
+           "a type of whole numbers");
+  }
+  header.elements.back().properties.push_back(property);
 }
 
 void
@@ -131,10 +179,11 @@ readLine(const Words& words, Header& header)
     readProperty(words, header);
   else if (keyword == "format") {
     header.format = words.size() == 3 ? words[1] : "";
-    if (header.format != "ascii" && header.format != "binary_little_endian")
+    if (header.format != "ascii" && header.format != "binary_little_endian" &&
+        header.format != "binary_big_endian")
       fail(header.cloud,
            "format " + inQuotes(words.size() > 1 ? words[1] : ""),
-           "ascii 1.0 or binary_little_endian 1.0");
+           "ascii 1.0, binary_little_endian 1.0 or binary_big_endian 1.0");
   }
   else if (keyword == "obj_info") {
     const auto value =
@@ -148,6 +197,29 @@ readLine(const Words& words, Header& header)
     fail(header.cloud,
          "the header has a line " + inQuotes(keyword),
          "format, comment, obj_info, element, property or end_header");
+}
+
+/** The values of a vertex that are not lists become fields. */
+void
+addFields(const Element& vertex, Header& header)
+{
+  CloudFile& cloud = header.cloud;
+  for (const InProperty& property : vertex.properties)
+    if (!property.count_type)
+      addField(cloud, property.name, property.datatype);
+  if (cloud.blob.fields.empty())
+    fail(cloud, "element vertex has no property but lists", "at least x y z");
+  if (vertex.count * cloud.blob.point_step > max_bytes)
+    fail(cloud,
+         "element vertex " + std::to_string(vertex.count) + " of " +
+             std::to_string(cloud.blob.point_step) + " bytes",
+         "less than 4 GiB: divide the cloud into tiles");
+  const bool is_organized =
+      header.rows > 1 && std::uint64_t{header.columns} * header.rows == vertex.count;
+  cloud.blob.width =
+      is_organized ? header.columns : static_cast<std::uint32_t>(vertex.count);
+  cloud.blob.height = is_organized ? header.rows : 1;
+  cloud.blob.row_step = cloud.blob.width * cloud.blob.point_step;
 }
 
 /** Takes the header off the file. */
@@ -166,31 +238,331 @@ readHeader(const std::string& path, std::string_view& file)
       fail(cloud, "the header has no end_header", "a complete PLY header");
     words = splitWords(takeLine(file));
   }
-  if (header.format.empty() || header.elements == 0 || cloud.blob.fields.empty())
-    fail(
-        cloud, "the header has no format, vertex or property", "a complete PLY header");
-  if (header.points * cloud.blob.point_step > max_bytes)
-    fail(cloud,
-         "element vertex " + std::to_string(header.points) + " of " +
-             std::to_string(cloud.blob.point_step) + " bytes",
-         "less than 4 GiB: divide the cloud into tiles");
-  const bool is_organized =
-      header.rows > 1 && std::uint64_t{header.columns} * header.rows == header.points;
-  cloud.blob.width =
-      is_organized ? header.columns : static_cast<std::uint32_t>(header.points);
-  cloud.blob.height = is_organized ? header.rows : 1;
-  cloud.blob.row_step = cloud.blob.width * cloud.blob.point_step;
+  const auto vertex =
+      std::find_if(header.elements.begin(), header.elements.end(), isVertex);
+  if (header.format.empty() || vertex == header.elements.end())
+    fail(cloud, "the header has no format or vertex", "a complete PLY header");
+  addFields(*vertex, header);
   return header;
 }
 
-/** The first `count` lines that are not empty. */
-std::string_view
-firstLines(std::string_view body, std::size_t count)
+/** Takes values off the body of a file, one after the other. */
+class Body {
+public:
+  Body(const CloudFile& cloud, std::string_view rest) : cloud_(cloud), rest_(rest) {}
+  virtual ~Body() = default;
+  Body(const Body&) = delete;
+  Body& operator=(const Body&) = delete;
+
+  /** At the begin of each instance of an element, and of the number of values that it
+   * has at least. */
+  virtual void begin(const Element& element, std::uint64_t instance) = 0;
+
+  /** After its last value. */
+  virtual void end() = 0;
+
+  /** The next value, in the machine's order of bytes, to \p to. */
+  virtual void
+  take(const InProperty& property, std::uint8_t type, std::uint8_t* to) = 0;
+
+  /** What a value needs at least. */
+  virtual std::size_t minBytes(std::uint8_t type) const = 0;
+
+  std::size_t
+  bytesLeft() const
+  {
+    return rest_.size();
+  }
+
+protected:
+  [[noreturn]] void
+  failTruncated(const Element& element, std::uint64_t instance) const
+  {
+    fail(cloud_,
+         "truncated: the file ends in " + element.name + ' ' +
+             std::to_string(instance) + " of " + std::to_string(element.count),
+         "a complete file");
+  }
+
+  const CloudFile& cloud_;
+  std::string_view rest_;
+};
+
+class BinaryBody : public Body {
+public:
+  BinaryBody(const CloudFile& cloud, std::string_view rest, bool is_big_endian)
+  : Body(cloud, rest)
+  , is_big_endian_(is_big_endian)
+  {}
+
+  void
+  begin(const Element& element, std::uint64_t instance) override
+  {
+    element_ = &element;
+    instance_ = instance;
+  }
+
+  void
+  end() override
+  {}
+
+  void
+  take(const InProperty& /*property*/, std::uint8_t type, std::uint8_t* to) override
+  {
+    const std::size_t bytes = valueSize(type);
+    if (rest_.size() < bytes)
+      failTruncated(*element_, instance_);
+    std::memcpy(to, rest_.data(), bytes);
+    if (is_big_endian_)
+      std::reverse(to, to + bytes);
+    rest_.remove_prefix(bytes);
+  }
+
+  std::size_t
+  minBytes(std::uint8_t type) const override
+  {
+    return valueSize(type);
+  }
+
+private:
+  bool is_big_endian_;
+  const Element* element_ = nullptr;
+  std::uint64_t instance_ = 0;
+};
+
+/** One line for each instance of an element. */
+class TextBody : public Body {
+public:
+  using Body::Body;
+
+  void
+  begin(const Element& element, std::uint64_t instance) override
+  {
+    words_.clear();
+    while (words_.empty() && !rest_.empty())
+      words_ = splitPoint(takeLine(rest_));
+    if (words_.empty())
+      failTruncated(element, instance);
+    where_ = element.name + ' ' + std::to_string(instance);
+    next_ = 0;
+  }
+
+  void
+  end() override
+  {
+    if (next_ != words_.size())
+      failColumns(next_);
+  }
+
+  void
+  take(const InProperty& property, std::uint8_t type, std::uint8_t* to) override
+  {
+    if (next_ == words_.size())
+      failColumns(next_ + 1);
+    const std::string_view word = words_[next_++];
+    visitType(type, [&](auto zero) {
+      const auto value = parseFileValue<decltype(zero)>(word);
+      if (!value)
+        fail(cloud_,
+             where_ + " has " + inQuotes(word) + " in property '" + property.name + "'",
+             "a number of the property's type");
+      std::memcpy(to, &*value, sizeof(*value));
+    });
+  }
+
+  std::size_t
+  minBytes(std::uint8_t /*type*/) const override
+  {
+    return 1; // a digit; the blank after it may be missing once
+  }
+
+private:
+  [[noreturn]] void
+  failColumns(std::size_t expected) const
+  {
+    fail(cloud_,
+         where_ + " has " + std::to_string(words_.size()) + " columns",
+         (expected > words_.size() ? "at least " : "") + std::to_string(expected) +
+             " by its properties");
+  }
+
+  Words words_;
+  std::string where_;
+  std::size_t next_ = 0;
+};
+
+/** The number of values in a list, which comes before them. */
+std::uint64_t
+takeCount(const CloudFile& cloud, const InProperty& list, Body& body)
 {
-  std::string_view rest = body;
-  while (count > 0 && !rest.empty())
-    count -= splitWords(takeLine(rest)).empty() ? 0 : 1;
-  return body.substr(0, body.size() - rest.size());
+  std::array<std::uint8_t, sizeof(double)> bytes{};
+  body.take(list, *list.count_type, bytes.data());
+  return visitType(*list.count_type, [&](auto value) {
+    std::memcpy(&value, bytes.data(), sizeof(value));
+    const auto count = static_cast<std::int64_t>(value); // PLY has at most 32 bits
+    if (count < 0)
+      fail(cloud,
+           "list '" + list.name + "' has " + std::to_string(count) + " values",
+           "0 or more");
+    return static_cast<std::uint64_t>(count);
+  });
+}
+
+/** Take an instance; `use` gets each value that is in no list. */
+template <typename Use>
+void
+takeInstance(const CloudFile& cloud, const Element& element, Body& body, const Use& use)
+{
+  std::array<std::uint8_t, sizeof(double)> bytes{};
+  for (const InProperty& property : element.properties) {
+    if (!property.count_type) {
+      body.take(property, property.datatype, bytes.data());
+      use(property, bytes.data());
+      continue;
+    }
+    // Ends by itself where the file does: each value takes bytes.
+    for (std::uint64_t left = takeCount(cloud, property, body); left > 0; --left)
+      body.take(property, property.datatype, bytes.data());
+  }
+}
+
+/** All instances of an element; what cannot be in the file is refused before. */
+template <typename Use>
+void
+takeElement(const CloudFile& cloud, const Element& element, Body& body, const Use& use)
+{
+  if (element.properties.empty())
+    return; // nothing of it is in the file
+  std::size_t least = 0;
+  for (const InProperty& property : element.properties)
+    least += body.minBytes(property.count_type.value_or(property.datatype));
+  if (element.count > body.bytesLeft() / least)
+    fail(cloud,
+         "truncated: element " + element.name + " needs " +
+             std::to_string(element.count) + " times at least " +
+             std::to_string(least) + " bytes, but " + std::to_string(body.bytesLeft()) +
+             " follow",
+         "a complete file");
+  for (std::uint64_t i = 0; i < element.count; ++i) {
+    body.begin(element, i);
+    takeInstance(cloud, element, body, [&](const InProperty& property, const auto* v) {
+      use(property, v);
+    });
+    body.end();
+  }
+}
+
+void
+takeVertices(CloudFile& cloud, const Element& vertex, Body& body)
+{
+  std::vector<std::uint8_t> data;
+  takeElement(cloud, vertex, body, [&](const InProperty& property, const auto* value) {
+    data.insert(data.end(), value, value + valueSize(property.datatype));
+  });
+  cloud.blob.data = std::move(data);
+}
+
+/** What PCL and scanners write of the camera: its position, and its axes, which are the
+ * rows of PCL's rotation. */
+class Camera {
+public:
+  void
+  set(const InProperty& property, const std::uint8_t* bytes)
+  {
+    constexpr std::array<const char*, 12> names{"x_axisx",
+                                                "x_axisy",
+                                                "x_axisz",
+                                                "y_axisx",
+                                                "y_axisy",
+                                                "y_axisz",
+                                                "z_axisx",
+                                                "z_axisy",
+                                                "z_axisz",
+                                                "view_px",
+                                                "view_py",
+                                                "view_pz"};
+    const auto place = std::find(names.begin(), names.end(), property.name);
+    if (place == names.end())
+      return;
+    const auto at = static_cast<std::size_t>(place - names.begin());
+    values_[at] = visitType(property.datatype, [&](auto value) {
+      std::memcpy(&value, bytes, sizeof(value));
+      return static_cast<float>(value);
+    });
+    is_set_[at] = true;
+  }
+
+  /** Where there is a position it is the viewpoint's, where there are axes likewise. */
+  void
+  apply(CloudFile& cloud) const
+  {
+    const auto isKnown = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        if (!is_set_[i] || !std::isfinite(values_[i]))
+          return false;
+      return true;
+    };
+    if (isKnown(9, 12))
+      std::copy(values_.begin() + 9, values_.end(), cloud.viewpoint.begin());
+    if (!isKnown(0, 9))
+      return;
+    const Eigen::Matrix3f axes =
+        Eigen::Map<const Eigen::Matrix3f>(values_.data()).transpose();
+    const Eigen::Quaternionf turn(axes);
+    if (turn.coeffs().allFinite() && turn.norm() > 0.0f)
+      cloud.viewpoint = {cloud.viewpoint[0],
+                         cloud.viewpoint[1],
+                         cloud.viewpoint[2],
+                         turn.w(),
+                         turn.x(),
+                         turn.y(),
+                         turn.z()};
+  }
+
+private:
+  std::array<float, 12> values_{};
+  std::array<bool, 12> is_set_{};
+};
+
+/** The elements up to the last one that says something of the points. */
+void
+takeElements(Header& header, Body& body)
+{
+  const auto& elements = header.elements;
+  const auto last =
+      std::find_if(elements.rbegin(), elements.rend(), [](const Element& element) {
+        return isVertex(element) || element.name == "camera";
+      });
+  for (auto element = elements.begin(); element != last.base(); ++element) {
+    if (isVertex(*element))
+      takeVertices(header.cloud, *element, body);
+    else if (element->name == "camera") {
+      Camera camera;
+      takeElement(
+          header.cloud, *element, body, [&](const InProperty& p, const auto* value) {
+            camera.set(p, value);
+          });
+      camera.apply(header.cloud);
+    }
+    else
+      takeElement(header.cloud, *element, body, [](const InProperty&, const auto*) {});
+  }
+}
+
+/** Whether the body begins with the points, as they are in memory. */
+bool
+isPlain(const Header& header)
+{
+  const auto& elements = header.elements;
+  const Element& first = elements.front();
+  const bool has_camera =
+      std::any_of(elements.begin(), elements.end(), [](const Element& element) {
+        return element.name == "camera";
+      });
+  return header.format == "binary_little_endian" && isVertex(first) && !has_camera &&
+         std::none_of(first.properties.begin(),
+                      first.properties.end(),
+                      [](const InProperty& p) { return p.count_type.has_value(); });
 }
 
 } // namespace
@@ -199,10 +571,17 @@ CloudFile
 decodePly(const std::string& path, std::string_view file)
 {
   Header header = readHeader(path, file);
-  if (header.format == "ascii")
-    readAsciiPoints(header.cloud, firstLines(file, header.cloud.size()));
-  else
+  if (isPlain(header))
     readBinaryPoints(header.cloud, file);
+  else if (header.format == "ascii") {
+    TextBody body(header.cloud, file);
+    takeElements(header, body);
+  }
+  else {
+    BinaryBody body(header.cloud, file, header.format == "binary_big_endian");
+    takeElements(header, body);
+  }
+  usePclNamesOfPly(header.cloud);
   return std::move(header.cloud);
 }
 
@@ -220,6 +599,18 @@ isColor(const pcl::PCLPointField& field)
 {
   return (field.name == "rgb" || field.name == "rgba") &&
          valueSize(field.datatype) == sizeof(std::uint32_t) && field.count == 1;
+}
+
+/** The name that other programs know. */
+std::string
+plyNameOf(const std::string& field)
+{
+  constexpr std::array<const char*, 3> normals{"normal_x", "normal_y", "normal_z"};
+  constexpr std::array<const char*, 3> names{"nx", "ny", "nz"};
+  const auto place = std::find(normals.begin(), normals.end(), field);
+  return place == normals.end()
+             ? field
+             : names[static_cast<std::size_t>(place - normals.begin())];
 }
 
 /** PCL packs a color as 0xAARRGGBB. */
@@ -244,7 +635,7 @@ propertiesOf(const CloudFile& cloud)
     if (isColor(field))
       addColor(field, properties);
     else if (field.count == 1)
-      properties.push_back({field.name, type, field.offset, size});
+      properties.push_back({plyNameOf(field.name), type, field.offset, size});
     else
       for (std::uint32_t i = 0; i < field.count; ++i)
         properties.push_back({field.name + '_' + std::to_string(i),
@@ -256,9 +647,13 @@ propertiesOf(const CloudFile& cloud)
 }
 
 std::string
-encodeHeader(const CloudFile& cloud, const std::vector<Property>& properties)
+encodeHeader(const CloudFile& cloud,
+             const std::vector<Property>& properties,
+             bool is_text)
 {
-  std::string text = "ply\nformat binary_little_endian 1.0\ncomment viewpoint";
+  std::string text = std::string("ply\nformat ") +
+                     (is_text ? "ascii" : "binary_little_endian") +
+                     " 1.0\ncomment viewpoint";
   for (const float value : cloud.viewpoint)
     appendNumber(value, text += ' ');
   if (cloud.blob.height > 1)
@@ -270,16 +665,36 @@ encodeHeader(const CloudFile& cloud, const std::vector<Property>& properties)
   return text + "end_header\n";
 }
 
-} // namespace
-
-std::string
-encodePly(const CloudFile& cloud)
+void
+appendText(const CloudFile& cloud,
+           const std::vector<Property>& properties,
+           std::string& text)
 {
-  const std::vector<Property> properties = propertiesOf(cloud);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    for (const Property& property : properties)
+      visitType(*datatypeOf(property.type), [&](auto value) {
+        std::memcpy(&value,
+                    cloud.blob.data.data() + i * cloud.blob.point_step +
+                        property.offset,
+                    sizeof(value));
+        if (value != value) // std::to_chars would keep a NaN's sign
+          text += "nan";
+        else
+          appendNumber(value, text);
+        text += ' ';
+      });
+    text.back() = '\n';
+  }
+}
+
+void
+appendBinary(const CloudFile& cloud,
+             const std::vector<Property>& properties,
+             std::string& text)
+{
   std::size_t step = 0;
   for (const Property& property : properties)
     step += property.size;
-  std::string text = encodeHeader(cloud, properties);
   const std::size_t begin = text.size();
   text.resize(begin + step * cloud.size());
   char* to = text.data() + begin;
@@ -289,6 +704,19 @@ encodePly(const CloudFile& cloud)
       std::memcpy(to, cloud.blob.data.data() + from, property.size);
       to += property.size;
     }
+}
+
+} // namespace
+
+std::string
+encodePly(const CloudFile& cloud, bool is_text)
+{
+  const std::vector<Property> properties = propertiesOf(cloud);
+  std::string text = encodeHeader(cloud, properties, is_text);
+  if (is_text)
+    appendText(cloud, properties, text);
+  else
+    appendBinary(cloud, properties, text);
   return text;
 }
 

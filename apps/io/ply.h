@@ -12,17 +12,20 @@
 
 namespace pcl::app {
 
-/** \brief The vertices of a PLY file, text or binary little-endian: one field a
- * property. What follows the vertices, such as faces, is left out.
- * \throws InputError that names the path, what is wrong, and what is expected */
+/** \brief The vertices of a PLY file, text or binary of either order of bytes: one
+ * field a property, with PCL's names (see usePclNamesOfPly()). Lists are left out, and
+ * all elements but a camera, which gives the viewpoint. \throws InputError that names
+ * the path, what is wrong, and what is expected */
 CloudFile decodePly(const std::string& path, std::string_view file);
 
-/** \brief The bytes of a binary little-endian PLY file with one element, vertex.
+/** \brief The bytes of a PLY file with one element, vertex, binary little-endian or
+ * text.
  *
  * A field becomes a property of the same name and type, one of several values
- * name_0, name_1 ..., and a packed color red, green, blue (and alpha). The viewpoint
+ * name_0, name_1 ..., normal_x and so on nx ny nz, a packed color red, green, blue (and
+ * alpha), so that it reads back as it was. The viewpoint
  * is a comment, the layout of an organized cloud obj_info, as pcl::PLYWriter's. */
-std::string encodePly(const CloudFile& cloud);
+std::string encodePly(const CloudFile& cloud, bool is_text = false);
 
 /** \brief The names of the fields that encodePly() leaves out: PLY has no 64-bit
  * integers. */

@@ -35,6 +35,41 @@ splitWords(std::string_view line)
   return words;
 }
 
+std::vector<std::string_view>
+splitPoint(std::string_view line)
+{
+  std::vector<std::string_view> words = splitWords(line);
+  if (!words.empty() && words.front().front() == '#')
+    words.clear();
+  return words;
+}
+
+std::string
+toLower(std::string_view word)
+{
+  std::string lower(word);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z')
+      c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
+std::optional<double>
+parseMicrosoftValue(std::string_view word)
+{
+  const bool is_negative = !word.empty() && word.front() == '-';
+  const std::string text = toLower(word.substr(is_negative ? 1 : 0));
+  // Rounded to few digits, zeros follow: 1.#QNAN00.
+  const std::string bare = text.substr(0, text.find_last_not_of('0') + 1);
+  if (bare == "1.#inf")
+    return is_negative ? -std::numeric_limits<double>::infinity()
+                       : std::numeric_limits<double>::infinity();
+  for (const char* const name : {"1.#qnan", "1.#snan", "1.#ind", "1.#nan"})
+    if (bare == name)
+      return std::numeric_limits<double>::quiet_NaN();
+  return std::nullopt;
+}
+
 std::string_view
 takeLine(std::string_view& text)
 {

@@ -6,9 +6,11 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace pcl::app {
@@ -36,6 +38,19 @@ parseValue(std::string_view word)
   return std::nullopt;
 }
 
+/** \brief The same, for the words that are in files of points: with a plus sign, a
+ * whole number as 3.0, NaN and infinity as Microsoft's runtime writes them (1.#QNAN,
+ * -1.#IND, 1.#INF). What PCL accepts for a whole number is read as there: a fraction is
+ * cut off, NaN is 0, and -1 without a sign in the type is the largest number. */
+template <typename T>
+std::optional<T> parseFileValue(std::string_view word);
+
+/** \brief Lower case of ASCII letters. */
+std::string toLower(std::string_view word);
+
+/** \brief NaN or infinity as Microsoft's runtime writes them, if the word is one. */
+std::optional<double> parseMicrosoftValue(std::string_view word);
+
 /** \brief Write the shortest text that reads as the same number. */
 template <typename T>
 void
@@ -52,7 +67,39 @@ std::string inQuotes(std::string_view word);
 /** \brief The words of a line. */
 std::vector<std::string_view> splitWords(std::string_view line);
 
+/** \brief The same for text of points: nothing of a line that begins with #. */
+std::vector<std::string_view> splitPoint(std::string_view line);
+
 /** \brief Take the first line, without its end, off the text. */
 std::string_view takeLine(std::string_view& text);
+
+template <typename T>
+std::optional<T>
+parseFileValue(std::string_view word)
+{
+  const bool has_plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
+  const std::string_view bare = has_plus ? word.substr(1) : word;
+  if (const std::optional<T> value = parseValue<T>(bare))
+    return value;
+  if constexpr (std::is_floating_point_v<T>) {
+    const std::optional<double> value = parseMicrosoftValue(bare);
+    return value ? std::optional<T>(static_cast<T>(*value)) : std::nullopt;
+  }
+  else {
+    using Signed = std::make_signed_t<T>;
+    if (const std::optional<Signed> value = parseValue<Signed>(bare))
+      return static_cast<T>(*value); // negative, of an unsigned type
+    const std::optional<double> value = parseFileValue<double>(bare);
+    if (!value)
+      return std::nullopt;
+    if (std::isnan(*value))
+      return T{0};
+    const double whole = std::trunc(*value);
+    const double end = std::ldexp(1.0, std::numeric_limits<T>::digits);
+    const double begin = std::is_signed_v<T> ? -end : 0.0;
+    return whole >= begin && whole < end ? std::optional<T>(static_cast<T>(whole))
+                                         : std::nullopt;
+  }
+}
 
 } // namespace pcl::app

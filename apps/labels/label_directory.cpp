@@ -53,6 +53,9 @@ parametersOf(const LabelSettings& settings,
       {"confidence", settings.confidence}, {"format", format}, {"model", "default"}};
   if (settings.resolution > 0.0)
     parameters["resolution"] = settings.resolution;
+  for (const char* const option : {"offset", "floats"})
+    if (arguments.has(option))
+      parameters[option] = arguments.text(option);
   if (arguments.has("model"))
     parameters["model"] = checksumOf(readFile(arguments.text("model"), "a model file"));
   return parameters;
@@ -325,8 +328,11 @@ DirectoryRun::label(const std::string& input, Report& report)
   const std::string contents = readFile(input, "a PCD, PLY or KITTI .bin file");
   if (manifest_.isDone(name, contents))
     return false;
-  CloudFile cloud =
-      report.time("read", [&] { return decodeAnyCloud(input, contents); });
+  CloudFile cloud = report.time("read", [&] {
+    CloudFile decoded = decodeAnyCloud(input, contents, floatsOfBin(arguments_));
+    chooseOffset(arguments_, decoded, report);
+    return decoded;
+  });
   const std::vector<std::uint32_t> labels = labelCloud(cloud, settings_, report);
   report.time("write", [&] {
     std::deque<AtomicFile> files;

@@ -68,10 +68,12 @@ graspToJson(const SuctionGrasp& grasp)
 } // namespace
 
 std::string
-linesToJson(const std::string& input, const std::vector<CreaseLine>& lines)
+linesToJson(const CloudFile& input, const std::vector<CreaseLine>& lines)
 {
   constexpr double degrees_per_radian = 180.0 / 3.14159265358979323846;
-  Json json = {{"format", "pcl_shape lines"}, {"version", 1}, {"input", input}};
+  Json json = {{"format", "pcl_shape lines"}, {"version", 1}, {"input", input.path}};
+  if (input.offset != std::array<double, 3>{})
+    json["offset"] = input.offset;
   json["lines"] = Json::array();
   for (const CreaseLine& line : lines)
     json["lines"].push_back({{"length", line.length},

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cli/report.h"
+#include "io/cloud_file.h"
 
 #include <pcl/segmentation/shape_field.h>
 #include <pcl/segmentation/shape_instance_segmentation.h>
@@ -16,7 +17,7 @@
 namespace pcl::app {
 
 /** \brief The contents of the -lines file. */
-std::string linesToJson(const std::string& input, const std::vector<CreaseLine>& lines);
+std::string linesToJson(const CloudFile& input, const std::vector<CreaseLine>& lines);
 
 /** \brief Note the instances, their number from 1 on. \param[in] of_class what they are
  * instances of \param[in] classes the names of their shares */

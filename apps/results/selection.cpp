@@ -87,7 +87,11 @@ selectedPoints(const CloudFile& file,
     labels = labelsOf(file, arguments.text("field"));
     label = *arguments.integer("value", 0, max_label);
   }
-  const std::optional<Box> box = boxOf(arguments);
+  std::optional<Box> box = boxOf(arguments);
+  for (std::size_t c = 0; box && c < 3; ++c) { // of the file's coordinates
+    box->low[c] -= file.offset[c];
+    box->high[c] -= file.offset[c];
+  }
   auto selected = pcl::make_shared<pcl::Indices>();
   for (std::size_t i = 0; i < points.size(); ++i)
     if (pcl::isFinite(points[i]) && (labels.empty() || labels[i] == label) &&

@@ -7,6 +7,7 @@
 #include "cli/errors.h"
 
 #include <csignal>
+#include <fcntl.h>
 #include <filesystem>
 #include <unistd.h>
 
@@ -65,24 +66,50 @@ TEST_F(AtomicFileTest, RefusesWhatIsNoFile)
   EXPECT_TRUE(files().empty());
 }
 
-TEST_F(AtomicFileTest, LeavesNothingWhenInterrupted)
+TEST_F(AtomicFileTest, ALeftOverOfThisProcessDoesNotBlock)
+{
+  const std::string number = '.' + std::to_string(getpid()) + ".tmp";
+  file("new" + number, "of a process with this number");
+  AtomicFile first(path("new")), second(path("new"));
+  first.write("first");
+  second.write("second");
+  first.commit();
+  second.commit();
+  EXPECT_EQ(readFile(path("new")), "second");
+  removeOrphans(path(""));
+  EXPECT_EQ(files(), Words{"new"});
+}
+
+class EndingSignals : public AtomicFileTest,
+                      public ::testing::WithParamInterface<int> {};
+
+TEST_P(EndingSignals, LeaveNothing)
 {
   const std::string old = file("old", "as it was");
   const pid_t child = fork();
   ASSERT_GE(child, 0);
   if (child == 0) {
+    const int messages =
+        ::open(path("messages").c_str(), O_WRONLY | O_CREAT, S_IRUSR | S_IWUSR);
+    ::dup2(messages, STDERR_FILENO);
     removeTemporaryFilesOnSignals();
     AtomicFile output(old);
     output.write("half");
-    std::raise(SIGINT);
+    std::raise(GetParam());
     _exit(0);
   }
   int status = 0;
   ASSERT_EQ(waitpid(child, &status, 0), child);
   EXPECT_TRUE(WIFSIGNALED(status));
-  EXPECT_EQ(WTERMSIG(status), SIGINT);
+  EXPECT_EQ(WTERMSIG(status), GetParam());
   EXPECT_EQ(readFile(old), "as it was");
-  EXPECT_EQ(files(), Words{"old"});
+  EXPECT_EQ(files(), (Words{"messages", "old"}));
+  EXPECT_NE(readFile(path("messages")).find("ended by SIG"), std::string::npos);
 }
+
+INSTANTIATE_TEST_SUITE_P(
+    AtomicFile,
+    EndingSignals,
+    ::testing::Values(SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU, SIGXFSZ));
 
 } // namespace

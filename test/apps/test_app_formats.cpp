@@ -141,8 +141,8 @@ TEST_F(Formats, BadPlyIsRefused)
        {std::string(),
         std::string("plx\n"),
         start + "element vertex 2\n" + xyz,
-        "ply\nformat binary_big_endian 1.0\nelement vertex 2\n" + xyz + "end_header\n" +
-            bytes,
+        "ply\nformat binary_middle_endian 1.0\nelement vertex 2\n" + xyz +
+            "end_header\n" + bytes,
         "ply\nelement vertex 2\n" + xyz + "end_header\n" + bytes,
         start + "end_header\n" + bytes,
         start + "element vertex 2\nend_header\n" + bytes,
@@ -155,8 +155,12 @@ TEST_F(Formats, BadPlyIsRefused)
         start + "element vertex 2\nproperty list uchar int x\nend_header\n" + bytes,
         start + "element vertex 2\nproperty half x\nend_header\n" + bytes,
         start + "element vertex 2\nproperty\nend_header\n" + bytes,
-        start + "element vertex 2\nproperty float x\nproperty float x\nend_header\n" +
-            bytes,
+        start + "element vertex 2\n" + xyz + "element vertex 2\n" + xyz +
+            "end_header\n" + bytes + bytes,
+        start + "element vertex 2\n" + xyz +
+            "property list float int view_indices\nend_header\n" + bytes,
+        start + "element camera 9\nproperty float view_px\nelement vertex 2\n" + xyz +
+            "end_header\n" + bytes,
         start + "vertices 2\nend_header\n" + bytes}) {
     try {
       decodePly("a.ply", bad);

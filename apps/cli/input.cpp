@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Reads any cloud, and brings its coordinates within the reach of float.
+
+#include "cli/input.h"
+
+#include "cli/app.h"
+#include "io/any_cloud.h"
+
+#include <pcl/features/coordinate_offset.h>
+
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <cstdio>
+#include <iterator>
+
+namespace pcl::app {
+namespace {
+
+std::optional<std::array<double, 3>>
+givenOffset(const Arguments& arguments)
+{
+  const auto numbers = arguments.numbers("offset", 3, "three numbers of meters, X,Y,Z");
+  if (!numbers)
+    return std::nullopt;
+  return std::array<double, 3>{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+}
+
+bool
+hasDoubles(const CloudFile& cloud)
+{
+  for (const char* const name : {"x", "y", "z"})
+    if (const pcl::PCLPointField* const field = findField(cloud, name);
+        field && field->datatype == pcl::PCLPointField::FLOAT64)
+      return true;
+  return false;
+}
+
+std::string
+toText(const std::array<double, 3>& vector)
+{
+  std::string text;
+  for (const double value : vector) {
+    text += text.empty() ? "" : ",";
+    char digits[400]; // 309 before the point, as 500000 is easier to read than 5e+05
+    text.append(
+        digits,
+        std::to_chars(digits, std::end(digits), value, std::chars_format::fixed).ptr);
+  }
+  return text;
+}
+
+void
+warnOfRounding(const Arguments& arguments, const CloudFile& cloud)
+{
+  const pcl::DoubleXYZ points = coordinatesOf(cloud);
+  const double step = pcl::destructiveFloatSpacing(points);
+  if (step == 0.0)
+    return;
+  char text[128]; // two numbers of up to 12 characters
+  std::snprintf(
+      text,
+      sizeof(text),
+      "float holds them in steps of %.3g, while the points are about %.3g apart",
+      step,
+      pcl::coordinateScale(points).spacing);
+  logLine(arguments.app() + ": " + cloud.path +
+          ": warning: the coordinates are too large for their type: " + text +
+          "; expected coordinates in double, or with an offset subtracted before they "
+          "became floats");
+}
+
+} // namespace
+
+void
+addInputOptions(CommandLine& command_line)
+{
+  command_line
+      .option("offset",
+              "X,Y,Z",
+              "subtracted in double from the coordinates, which the output keeps\n(for "
+              "doubles too large for float: near the middle of the cloud)")
+      .option("floats", "N", "of a point in a .bin file: 4 (KITTI) or 5 (nuScenes)");
+}
+
+void
+checkInputOptions(const Arguments& arguments)
+{
+  givenOffset(arguments);
+  floatsOfBin(arguments);
+}
+
+unsigned
+floatsOfBin(const Arguments& arguments)
+{
+  return static_cast<unsigned>(arguments.integer("floats", 4, 5).value_or(0));
+}
+
+void
+chooseOffset(const Arguments& arguments, CloudFile& cloud, Report& report)
+{
+  if (!findField(cloud, "x") || !findField(cloud, "y") || !findField(cloud, "z"))
+    return; // refused where the points are needed
+  const auto given = givenOffset(arguments);
+  const bool has_doubles = hasDoubles(cloud);
+  if (given)
+    cloud.offset = *given;
+  else if (has_doubles)
+    cloud.offset = pcl::coordinateOffset(coordinatesOf(cloud));
+  const bool has_offset = cloud.offset != std::array<double, 3>{};
+  if (has_offset && !given) {
+    // Nobody scans over such a distance: a viewpoint at the origin is none.
+    const auto& v = cloud.viewpoint;
+    cloud.is_view_known = v[0] != 0.0f || v[1] != 0.0f || v[2] != 0.0f;
+    logLine(arguments.app() + ": " + cloud.path + ": offset " + toText(cloud.offset) +
+            " is subtracted from the coordinates, which are too large for float (see "
+            "-offset)");
+  }
+  else if (has_offset)
+    logLine(arguments.app() + ": " + cloud.path + ": offset " + toText(cloud.offset) +
+            " is subtracted from the coordinates");
+  if (given || has_doubles)
+    report.setJson("parameters", "offset", cloud.offset);
+  if (!has_doubles)
+    warnOfRounding(arguments, cloud);
+}
+
+CloudFile
+readInput(const Arguments& arguments, const std::string& path, Report& report)
+{
+  CloudFile cloud = readAnyCloud(path, floatsOfBin(arguments));
+  chooseOffset(arguments, cloud, report);
+  return cloud;
+}
+
+} // namespace pcl::app

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Reads the clouds that an app is given, with the options for all of them.
+
+#pragma once
+
+#include "cli/arguments.h"
+#include "cli/command_line.h"
+#include "cli/report.h"
+#include "io/cloud_file.h"
+
+#include <array>
+#include <string>
+
+namespace pcl::app {
+
+/** \brief -offset and -floats. */
+void addInputOptions(CommandLine& command_line);
+
+/** \brief Throws a UsageError for what is wrong with these options. */
+void checkInputOptions(const Arguments& arguments);
+
+/** \brief Read a cloud of any format, from standard input for "-", and choose its
+ * offset: -offset, or where its coordinates are doubles that float does not hold, one
+ * near its middle. An offset is said on standard error and noted in the report;
+ * coordinates that float has destroyed give a warning. */
+CloudFile
+readInput(const Arguments& arguments, const std::string& path, Report& report);
+
+/** \brief Choose the offset of a cloud that was read already. */
+void chooseOffset(const Arguments& arguments, CloudFile& cloud, Report& report);
+
+/** \brief -floats, or 0. */
+unsigned floatsOfBin(const Arguments& arguments);
+
+} // namespace pcl::app

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Coordinates too large for float: an offset to subtract in double.
+
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace pcl {
+
+/** \brief Points in double, as files with large coordinates have them. */
+using DoubleXYZ = std::vector<std::array<double, 3>>;
+
+/** \brief What a cloud's coordinates need of float. */
+struct CoordinateScale {
+  std::array<double, 3> center{}; ///< the median along each axis
+  double extent = 0.0;            ///< the largest along an axis, without outliers
+  double largest = 0.0;           ///< coordinate, without its sign
+  double spacing = 0.0;           ///< estimated as that of a surface of this extent
+
+  /** \brief The distance between neighboring floats at the largest coordinate. */
+  double
+  floatSpacing() const
+  {
+    const auto value = static_cast<float>(largest);
+    return static_cast<double>(
+        std::nextafter(value, std::numeric_limits<float>::infinity()) - value);
+  }
+};
+
+/** \brief Measure the finite points; all zero if there is none. It does not depend on
+ * their order. \param[in] of_points how many there are, if these are a sample of them
+ */
+inline CoordinateScale
+coordinateScale(const DoubleXYZ& points, std::size_t of_points = 0)
+{
+  // Stray returns are far away; a percent on either side is more than their share.
+  constexpr double outliers = 0.01;
+  CoordinateScale scale;
+  std::array<double, 3> extents{};
+  std::size_t count = 0;
+  std::vector<double> values;
+  values.reserve(points.size());
+  for (std::size_t c = 0; c < 3; ++c) {
+    values.clear();
+    for (const std::array<double, 3>& p : points)
+      if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]))
+        values.push_back(p[c]);
+    count = values.size();
+    if (count == 0)
+      return {};
+    const auto quantile = [&](double share) {
+      const auto place = values.begin() + static_cast<std::ptrdiff_t>(
+                                              share * static_cast<double>(count - 1));
+      std::nth_element(values.begin(), place, values.end());
+      return *place;
+    };
+    scale.center[c] = quantile(0.5);
+    const double low = quantile(outliers), high = quantile(1.0 - outliers);
+    extents[c] = high - low;
+    scale.largest = std::max({scale.largest, std::abs(low), std::abs(high)});
+  }
+  std::sort(extents.begin(), extents.end());
+  scale.extent = extents[2];
+  // n points on a surface of a x b, or at least on a line of length a.
+  const auto n = static_cast<double>(std::max(count, of_points));
+  scale.spacing = std::max(std::sqrt(extents[2] * extents[1] / n), extents[2] / n);
+  return scale;
+}
+
+/** \brief An offset for coordinates that are too large for float: 0 where float holds
+ * them to a thousandth of the points' spacing, which is finer than any sensor, else the
+ * median of the points, rounded to the power of ten above their extent.
+ *
+ * Subtract it in double, before anything becomes a float. */
+inline std::array<double, 3>
+coordinateOffset(const DoubleXYZ& points)
+{
+  constexpr double precision = 1e-3;
+  const CoordinateScale scale = coordinateScale(points);
+  std::array<double, 3> offset{};
+  const bool is_held = scale.floatSpacing() <= precision * scale.spacing;
+  if (is_held || scale.largest == 0.0)
+    return offset;
+  // All points at one place: to the unit.
+  const double unit =
+      scale.extent > 0.0 ? std::pow(10.0, std::ceil(std::log10(scale.extent))) : 1.0;
+  for (std::size_t c = 0; c < offset.size(); ++c) {
+    // Dividing by a whole number is exact where multiplying by 0.01 is not.
+    const double rounded = unit < 1.0
+                               ? std::round(scale.center[c] * std::round(1.0 / unit)) /
+                                     std::round(1.0 / unit)
+                               : std::round(scale.center[c] / unit) * unit;
+    offset[c] = std::abs(rounded) <= scale.extent ? 0.0 : rounded;
+  }
+  return offset;
+}
+
+/** \brief The distance between neighboring floats at the largest coordinate of points
+ * that were floats, if it has destroyed their neighborhoods: if it is a quarter or more
+ * of the distance from a point to the nearest other place, in the median. Else 0. */
+inline double
+destructiveFloatSpacing(const DoubleXYZ& points)
+{
+  constexpr std::size_t scale_samples = 4096; // enough for an order of magnitude
+  DoubleXYZ some;
+  for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / scale_samples)
+    some.push_back(points[i]);
+  const CoordinateScale scale = coordinateScale(some, points.size());
+  const double step = scale.floatSpacing();
+  // The estimate of the spacing is too large where points are in clusters or on few
+  // lines, but not ten thousand times: look where there is any doubt.
+  constexpr double surely_held = 1e-4;
+  if (scale.largest == 0.0 || step < surely_held * scale.spacing)
+    return 0.0;
+  constexpr std::size_t samples = 50; // a median needs no more
+  const std::size_t stride = std::max<std::size_t>(1, points.size() / samples);
+  std::vector<double> nearest;
+  for (std::size_t i = 0; i < points.size(); i += stride) {
+    double best = std::numeric_limits<double>::infinity();
+    for (const std::array<double, 3>& p : points) {
+      const double x = p[0] - points[i][0], y = p[1] - points[i][1],
+                   z = p[2] - points[i][2];
+      const double squared = x * x + y * y + z * z;
+      if (squared > 0.0 && squared < best)
+        best = squared;
+    }
+    if (std::isfinite(best))
+      nearest.push_back(std::sqrt(best));
+  }
+  if (nearest.empty())
+    return 0.0;
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  std::nth_element(nearest.begin(), middle, nearest.end());
+  constexpr double destroyed = 0.25;
+  return step >= destroyed * *middle ? step : 0.0;
+}
+
+} // namespace pcl

@@ -1,0 +1,437 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Files as other programs write them; where PCL reads one, its values are the
+// reference.
+
+#include "app_test.h"
+#include "cli/errors.h"
+#include "io/any_cloud.h"
+#include "io/kitti_file.h"
+#include "io/pcd.h"
+#include "io/ply.h"
+
+#include <pcl/io/pcd_io.h>
+#include <pcl/io/ply_io.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+namespace {
+
+using namespace pcl::app;
+using namespace pcl_shape_test;
+
+class Readers : public AppTest {
+protected:
+  /** \brief Read a file of this name by both, and compare the fields by their names. */
+  CloudFile
+  sameAsPcl(const std::string& name, const std::string& contents) const
+  {
+    const std::string path = file(name, contents);
+    CloudFile ours = readAnyCloud(path);
+    CloudFile theirs;
+    Eigen::Vector4f origin;
+    Eigen::Quaternionf orientation;
+    int version = 0;
+    const int status =
+        name.find("ply") != std::string::npos
+            ? pcl::PLYReader().read(path, theirs.blob, origin, orientation, version)
+            : pcl::PCDReader().read(path, theirs.blob, origin, orientation, version);
+    EXPECT_GE(status, 0) << name;
+    EXPECT_EQ(ours.size(), theirs.size()) << name;
+    for (std::size_t f = 0; f < theirs.blob.fields.size(); ++f) {
+      const pcl::PCLPointField& field = theirs.blob.fields[f];
+      // In its place, unless padding is before it: names may be there twice.
+      const pcl::PCLPointField* const same =
+          f < ours.blob.fields.size() && ours.blob.fields[f].name == field.name
+              ? &ours.blob.fields[f]
+              : findField(ours, field.name);
+      if (field.name == "_" || !same) {
+        EXPECT_EQ(field.name, "_") << name;
+        continue;
+      }
+      EXPECT_EQ(same->datatype, field.datatype) << name << ' ' << field.name;
+      EXPECT_EQ(same->count, field.count) << name << ' ' << field.name;
+      const std::size_t bytes = valueSize(field.datatype) * field.count;
+      for (std::size_t i = 0; i < ours.size(); ++i)
+        EXPECT_EQ(std::memcmp(ours.at(i, *same), theirs.at(i, field), bytes), 0)
+            << name << ' ' << field.name << " of point " << i;
+    }
+    return ours;
+  }
+};
+
+std::string
+pcdHead(const std::string& types)
+{
+  return "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE " + types +
+         "\nCOUNT 1 1 1\nWIDTH 2\nHEIGHT 1\nPOINTS 2\n";
+}
+
+template <typename T>
+std::string
+bytesOf(const std::vector<T>& values)
+{
+  std::string bytes(values.size() * sizeof(T), '\0');
+  std::memcpy(bytes.data(), values.data(), bytes.size());
+  return bytes;
+}
+
+std::string
+reversed(std::string bytes, std::size_t size)
+{
+  for (std::size_t i = 0; i < bytes.size(); i += size)
+    std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(i),
+                 bytes.begin() + static_cast<std::ptrdiff_t>(i + size));
+  return bytes;
+}
+
+const std::string xyz_properties =
+    "property float x\nproperty float y\nproperty float z\n";
+const std::string binary_ply = "ply\nformat binary_little_endian 1.0\n";
+const std::vector<float> two_points{0.25f, 1.0f, 2.0f, 3.0f, -4.0f, 5.5f};
+
+void
+expectTwoPoints(const CloudFile& cloud)
+{
+  ASSERT_EQ(cloud.size(), 2u);
+  EXPECT_EQ(floatsOf(cloud, "x"), (std::vector<float>{0.25f, 3.0f}));
+  EXPECT_EQ(floatsOf(cloud, "y"), (std::vector<float>{1.0f, -4.0f}));
+  EXPECT_EQ(floatsOf(cloud, "z"), (std::vector<float>{2.0f, 5.5f}));
+}
+
+const std::string two_rows = "0.25 1 2\n3 -4 5.5\n";
+
+TEST_F(Readers, WordsOfAPcdHeaderInAnyCase)
+{
+  expectTwoPoints(sameAsPcl("type.pcd", pcdHead("f F f") + "DATA ascii\n" + two_rows));
+  expectTwoPoints(sameAsPcl("data.pcd", pcdHead("F F F") + "DATA ASCII\n" + two_rows));
+  expectTwoPoints(decodePcd("binary.pcd",
+                            pcdHead("F F F") + "DATA Binary\n" + bytesOf(two_points)));
+  expectTwoPoints(
+      decodePcd("crlf.pcd",
+                "# .PCD\r\nVERSION 0.7\r\nFIELDS X Y Z\r\nSIZE 4 4 4\r\nTYPE F F F\r\n"
+                "WIDTH 2\r\nPOINTS 2\r\nDATA ascii\r\n0.25 1 2\r\n3 -4 5.5\r\n"));
+}
+
+TEST_F(Readers, OldPcdHeaders)
+{
+  expectTwoPoints(sameAsPcl(
+      "old.pcd",
+      "# .PCD v.5\nVERSION .5\nCOLUMNS x y z\nPOINTS 2\nDATA ascii\n" + two_rows));
+  expectTwoPoints(decodePcd(
+      "width.pcd",
+      "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 1\nDATA ascii\n" +
+          two_rows));
+}
+
+TEST_F(Readers, NumbersAsOthersWriteThem)
+{
+  expectTwoPoints(sameAsPcl(
+      "plus.pcd", pcdHead("F F F") + "DATA ascii\n+0.25 +1. +2e0\n+3 -4 +5.5\n"));
+  expectTwoPoints(decodePcd(
+      "comments.pcd",
+      pcdHead("F F F") + "DATA ascii\n# one\n0.25 1 2\n\n  # two\n3 -4 5.5\n# end\n"));
+  const std::string whole =
+      "FIELDS x y z a b c d\nSIZE 4 4 4 1 2 4 1\nTYPE F F F U I U I\nWIDTH 2\nPOINTS "
+      "2\nDATA ascii\n0.25 1 2 7.0 -3.0 40.0 nan\n3 -4 5.5 255.0 2.75 -1 -1.0\n";
+  const CloudFile cloud = decodePcd("whole.pcd", whole);
+  expectTwoPoints(cloud);
+  EXPECT_EQ(numbersOf(cloud, "a"), (std::vector<double>{7, 255}));
+  EXPECT_EQ(numbersOf(cloud, "b"), (std::vector<double>{-3, 2}));
+  EXPECT_EQ(numbersOf(cloud, "c"), (std::vector<double>{40, 4294967295}));
+  EXPECT_EQ(numbersOf(cloud, "d"), (std::vector<double>{0, -1}));
+  EXPECT_THROW(decodePcd("big.pcd",
+                         "FIELDS x y z a\nSIZE 4 4 4 1\nTYPE F F F U\nPOINTS 1\nDATA "
+                         "ascii\n1 2 3 256.0\n"),
+               InputError);
+  EXPECT_THROW(
+      decodePcd("signs.pcd", pcdHead("F F F") + "DATA ascii\n+-1 2 3\n4 5 6\n"),
+      InputError);
+}
+
+TEST_F(Readers, NanAndInfinityAsOthersWriteThem)
+{
+  for (const char* nan : {"nan",
+                          "NaN",
+                          "-nan",
+                          "+nan",
+                          "-nan(ind)",
+                          "nan(snan)",
+                          "1.#QNAN",
+                          "-1.#IND",
+                          "-1.#IND00",
+                          "1.#QNAN00",
+                          "1.#SNAN"}) {
+    const CloudFile cloud = decodePcd(
+        "nan.pcd", pcdHead("F F F") + "DATA ascii\n" + nan + " 1 2\n3 -4 5.5\n");
+    EXPECT_TRUE(std::isnan(floatsOf(cloud, "x")[0])) << nan;
+    EXPECT_EQ(floatsOf(cloud, "x")[1], 3.0f);
+  }
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  for (const auto& [word, value] : {std::pair<const char*, float>{"inf", infinity},
+                                    {"-inf", -infinity},
+                                    {"Infinity", infinity},
+                                    {"+INF", infinity},
+                                    {"1.#INF", infinity},
+                                    {"-1.#INF00", -infinity}})
+    EXPECT_EQ(floatsOf(decodePcd("inf.pcd",
+                                 pcdHead("F F F") + "DATA ascii\n" + word +
+                                     " 1 2\n3 -4 5.5\n"),
+                       "x")[0],
+              value)
+        << word;
+}
+
+TEST_F(Readers, PaddingIsLeftOutAndPclReadsTheRest)
+{
+  struct Point {
+    float x, y, z, gap, rgb;
+    char tail[12];
+  };
+  std::vector<Point> points(3);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::memset(&points[i], 0x7f, sizeof(Point));
+    points[i].x = points[i].y = points[i].z = 1.0f + static_cast<float>(i);
+    points[i].rgb = 2.0f;
+  }
+  const std::string head =
+      "FIELDS x y z _ rgb _\nSIZE 4 4 4 1 4 1\nTYPE F F F U F U\nCOUNT 1 1 1 4 1 "
+      "12\nWIDTH 3\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 3\nDATA ";
+  const CloudFile cloud = sameAsPcl("ros.pcd", head + "binary\n" + bytesOf(points));
+  ASSERT_EQ(cloud.blob.fields.size(), 4u);
+  EXPECT_EQ(floatsOf(cloud, "rgb"), (std::vector<float>{2, 2, 2}));
+  for (const PCDFormat format :
+       {PCDFormat::ascii, PCDFormat::binary, PCDFormat::binary_compressed})
+    sameAsPcl("out.pcd", encodeCloud(cloud, format));
+  // Compressed, PCL leaves the padding out of the data, but not out of the header.
+  std::vector<std::uint8_t> columns;
+  for (const char* const name : {"x", "y", "z", "rgb"})
+    for (const float value : floatsOf(cloud, name)) {
+      const std::string bytes = bytesOf(std::vector<float>{value});
+      columns.insert(columns.end(), bytes.begin(), bytes.end());
+    }
+  const std::string packed = lzfCompress(columns);
+  const std::string sizes =
+      bytesOf(std::vector<std::uint32_t>{static_cast<std::uint32_t>(packed.size()),
+                                         static_cast<std::uint32_t>(columns.size())});
+  EXPECT_EQ(decodePcd("c.pcd", head + "binary_compressed\n" + sizes + packed).blob.data,
+            cloud.blob.data);
+  const CloudFile text = decodePcd(
+      "t.pcd",
+      "FIELDS x _ y z\nSIZE 4 1 4 4\nTYPE F U F F\nCOUNT 1 2 1 1\nPOINTS 2\nDATA "
+      "ascii\n0.25 - ? 1 2\n3 0 999 -4 5.5\n");
+  expectTwoPoints(text);
+}
+
+TEST_F(Readers, RepeatedNamesAreKept)
+{
+  const CloudFile cloud = sameAsPcl(
+      "twice.pcd",
+      "VERSION .7\nFIELDS x y z a a\nSIZE 4 4 4 4 4\nTYPE F F F F F\nCOUNT 1 1 1 1 "
+      "1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n1 2 3 4 5\n");
+  EXPECT_EQ(cloud.blob.fields.size(), 5u);
+  EXPECT_EQ(floatsOf(cloud, "a"), std::vector<float>{4.0f});
+  EXPECT_EQ(decodePcd("o.pcd", encodeCloud(cloud, PCDFormat::binary)).blob.data,
+            cloud.blob.data);
+  EXPECT_EQ(decodePly("o.ply", encodePly(cloud)).blob.data, cloud.blob.data);
+}
+
+TEST_F(Readers, PlyOfEitherOrderOfBytes)
+{
+  const std::string body = "element vertex 2\n" + xyz_properties + "end_header\n";
+  expectTwoPoints(sameAsPcl("l.ply", binary_ply + body + bytesOf(two_points)));
+  expectTwoPoints(sameAsPcl("b.ply",
+                            "ply\nformat binary_big_endian 1.0\n" + body +
+                                reversed(bytesOf(two_points), sizeof(float))));
+  expectTwoPoints(decodeAnyCloud("SCAN.PLY", binary_ply + body + bytesOf(two_points)));
+  expectTwoPoints(decodeAnyCloud("-", binary_ply + body + bytesOf(two_points)));
+}
+
+TEST_F(Readers, PlyListsAndOtherElements)
+{
+  const std::string head =
+      "element face 2\nproperty list uchar int vertex_indices\nproperty uchar "
+      "flag\nelement nothing 7\nelement vertex 2\nproperty list uint16 float32 "
+      "before\nproperty float32 x\nproperty float y\nproperty list uchar uint "
+      "between\nproperty float z\nelement edge 1\nproperty int a\nend_header\n";
+  const auto list = [](std::uint8_t count) {
+    return std::string(1, static_cast<char>(count)) +
+           bytesOf(std::vector<std::uint32_t>(count, 77));
+  };
+  const auto before = [](std::uint16_t count) {
+    return bytesOf(std::vector<std::uint16_t>{count}) +
+           bytesOf(std::vector<float>(count, 9.0f));
+  };
+  const std::string body = list(3) + 'f' + list(0) + 'f' + before(2) +
+                           bytesOf(std::vector<float>{0.25f, 1.0f}) + list(1) +
+                           bytesOf(std::vector<float>{2.0f}) + before(0) +
+                           bytesOf(std::vector<float>{3.0f, -4.0f}) + list(200) +
+                           bytesOf(std::vector<float>{5.5f});
+  expectTwoPoints(decodePly("binary.ply", binary_ply + head + body));
+  for (std::size_t size = 0; size < body.size(); size += 7)
+    EXPECT_THROW(decodePly("cut.ply", binary_ply + head + body.substr(0, size)),
+                 InputError);
+  expectTwoPoints(decodePly(
+      "text.ply",
+      "ply\r\nformat ascii 1.0\r\nobj_info made by hand, num_cols 3\r\n" + head +
+          "3 0 1 0 5\r\n0 5\n# a remark\n2 9 9 0.25 1 1 77 2\n0 3 -4 0 5.5\n1\n"));
+  EXPECT_THROW(decodePly("short.ply", "ply\nformat ascii 1.0\n" + head + "3 0 1\n"),
+               InputError);
+}
+
+TEST_F(Readers, PlyCamerasGiveTheViewpoint)
+{
+  const std::string camera =
+      "element camera 1\nproperty float view_px\nproperty float view_py\nproperty "
+      "float view_pz\n";
+  const std::string vertex = "element vertex 2\n" + xyz_properties;
+  const std::string place = bytesOf(std::vector<float>{7.0f, 8.0f, 9.0f});
+  const CloudFile first = decodePly("f.ply",
+                                    binary_ply + camera + vertex + "end_header\n" +
+                                        place + bytesOf(two_points));
+  const CloudFile last = decodePly("l.ply",
+                                   binary_ply + vertex + camera + "end_header\n" +
+                                       bytesOf(two_points) + place);
+  for (const CloudFile* cloud : {&first, &last}) {
+    expectTwoPoints(*cloud);
+    EXPECT_EQ(cloud->viewpoint, (std::array<float, 7>{7, 8, 9, 1, 0, 0, 0}));
+  }
+  pcl::PointCloud<pcl::PointXYZ> points(2, 1);
+  points.sensor_origin_ = Eigen::Vector4f(1, 2, 3, 0);
+  points.sensor_orientation_ = Eigen::Quaternionf(0.5f, 0.5f, -0.5f, 0.5f);
+  for (const bool is_binary : {true, false}) {
+    ASSERT_EQ(pcl::io::savePLYFile(path("pcl.ply"), points, is_binary), 0);
+    EXPECT_EQ(readAnyCloud(path("pcl.ply")).viewpoint,
+              (std::array<float, 7>{1, 2, 3, 0.5f, 0.5f, -0.5f, 0.5f}));
+  }
+}
+
+TEST_F(Readers, PlyColorsAndNormalsHaveThePclNames)
+{
+  const std::string colors = "property uchar red\nproperty uchar green\nproperty uchar "
+                             "blue\n";
+  const std::string normals =
+      "property float nx\nproperty float ny\nproperty float nz\n";
+  const auto text = [&](const std::string& more, const std::string& row) {
+    return "ply\nformat ascii 1.0\nelement vertex 1\n" + xyz_properties + more +
+           "end_header\n" + row + "\n";
+  };
+  const CloudFile rgb = sameAsPcl("c.ply", text(colors, "0 1 2 1 2 3"));
+  const CloudFile rgba =
+      sameAsPcl("a.ply", text(colors + "property uchar alpha\n", "0 1 2 1 2 3 4"));
+  std::uint32_t packed = 0;
+  std::memcpy(&packed, rgb.at(0, *findField(rgb, "rgb")), sizeof(packed));
+  EXPECT_EQ(packed, 0x010203u);
+  EXPECT_EQ(labelsOf(rgba, "rgba").front(), 0x04010203u);
+  const CloudFile with_normals = sameAsPcl("n.ply", text(normals, "0 1 2 0.6 0 0.8"));
+  EXPECT_EQ(normalsOf(with_normals)->front().normal_z, 0.8f);
+  sameAsPcl("out.ply", encodePly(with_normals));
+  EXPECT_EQ(decodePly("out.ply", encodePly(rgba, true)).blob.data, rgba.blob.data);
+  const CloudFile diffuse = decodePly(
+      "d.ply",
+      text("property uchar diffuse_blue\nproperty uint8 diffuse_green\nproperty "
+           "uchar diffuse_red\n",
+           "0 1 2 3 2 1"));
+  std::memcpy(&packed, diffuse.at(0, *findField(diffuse, "rgb")), sizeof(packed));
+  EXPECT_EQ(packed, 0x010203u);
+}
+
+TEST_F(Readers, PlyOfTextIsReadByPcl)
+{
+  CloudFile cloud = decodePly("b.ply",
+                              binary_ply + "element vertex 2\n" + xyz_properties +
+                                  "end_header\n" + bytesOf(two_points));
+  setField(cloud, "label", std::vector<std::uint32_t>{1, 4000000000u});
+  expectTwoPoints(sameAsPcl("t.ply", encodePly(cloud, true)));
+}
+
+TEST_F(Readers, DoublesStayDoubles)
+{
+  const std::string ply =
+      binary_ply +
+      "element vertex 1\nproperty double x\nproperty float64 y\nproperty double "
+      "z\nend_header\n" +
+      bytesOf(std::vector<double>{500000.001, 5000000.002, 300.003});
+  CloudFile cloud = decodePly("d.ply", ply);
+  cloud.offset = {500000.0, 5000000.0, 300.0};
+  cloud.viewpoint[2] = 302.0f;
+  const auto points = pointsOf(cloud);
+  EXPECT_EQ((*points)[0].x, static_cast<float>(500000.001 - 500000.0));
+  EXPECT_EQ((*points)[0].y, static_cast<float>(5000000.002 - 5000000.0));
+  EXPECT_EQ(points->sensor_origin_.z(), 2.0f);
+  for (const PCDFormat format :
+       {PCDFormat::ascii, PCDFormat::binary, PCDFormat::binary_compressed})
+    EXPECT_EQ(numbersOf(sameAsPcl("d.pcd", encodeCloud(cloud, format)), "y")[0],
+              5000000.002);
+  EXPECT_EQ(numbersOf(decodePly("o.ply", encodePly(cloud)), "x")[0], 500000.001);
+  EXPECT_EQ(numbersOf(decodePly("t.ply", encodePly(cloud, true)), "x")[0], 500000.001);
+}
+
+TEST_F(Readers, ScansOfFourOrFiveFloats)
+{
+  const std::string bytes = bytesOf(std::vector<float>(20, 1.0f));
+  EXPECT_EQ(decodeVelodyne("a.bin", bytes, 4).size(), 5u);
+  const CloudFile five = decodeVelodyne("a.bin", bytes, 5);
+  EXPECT_EQ(five.size(), 4u);
+  EXPECT_NE(findField(five, "ring"), nullptr);
+  EXPECT_EQ(decodeVelodyne("a.bin", bytes.substr(0, 16)).size(), 1u);
+  EXPECT_EQ(decodeVelodyne("a.bin", bytes.substr(0, 20)).blob.fields.size(), 5u);
+  try {
+    decodeVelodyne("a.bin", bytes);
+    FAIL() << "nothing says whether it is 4 or 5";
+  }
+  catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("-floats 5"), std::string::npos);
+  }
+}
+
+/** Reads or refuses it, and nothing else. \return whether it refuses */
+bool
+isRefused(const std::string& contents)
+{
+  try {
+    const CloudFile cloud = decodePly("damaged.ply", contents);
+    EXPECT_EQ(cloud.blob.data.size(), cloud.size() * cloud.blob.point_step);
+    return false;
+  }
+  catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("expected"), std::string::npos);
+    return true;
+  }
+}
+
+TEST_F(Readers, DamagedPlyIsReadOrRefused)
+{
+  const std::string head =
+      "element camera 1\nproperty float view_px\nelement vertex 2\n" + xyz_properties +
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty list "
+      "uchar int seen\nend_header\n";
+  const std::string vertex = bytesOf(std::vector<float>{1, 2, 3}) + "rgb" + '\1' +
+                             bytesOf(std::vector<std::int32_t>{5});
+  const std::string camera = bytesOf(std::vector<float>{1});
+  const std::vector<std::string> files{
+      binary_ply + head + camera + vertex + vertex,
+      "ply\nformat binary_big_endian 1.0\n" + head + camera + vertex.substr(0, 15) +
+          '\0' + vertex.substr(0, 15) + '\0',
+      "ply\nformat ascii 1.0\n" + head + "1\n1 2 3 4 5 6 1 5\n1 2 3 4 5 6 0\n"};
+  std::mt19937 random(7);
+  std::size_t refused = 0;
+  for (const std::string& whole : files) {
+    EXPECT_FALSE(isRefused(whole));
+    for (std::size_t size = 0; size + 2 < whole.size(); ++size)
+      EXPECT_TRUE(isRefused(whole.substr(0, size))) << size;
+    for (int i = 0; i < 2000; ++i) {
+      std::string damaged = whole;
+      damaged[std::uniform_int_distribution<std::size_t>(0, whole.size() - 1)(random)] =
+          static_cast<char>(std::uniform_int_distribution<>(0, 255)(random));
+      refused += isRefused(damaged);
+    }
+  }
+  EXPECT_GT(refused, 1000u);
+}
+
+} // namespace

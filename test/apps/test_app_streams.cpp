@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Files by their endings, pipes, offsets and signals, through whole apps.
+
+#include "app_test.h"
+#include "io/any_cloud.h"
+#include "io/pcd.h"
+#include "io/ply.h"
+
+#include <pcl/features/coordinate_offset.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+
+namespace {
+
+using namespace pcl::app;
+using namespace pcl_shape_test;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+const std::string edges = "pcl_shape_edge_detection";
+
+class Streams : public AppTest {
+protected:
+  /** \brief Run a command of the shell, where $APP is the edge detection. */
+  Outcome
+  shell(const std::string& command) const
+  {
+    return runProgram(
+        "/bin/sh",
+        {"-c", "APP='" + pathOf(edges) + "'; cd '" + path("") + "'; " + command});
+  }
+
+  std::string
+  fold(const std::string& name) const
+  {
+    return file(name, asciiCloud("x y z", "F F F", foldRows(30)));
+  }
+};
+
+/** The fold in double, moved. */
+CloudFile
+movedFold(double x, double y, double z)
+{
+  const CloudFile fold = decodePcd("fold", asciiCloud("x y z", "F F F", foldRows(30)));
+  CloudFile moved;
+  for (const char* const name : {"x", "y", "z"})
+    addField(moved, name, pcl::PCLPointField::FLOAT64);
+  moved.blob.width = fold.blob.width;
+  moved.blob.height = 1;
+  moved.blob.data.resize(fold.size() * moved.blob.point_step);
+  const std::array<double, 3> by{x, y, z};
+  const pcl::DoubleXYZ points = coordinatesOf(fold);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double value = points[i][c] + by[c];
+      std::memcpy(
+          moved.blob.data.data() + (i * 3 + c) * sizeof(value), &value, sizeof(value));
+    }
+  return moved;
+}
+
+TEST_F(Streams, TheEndingSaysTheFormatInAnyCase)
+{
+  const std::string in = fold("in.PCD");
+  expectSuccess(runApp(edges, {in, path("out.PLY")}));
+  expectSuccess(runApp(edges, {in, path("text.ply"), "-format", "ascii"}));
+  expectSuccess(runApp(edges, {in, path("out.pcd")}));
+  EXPECT_EQ(readFile(path("out.PLY")).substr(0, 31),
+            "ply\nformat binary_little_endian");
+  EXPECT_EQ(readFile(path("text.ply")).substr(0, 16), "ply\nformat ascii");
+  const CloudFile cloud = readAnyCloud(path("out.pcd"));
+  for (const char* const name : {"out.PLY", "text.ply"})
+    EXPECT_EQ(labelsOf(readAnyCloud(path(name)), "edge"), labelsOf(cloud, "edge"));
+  expectSuccess(runApp(edges, {path("out.PLY"), path("again.pcd")}));
+  EXPECT_EQ(readFile(path("again.pcd")), readFile(path("out.pcd")));
+  expectRefused(runApp(edges, {in, path("out.bin")}), 2, {"KITTI", ".ply"});
+}
+
+TEST_F(Streams, ADashIsStandardInputAndOutput)
+{
+  fold("in.pcd");
+  const Outcome pipe = shell("cat in.pcd | $APP - - | cat > piped.pcd");
+  EXPECT_EQ(pipe.status, 0) << pipe.err;
+  EXPECT_EQ(pipe.out, "");
+  EXPECT_NE(pipe.err.find("-: "), std::string::npos) << "the summary";
+  expectSuccess(shell("$APP in.pcd out.pcd"));
+  EXPECT_EQ(readFile(path("piped.pcd")), readFile(path("out.pcd")));
+  expectSuccess(shell("mkfifo pipe; (cat in.pcd > pipe &); $APP pipe fifo.pcd"));
+  EXPECT_EQ(readFile(path("fifo.pcd")), readFile(path("out.pcd")));
+  expectSuccess(shell("$APP in.pcd in.ply && $APP - ply.pcd < in.ply"));
+  EXPECT_EQ(readFile(path("ply.pcd")), readFile(path("out.pcd")));
+  expectRefused(shell("$APP - no.pcd < /dev/null"), 1, {"empty", "expected"});
+  expectRefused(shell("$APP in.pcd - -json - > out"), 2, {"-json", "'-'", "expected"});
+  expectRefused(
+      shell("$APP in.pcd - > /dev/full"), 1, {"standard output", "cannot be written"});
+}
+
+TEST_F(Streams, ADirectoryMayHaveAllFormats)
+{
+  fs::create_directory(path("in"));
+  const std::string pcd = fold("in/a.pcd");
+  expectSuccess(runApp(edges, {pcd, path("in/B.PLY")}));
+  const CloudFile plain = decodePcd(pcd, readFile(pcd));
+  std::string scan;
+  for (std::size_t i = 0; i < plain.size(); ++i)
+    scan.append(reinterpret_cast<const char*>(plain.at(i, plain.blob.fields[0])), 12)
+        .append(8, '\0');
+  writeFile(path("in/c.pcd.bin"), scan);
+  const Words arguments{
+      "-input_dir", path("in"), "-output_dir", path("out"), "-floats", "5"};
+  const Outcome outcome = runApp(edges, arguments);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* const name : {"out/a.pcd", "out/B.PLY", "out/c.pcd"})
+    EXPECT_EQ(labelsOf(readAnyCloud(path(name)), "edge").size(), plain.size()) << name;
+  EXPECT_NE(findField(readAnyCloud(path("out/c.pcd")), "ring"), nullptr);
+  writeFile(path("in/a.bin"), scan);
+  expectRefused(runApp(edges, arguments), 1, {"a.bin", "a.pcd", "same output"});
+}
+
+TEST_F(Streams, LargeDoublesLoseAnOffsetAndKeepTheirValues)
+{
+  const CloudFile near = movedFold(0, 0, 0), far = movedFold(500000, 5400000, 300);
+  writeFile(path("near.pcd"), encodeCloud(near, PCDFormat::binary));
+  writeFile(path("far.ply"), encodePly(far));
+  expectSuccess(runApp(edges, {path("near.pcd"), path("near_out.pcd")}));
+  const Outcome outcome =
+      runApp(edges, {path("far.ply"), path("far_out.ply"), "-json", path("json")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("offset 500000,5400000,301"), std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(Json::parse(readFile(path("json")))["parameters"]["offset"],
+            Json({500000.0, 5400000.0, 301.0}));
+  const CloudFile out = readAnyCloud(path("far_out.ply"));
+  EXPECT_EQ(coordinatesOf(out), coordinatesOf(far));
+  const auto expected = labelsOf(readAnyCloud(path("near_out.pcd")), "edge");
+  EXPECT_EQ(labelsOf(out, "edge"), expected);
+  EXPECT_GT(std::count(expected.begin(), expected.end(), 1u), 0);
+  ASSERT_EQ(
+      runApp(edges, {path("far.ply"), path("g.pcd"), "-offset", "500000,5400000,300"})
+          .status,
+      0);
+  EXPECT_EQ(labelsOf(readAnyCloud(path("g.pcd")), "edge"), expected);
+  expectRefused(
+      runApp(edges, {path("far.ply"), path("g.pcd"), "-offset", "1,2"}), 2, {"X,Y,Z"});
+}
+
+TEST_F(Streams, CoordinatesThatFloatDestroyedGiveAWarning)
+{
+  CloudFile cloud = movedFold(500000, 5400000, 300);
+  const pcl::DoubleXYZ points = coordinatesOf(cloud);
+  const char* const names[] = {"x", "y", "z"};
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::vector<float> values;
+    for (const auto& point : points)
+      values.push_back(static_cast<float>(point[c]));
+    setField(cloud, names[c], values);
+  }
+  writeFile(path("utm.pcd"), encodeCloud(cloud, PCDFormat::binary));
+  const Outcome outcome = runApp(edges, {path("utm.pcd"), path("out.pcd")});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("steps of 0.5,"), std::string::npos) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST_F(Streams, ALimitOfTheFileSizeLeavesNothing)
+{
+  fold("in.pcd");
+  const Outcome outcome =
+      shell("ulimit -c 0; ulimit -f 1; exec $APP in.pcd out.pcd -format binary");
+  EXPECT_EQ(outcome.status, -SIGXFSZ) << outcome.err;
+  EXPECT_NE(outcome.err.find("SIGXFSZ"), std::string::npos) << outcome.err;
+  EXPECT_EQ(files(), Words{"in.pcd"});
+}
+
+} // namespace
