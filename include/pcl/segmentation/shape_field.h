@@ -11,6 +11,7 @@
 
 #include <pcl/features/neighborhood_sweep.h>
 #include <pcl/memory.h>
+#include <pcl/pcl_shape_alignment.h>
 
 #include <Eigen/Core>
 
@@ -76,7 +77,8 @@ struct ShapeField {
 
   double resolution = 0.0; ///< meters, 0 for the cloud's own
   /** \brief What the values were computed for, if that are not the points of the cloud:
-   * the voxel means at the resolution, or the points of another search surface. */
+   * the voxel means at the resolution, the points of another search surface, or, if
+   * points are equal, one for each place. Without a base no two points are equal. */
   ConstPtr base;
   std::vector<std::int32_t>
       base_points; ///< the point of it that each stands for, or -1
