@@ -8,6 +8,7 @@
 #include "detection/instances.h"
 #include "detection/model_file.h"
 #include "detection/resolution.h"
+#include "detection/surface_field.h"
 
 #include <algorithm>
 #include <limits>
@@ -112,14 +113,15 @@ segment(CloudFile& file,
   reportPoints(*points, report);
   reportSettings(settings, arguments, report);
   InstanceSegmentation segmentation;
-  if (settings.model)
-    segmentation.setModel(*settings.model);
   segmentation.setInputCloud(points);
+  segmentation.setShapeField(report.time("field", [&] {
+    return surfaceFieldOf(
+        file, points, settings.model, settings.resolution, arguments.threads(), report);
+  }));
   segmentation.setClass(settings.of_class);
   segmentation.setThresholds(settings.high, settings.low);
   segmentation.setMinPoints(settings.min_points);
   segmentation.setPrimitive(settings.primitive);
-  segmentation.setResolution(settings.resolution);
   segmentation.setNumberOfThreads(arguments.threads());
   addInstances(file, segmentation, report);
 }

@@ -9,6 +9,7 @@
 #include "cli/pcl_errors.h"
 #include "detection/model_file.h"
 #include "detection/resolution.h"
+#include "detection/unknown.h"
 
 #include <pcl/segmentation/shape_field_estimation.h>
 
@@ -137,6 +138,7 @@ fieldOf(CloudFile& file,
   estimation.setNumberOfThreads(arguments.threads());
   const auto field = pcl::make_shared<pcl::ShapeField>();
   withPclErrors(file.path, [&] { return estimation.compute(*field); });
+  reportUnknown(file.path, pcl::unknownPoints(*field, arguments.threads()), report);
   if (arguments.has("normals")) {
     const pcl::ShapeModel& model =
         edges_only ? estimation.getEdgeModel() : estimation.getSurfaceModel();

@@ -7,7 +7,9 @@
 #include "cli/filter_app.h"
 #include "cli/pcl_errors.h"
 #include "detection/inad_options.h"
+#include "detection/unknown.h"
 
+#include <pcl/features/distinct_points.h>
 #include <pcl/features/inad.h>
 #include <pcl/features/normal_3d_sweep.h>
 #include <pcl/segmentation/impl/shape_detection.hpp>
@@ -62,15 +64,22 @@ addNormals(CloudFile& file,
            const INADParameters& parameters,
            unsigned threads)
 {
+  const pcl::DistinctPoints distinct = pcl::distinctPoints(pcl::detail::xyzOf(*points));
+  auto places = points;
+  if (distinct.hasRepeats())
+    places = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*points, distinct.first);
   pcl::PointCloud<pcl::Normal>::Ptr normals;
   withPclErrors(file.path, [&] {
     normals = estimateNormals(
-        points,
-        pcl::detail::withNoiseOfCloud(parameters, pcl::detail::xyzOf(*points), threads),
+        places,
+        pcl::detail::withNoiseOfCloud(parameters, pcl::detail::xyzOf(*places), threads),
         threads);
-    return normals->size() == file.size();
+    return normals->size() == places->size();
   });
-  setNormals(file, *normals);
+  setNormals(file,
+             distinct.hasRepeats()
+                 ? pcl::PointCloud<pcl::Normal>(*normals, distinct.place)
+                 : *normals);
 }
 
 InadCloud
@@ -103,6 +112,14 @@ estimateInad(CloudFile& file,
         report.time("inad", [&] { return estimateAngles(cloud, parameters, threads); });
     return cloud.inad->size() == file.size();
   });
+  std::vector<float> mu;
+  mu.reserve(cloud.inad->size());
+  for (const pcl::INAD& inad : *cloud.inad)
+    mu.push_back(inad.mu);
+  reportUnknown(
+      file.path,
+      pcl::unknownPoints(pcl::detail::xyzOf(*points), mu, parameters, threads),
+      report);
   if (arguments.has("normals"))
     setNormals(file, *cloud.normals);
   return cloud;

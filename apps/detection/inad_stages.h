@@ -29,7 +29,7 @@ InadCloud estimateInad(CloudFile& file,
                        Report& report);
 
 /** \brief Set normals of the cloud, over the radius for its noise, and their curvature.
- */
+ * Equal points count once. */
 void addNormals(CloudFile& file,
                 const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& points,
                 const INADParameters& parameters,

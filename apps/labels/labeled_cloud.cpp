@@ -10,6 +10,7 @@
 #include "detection/inad_options.h"
 #include "detection/model_file.h"
 #include "detection/resolution.h"
+#include "detection/surface_field.h"
 #include "io/kitti_file.h"
 #include "io/pcd.h"
 #include "io/ply.h"
@@ -121,9 +122,13 @@ labelCloud(CloudFile& cloud, const LabelSettings& settings, Report& report)
   Labeling labeling = labelingOf(settings);
   labeling.setInputCloud(points);
   PointLabels labels;
-  withPclErrors(cloud.path, [&] {
-    report.time("label", [&] { labeling.label(labels); });
-    return labels.labels.size() == cloud.size();
+  report.time("label", [&] {
+    labeling.setShapeField(surfaceFieldOf(
+        cloud, points, settings.model, settings.resolution, settings.threads, report));
+    withPclErrors(cloud.path, [&] {
+      labeling.label(labels);
+      return labels.labels.size() == cloud.size();
+    });
   });
   reportLabels(labels, labelNames(settings), report);
   setField(cloud, "label", labels.labels);

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Makes a field: at the points of a cloud, or at voxel means or a search surface that
-// stand for them.
+// Makes a field: at the places of a cloud's points, or at voxel means or a search
+// surface that stand for them.
 
+#include "common/finite.h"
 #include "common/number_text.h"
 #include "common/point_types.h"
 #include "edges/edge_detection.h"
 #include "geometry/voxel_means.h"
 #include "surfaces/surface_classification.h"
 
+#include <pcl/features/distinct_points.h>
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/segmentation/impl/shape_field_estimation.hpp>
 
@@ -16,6 +18,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 namespace pcl::detail {
 namespace {
@@ -64,8 +67,8 @@ fieldOf(const FieldRequest& request,
 ShapeField
 baseOf(const FieldRequest& request)
 {
-  const auto finderAmong = [&](const std::vector<float>& means) {
-    return request.makeFinder ? request.makeFinder(means) : NeighborFinder();
+  const auto finderAmong = [&](const std::vector<float>& points) {
+    return request.makeFinder ? request.makeFinder(points) : NeighborFinder();
   };
   if (request.resolution == 0.0)
     return fieldOf(request, request.surface_owner, request.surface, finderAmong({}));
@@ -73,6 +76,69 @@ baseOf(const FieldRequest& request)
       voxelMeans(request.surface, request.resolution));
   return fieldOf(
       request, means, {means->data(), 3, means->size() / 3}, finderAmong(*means));
+}
+
+/** Three numbers of each place, those of its first point; zeros are positive. */
+std::vector<float>
+gathered(const XYZView& values, const DistinctPoints& distinct)
+{
+  std::vector<float> result;
+  result.reserve(3 * distinct.first.size());
+  for (const std::int32_t i : distinct.first)
+    for (int axis = 0; axis < 3; ++axis)
+      result.push_back(values[static_cast<std::size_t>(i)][axis] + 0.0f);
+  return result;
+}
+
+/** Of the normals that are given for a place the one with the least coordinates,
+ * whatever their order; one that is finite if there is one. */
+std::vector<float>
+normalsOfPlaces(const XYZView& normals, const DistinctPoints& distinct)
+{
+  std::vector<float> result = gathered(normals, distinct);
+  const auto order = [](const float* n) {
+    return std::make_tuple(!kernels::isFinite(n), n[0], n[1], n[2]);
+  };
+  for (std::size_t i = 0; i < normals.size; ++i) {
+    float* const least = &result[3 * static_cast<std::size_t>(distinct.place[i])];
+    if (kernels::isFinite(normals[i]) && order(normals[i]) < order(least))
+      std::copy_n(normals[i], 3, least);
+  }
+  return result;
+}
+
+/** The field of the surface as it is if no two of its points are equal. */
+ShapeField
+baseOf(const FieldRequest& request, const DistinctPoints& distinct)
+{
+  if (!distinct.hasRepeats())
+    return baseOf(request);
+  const auto places =
+      std::make_shared<const std::vector<float>>(gathered(request.surface, distinct));
+  std::vector<float> normals;
+  FieldRequest of_places = request;
+  of_places.surface = {places->data(), 3, distinct.first.size()};
+  of_places.surface_owner = places;
+  if (request.has_normals) {
+    normals = normalsOfPlaces(request.normals, distinct);
+    of_places.normals = {normals.data(), 3, distinct.first.size()};
+  }
+  if (request.makeFinder)
+    of_places.makeFinder = [&](const std::vector<float>& means) {
+      return request.makeFinder(means.empty() ? *places : means);
+    };
+  return baseOf(of_places);
+}
+
+/** The point of the base that each point of the input stands for, or -1. */
+std::vector<std::int32_t>
+basePoints(const FieldRequest& request, const ShapeField& base)
+{
+  const auto voxel_diagonal = static_cast<float>(std::sqrt(3.0) * request.resolution);
+  std::vector<float> reach = base.spacings;
+  for (float& r : reach)
+    r = std::max(r, voxel_diagonal);
+  return representatives(request.input, base.points, reach, request.threads);
 }
 
 /** Values of points that stand for others, where they are known. */
@@ -171,14 +237,13 @@ classNames(const ShapeModel& model)
 ShapeField
 estimateField(const FieldRequest& request)
 {
-  ShapeField field = baseOf(request);
+  const DistinctPoints distinct = distinctPoints(request.surface);
+  ShapeField field = baseOf(request, distinct);
   if (field.points.first != request.input.first) {
-    const auto voxel_diagonal = static_cast<float>(std::sqrt(3.0) * request.resolution);
-    std::vector<float> reach = field.spacings;
-    for (float& r : reach)
-      r = std::max(r, voxel_diagonal);
+    const bool is_of_input =
+        request.surface.first == request.input.first && request.resolution == 0.0;
     std::vector<std::int32_t> base_points =
-        representatives(request.input, field.points, reach, request.threads);
+        is_of_input ? distinct.place : basePoints(request, field);
     field = scattered(pcl::make_shared<const ShapeField>(std::move(field)),
                       std::move(base_points));
     field.cloud = request.input_owner;

@@ -6,6 +6,7 @@
 #include "common/point_types.h"
 #include "geometry/voxel_means.h"
 #include "instances/instance_detection.h"
+#include "segmentation/field_places.h"
 
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/segmentation/impl/shape_instance_segmentation.hpp>
@@ -169,6 +170,53 @@ setPoints(const InstanceRequest& request,
   }
 }
 
+std::vector<ShapeInstance>
+instancesOf(const InstanceRequest& request)
+{
+  const std::vector<float> positions = positionsOf(request);
+  const InstanceValues values = valuesAt(request, positions);
+  const InstanceLabels labels = request.name == object
+                                    ? findObjects(values.input, request.limits)
+                                    : findComponents(values.input, request.limits);
+  std::vector<std::vector<std::uint32_t>> members;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] < 0)
+      continue;
+    const auto label = static_cast<std::size_t>(labels[i]);
+    members.resize(std::max(members.size(), label + 1));
+    members[label].push_back(static_cast<std::uint32_t>(i));
+  }
+  std::vector<ShapeInstance> instances;
+  for (const auto& points : members) {
+    ShapeInstance& instance = instances.emplace_back();
+    instance.shares = sharesOf(points, values);
+    instance.primitive = fitPrimitive(values.input, points, request.primitive);
+  }
+  setPoints(request, labelsOfIndices(request, values.input.points, labels), instances);
+  return instances;
+}
+
+/** Instances of places, with all of the points that are there. */
+void
+setPointsAt(const FieldPlaces& places,
+            const pcl::Indices& indices,
+            std::vector<ShapeInstance>& instances)
+{
+  std::vector<std::int32_t> labels(places.field().points.size, -1);
+  for (std::size_t k = 0; k < instances.size(); ++k) {
+    for (const index_t place : instances[k].indices)
+      labels[static_cast<std::size_t>(place)] = static_cast<std::int32_t>(k);
+    instances[k].indices.clear();
+  }
+  for (const index_t index : indices) {
+    const std::int32_t label = labels[places.placeOf(static_cast<std::size_t>(index))];
+    if (label >= 0)
+      instances[static_cast<std::size_t>(label)].indices.push_back(index);
+  }
+  for (ShapeInstance& instance : instances)
+    std::sort(instance.indices.begin(), instance.indices.end());
+}
+
 } // namespace
 
 std::string
@@ -195,26 +243,18 @@ problemOfInstances(const std::vector<std::string>& classes,
 std::vector<ShapeInstance>
 findInstances(const InstanceRequest& request)
 {
-  const std::vector<float> positions = positionsOf(request);
-  const InstanceValues values = valuesAt(request, positions);
-  const InstanceLabels labels = request.name == object
-                                    ? findObjects(values.input, request.limits)
-                                    : findComponents(values.input, request.limits);
-  std::vector<std::vector<std::uint32_t>> members;
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (labels[i] < 0)
-      continue;
-    const auto label = static_cast<std::size_t>(labels[i]);
-    members.resize(std::max(members.size(), label + 1));
-    members[label].push_back(static_cast<std::uint32_t>(i));
-  }
-  std::vector<ShapeInstance> instances;
-  for (const auto& points : members) {
-    ShapeInstance& instance = instances.emplace_back();
-    instance.shares = sharesOf(points, values);
-    instance.primitive = fitPrimitive(values.input, points, request.primitive);
-  }
-  setPoints(request, labelsOfIndices(request, values.input.points, labels), instances);
+  const FieldPlaces places(request.field);
+  if (!places.hasRepeats())
+    return instancesOf(request);
+  const pcl::Indices indices = places.placesOf(request.indices);
+  std::vector<ShapeInstance> instances = instancesOf({places.field(),
+                                                      indices,
+                                                      request.name,
+                                                      request.limits,
+                                                      request.primitive,
+                                                      request.view_point,
+                                                      request.threads});
+  setPointsAt(places, request.indices, instances);
   return instances;
 }
 

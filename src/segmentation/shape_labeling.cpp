@@ -5,11 +5,13 @@
 #include "common/number_text.h"
 #include "common/point_types.h"
 #include "labels/label_evidence.h"
+#include "segmentation/field_places.h"
 
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/segmentation/impl/shape_labeling.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl::detail {
 namespace {
@@ -48,7 +50,20 @@ labelsOf(const ShapeField& field, double confidence, unsigned threads)
       planar == field.classes.end()
           ? 0
           : static_cast<std::uint32_t>(planar - field.classes.begin() + 1);
-  return labelPoints({field, threads, label}, confidence);
+  const FieldPlaces places(field);
+  const PointLabels of_places =
+      labelPoints({places.field(), threads, label}, confidence);
+  if (!places.hasRepeats())
+    return of_places;
+  PointLabels labels;
+  for (std::size_t i = 0; i < field.points.size; ++i) {
+    // With indices some points of a place may be unknown, whatever the others are.
+    const bool is_known = !std::isnan(field.edge_likelihood[i]);
+    const std::size_t place = places.placeOf(i);
+    labels.labels.push_back(is_known ? of_places.labels[place] : 0);
+    labels.confidence.push_back(is_known ? of_places.confidence[place] : 0.0f);
+  }
+  return labels;
 }
 
 } // namespace pcl::detail

@@ -4,6 +4,7 @@
 
 #include "common/point_types.h"
 #include "grasps/suction_grasps.h"
+#include "segmentation/field_places.h"
 
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/segmentation/impl/suction_grasp_estimation.hpp>
@@ -11,14 +12,16 @@
 namespace pcl::detail {
 namespace {
 
+/** \param[in] field of places \param[in] indices the target among them */
 GraspTarget
-targetOf(const GraspRequest& request)
+targetOf(const ShapeField& field,
+         const pcl::Indices& indices,
+         const GraspRequest& request)
 {
-  const ShapeField& field = request.field;
   GraspTarget target;
   target.cloud = field.points;
   target.noise = field.noise;
-  for (const index_t index : request.indices) {
+  for (const index_t index : indices) {
     const auto i = static_cast<std::size_t>(index);
     target.points.push_back(static_cast<std::uint32_t>(index));
     target.edge_likelihood.push_back(field.edge_likelihood[i]);
@@ -33,13 +36,13 @@ targetOf(const GraspRequest& request)
 }
 
 GraspSurface
-surfaceOf(const GraspRequest& request, std::uint32_t surface)
+surfaceOf(const ShapeField& field, const pcl::Indices& indices, std::uint32_t surface)
 {
   GraspSurface of;
   of.surface = surface;
-  for (const index_t index : request.indices)
+  for (const index_t index : indices)
     of.likelihood.push_back(
-        request.field.likelihoods[surface - 1][static_cast<std::size_t>(index)]);
+        field.likelihoods[surface - 1][static_cast<std::size_t>(index)]);
   return of;
 }
 
@@ -52,18 +55,25 @@ problemOf(const GraspRequest& request)
     return "the classes of the shape field are not planar and curved: compute it "
            "without "
            "a surface model of your own";
-  return problemOfCup(request.cup, targetOf(request));
+  const FieldPlaces places(request.field);
+  return problemOfCup(
+      request.cup, targetOf(places.field(), places.placesOf(request.indices), request));
 }
 
 std::vector<SuctionGrasp>
 findGrasps(const GraspRequest& request)
 {
+  const FieldPlaces places(request.field);
+  const pcl::Indices indices = places.placesOf(request.indices);
   std::vector<GraspSurface> surfaces;
   if (request.planar)
-    surfaces.push_back(surfaceOf(request, 1));
+    surfaces.push_back(surfaceOf(places.field(), indices, 1));
   if (request.curved)
-    surfaces.push_back(surfaceOf(request, 2));
-  return findGrasps(targetOf(request), surfaces, request.cup, request.threads);
+    surfaces.push_back(surfaceOf(places.field(), indices, 2));
+  return findGrasps(targetOf(places.field(), indices, request),
+                    surfaces,
+                    request.cup,
+                    request.threads);
 }
 
 } // namespace pcl::detail

@@ -9,6 +9,8 @@
 #include "features/class_evidence.h"
 #include "surfaces/evidence_averaging.h"
 
+#include <pcl/features/distinct_points.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -76,10 +78,15 @@ float
 pcl::largestCurvedRadius(const ShapeField& field)
 {
   constexpr float curved_spacings = 20.0f; // see doc/method.md
-  const bool is_known =
-      std::any_of(field.spacings.begin(), field.spacings.end(), [](float spacing) {
-        return std::isfinite(spacing);
-      });
-  return is_known ? curved_spacings * segmentation::medianSpacing(field.spacings)
-                  : 0.0f;
+  std::vector<float> spacings = field.spacings;
+  if (field.base) { // each place counts once
+    const DistinctPoints distinct = distinctPoints(field.points);
+    for (std::size_t k = 0; k < distinct.first.size(); ++k)
+      spacings[k] = field.spacings[static_cast<std::size_t>(distinct.first[k])];
+    if (distinct.hasRepeats())
+      spacings.resize(distinct.first.size());
+  }
+  spacings = segmentation::finiteOf(std::move(spacings));
+  return spacings.empty() ? 0.0f
+                          : curved_spacings * segmentation::median(std::move(spacings));
 }

@@ -43,6 +43,19 @@ run(${CMAKE_COMMAND} -S ${CONSUMER_DIR} -B ${WORK_DIR}/consumer -G ${GENERATOR}
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/consumer)
 run(${CMAKE_COMMAND} -E chdir ${WORK_DIR}/consumer ./consumer model.json)
 
+# Flags that change how Eigen aligns are refused, with a message that says what to do.
+if(CMAKE_HOST_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CXX_FLAGS MATCHES "-mavx|-march")
+  run(${CMAKE_COMMAND} -S ${CONSUMER_DIR} -B ${WORK_DIR}/avx2 -G ${GENERATOR}
+      -DCMAKE_PREFIX_PATH=${WORK_DIR}/moved -DCMAKE_BUILD_TYPE=${BUILD_TYPE}
+      -DCMAKE_C_COMPILER=${C_COMPILER} -DCMAKE_CXX_COMPILER=${CXX_COMPILER}
+      "-DCMAKE_CXX_FLAGS=${CXX_FLAGS} -mavx2" -DCMAKE_FIND_PACKAGE_NO_PACKAGE_REGISTRY=ON)
+  execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK_DIR}/avx2
+    RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(status EQUAL 0 OR NOT output MATCHES "pcl_shape was built with EIGEN_MAX_ALIGN_BYTES")
+    message(FATAL_ERROR "a program with -mavx2 was not refused (${status}): ${output}")
+  endif()
+endif()
+
 # The installed applications find the library where it was moved to.
 if(WITH_APPS)
   file(GLOB apps ${WORK_DIR}/moved/bin/pcl_*)

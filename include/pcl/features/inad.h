@@ -13,6 +13,7 @@
 #include <pcl/features/feature.h>
 #include <pcl/features/inad_point.h>
 #include <pcl/features/sweep_index.h>
+#include <pcl/pcl_shape_alignment.h>
 
 namespace pcl {
 

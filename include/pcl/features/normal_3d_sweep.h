@@ -12,6 +12,7 @@
 #include <pcl/features/adaptive_radius.h>
 #include <pcl/features/feature.h>
 #include <pcl/features/sweep_index.h>
+#include <pcl/pcl_shape_alignment.h>
 
 #include <vector>
 

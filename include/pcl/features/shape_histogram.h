@@ -10,6 +10,7 @@
 #pragma once
 
 #include <pcl/features/inad_point.h>
+#include <pcl/pcl_shape_alignment.h>
 #include <pcl/pcl_shape_exports.h>
 #include <pcl/point_cloud.h>
 

@@ -11,6 +11,7 @@
 
 #include <pcl/PointIndices.h>
 #include <pcl/pcl_base.h>
+#include <pcl/pcl_shape_alignment.h>
 #include <pcl/point_types.h>
 
 #include <Eigen/Core>

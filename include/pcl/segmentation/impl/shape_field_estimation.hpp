@@ -16,8 +16,9 @@
 namespace pcl {
 namespace detail {
 
-/** \brief A finder among the points of the search surface, or among their means. */
-using FinderMaker = std::function<NeighborFinder(const std::vector<float>& means)>;
+/** \brief A finder among points that stand for those of the search surface, three
+ * coordinates each; among the surface's own if there are none. */
+using FinderMaker = std::function<NeighborFinder(const std::vector<float>& points)>;
 
 /** \brief What a field is made of. */
 struct FieldRequest {
@@ -94,13 +95,13 @@ ShapeFieldEstimation<PointT>::compute(ShapeField& field)
   }
   detail::FieldRequest request = this->request();
   if (search_)
-    request.makeFinder = [this](const std::vector<float>& means) {
+    request.makeFinder = [this](const std::vector<float>& points) {
       PointCloudConstPtr among = surface_ ? surface_ : this->input_;
-      if (resolution_ > 0.0) {
+      if (!points.empty()) {
         const auto cloud = pcl::make_shared<pcl::PointCloud<PointT>>();
-        cloud->resize(means.size() / 3);
+        cloud->resize(points.size() / 3);
         for (std::size_t i = 0; i < cloud->size(); ++i)
-          (*cloud)[i].getVector3fMap() = Eigen::Vector3f(&means[3 * i]);
+          (*cloud)[i].getVector3fMap() = Eigen::Vector3f(&points[3 * i]);
         among = cloud;
       }
       return detail::finderOf<PointT>(search_, among, among);

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// A field with each place once, however many points are there.
+
+#include "segmentation/field_places.h"
+
+#include <cmath>
+
+namespace pcl::detail {
+namespace {
+
+/** At each place a point that is known, if there is one. */
+std::vector<std::size_t>
+knownPoints(const ShapeField& field, const DistinctPoints& distinct)
+{
+  std::vector<std::size_t> known(distinct.first.begin(), distinct.first.end());
+  for (std::size_t i = 0; i < field.points.size; ++i) {
+    std::size_t& at = known[static_cast<std::size_t>(distinct.place[i])];
+    if (std::isnan(field.spacings[at]) && !std::isnan(field.spacings[i]))
+      at = i;
+  }
+  return known;
+}
+
+template <typename T>
+std::vector<T>
+taken(const std::vector<T>& values, const std::vector<std::size_t>& from)
+{
+  std::vector<T> result;
+  result.reserve(from.size());
+  for (const std::size_t i : from)
+    result.push_back(values[i]);
+  return result;
+}
+
+} // namespace
+
+FieldPlaces::FieldPlaces(const ShapeField& field) : given_(field)
+{
+  if (field.base)
+    distinct_ = distinctPoints(field.points);
+  if (!hasRepeats())
+    return;
+  const std::vector<std::size_t> from = knownPoints(field, distinct_);
+  positions_.reserve(3 * from.size());
+  for (const std::size_t i : from)
+    for (int axis = 0; axis < 3; ++axis)
+      positions_.push_back(field.points[i][axis] + 0.0f); // not -0
+  of_places_.points = {positions_.data(), 3, from.size()};
+  of_places_.noise = field.noise;
+  of_places_.creases = field.creases;
+  of_places_.classes = field.classes;
+  of_places_.resolution = field.resolution;
+  of_places_.base = field.base;
+  of_places_.spacings = taken(field.spacings, from);
+  of_places_.normals = taken(field.normals, from);
+  of_places_.edge_likelihood = taken(field.edge_likelihood, from);
+  for (const std::vector<float>& of_class : field.likelihoods)
+    of_places_.likelihoods.push_back(taken(of_class, from));
+  of_places_.base_points = taken(field.base_points, from);
+}
+
+pcl::Indices
+FieldPlaces::placesOf(const pcl::Indices& points) const
+{
+  if (!hasRepeats())
+    return points;
+  pcl::Indices places;
+  std::vector<char> is_there(distinct_.first.size(), 0);
+  for (const index_t point : points) {
+    const std::size_t place = placeOf(static_cast<std::size_t>(point));
+    if (is_there[place] == 0)
+      places.push_back(static_cast<index_t>(place));
+    is_there[place] = 1;
+  }
+  return places;
+}
+
+} // namespace pcl::detail

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Equal points count once: each gets what its place gets without repeats.
+
+#include "support/bits.h"
+
+#include <pcl/features/distinct_points.h>
+#include <pcl/segmentation/shape_field_estimation.h>
+#include <pcl/features/impl/neighborhoods.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace {
+
+using namespace pcl;
+using namespace pcl::test;
+
+using Cloud = PointCloud<PointXYZ>;
+
+/** A floor and a wall, points about 1 cm apart. */
+Cloud::Ptr
+corner()
+{
+  const auto cloud = pcl::make_shared<Cloud>();
+  for (int i = 0; i < 40; ++i)
+    for (int j = 0; j < 40; ++j) {
+      const float u = 0.01f * static_cast<float>(i) + 1e-4f * static_cast<float>(j % 7);
+      const float v = 0.01f * static_cast<float>(j) + 1e-4f * static_cast<float>(i % 5);
+      cloud->push_back(PointXYZ(1.0f + u, 1.0f + v, 1.0f));
+      cloud->push_back(PointXYZ(1.0f, 1.0f + v, 1.01f + u));
+    }
+  return cloud;
+}
+
+ShapeField
+fieldOf(const Cloud::ConstPtr& cloud)
+{
+  ShapeFieldEstimation<PointXYZ> estimation;
+  estimation.setInputCloud(cloud);
+  ShapeField field;
+  EXPECT_TRUE(estimation.compute(field));
+  return field;
+}
+
+TEST(CoincidentPoints, NoRepeatsGiveNoPlaces)
+{
+  EXPECT_FALSE(distinctPoints(detail::xyzOf(*corner())).hasRepeats());
+  EXPECT_FALSE(fieldOf(corner()).base);
+}
+
+TEST(CoincidentPoints, ZerosOfEitherSignAreEqualAndUnknownPointsAreNot)
+{
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<float> points{
+      0, 1, 2, nan, 0, 0, -0.0f, 1, 2, nan, 0, 0, 0, 1, 3, 0, 1, 2};
+  const DistinctPoints distinct = distinctPoints({points.data(), 3, 6});
+  EXPECT_EQ((std::vector<std::int32_t>{0, 1, 3, 4}), distinct.first);
+  EXPECT_EQ((std::vector<std::int32_t>{0, 1, 0, 2, 3, 0}), distinct.place);
+}
+
+TEST(CoincidentPoints, EachPointGetsWhatItsPlaceGets)
+{
+  constexpr std::size_t times = 13;
+  const Cloud::Ptr once = corner();
+  const auto often = pcl::make_shared<Cloud>();
+  for (std::size_t t = 0; t < times; ++t)
+    *often += *once;
+  const ShapeField expected = fieldOf(once), field = fieldOf(often);
+  ASSERT_TRUE(field.base);
+  EXPECT_EQ(once->size(), field.base->points.size);
+  EXPECT_EQ(expected.noise, field.noise);
+  EXPECT_EQ(expected.creases.size(), field.creases.size());
+  ASSERT_FALSE(expected.creases.empty());
+  ASSERT_EQ(expected.likelihoods.size(), field.likelihoods.size());
+  const auto repeated = [&](const std::vector<float>& values) {
+    std::vector<float> result;
+    for (std::size_t t = 0; t < times; ++t)
+      result.insert(result.end(), values.begin(), values.end());
+    return result;
+  };
+  EXPECT_TRUE(sameBits(repeated(expected.spacings), field.spacings));
+  EXPECT_TRUE(sameBits(repeated(expected.edge_likelihood), field.edge_likelihood));
+  for (std::size_t c = 0; c < field.likelihoods.size(); ++c)
+    EXPECT_TRUE(sameBits(repeated(expected.likelihoods[c]), field.likelihoods[c]));
+}
+
+TEST(CoincidentPoints, ManyAtOnePlaceAreUnknownAndChangeNothing)
+{
+  constexpr std::size_t fillers = 50000;
+  const Cloud::Ptr cloud = corner();
+  const std::size_t points = cloud->size();
+  cloud->push_back(PointXYZ(0.0f, 0.0f, 0.0f));
+  const ShapeField expected = fieldOf(cloud);
+  cloud->resize(points + fillers, PointXYZ(0.0f, 0.0f, -0.0f));
+  const ShapeField field = fieldOf(cloud);
+  ASSERT_TRUE(field.base);
+  EXPECT_EQ(points + 1, field.base->points.size);
+  std::vector<float> first = field.edge_likelihood;
+  first.resize(points + 1);
+  EXPECT_TRUE(sameBits(expected.edge_likelihood, first));
+  EXPECT_TRUE(
+      std::all_of(field.edge_likelihood.begin() + static_cast<std::ptrdiff_t>(points),
+                  field.edge_likelihood.end(),
+                  [](float likelihood) { return std::isnan(likelihood); }));
+}
+
+} // namespace
