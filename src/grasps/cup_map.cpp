@@ -5,9 +5,11 @@
 #include "grasps/cup_map.h"
 
 #include "geometry/distance_map.h"
+#include "grasps/surface_gaps.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl::segmentation {
 namespace {
@@ -50,6 +52,54 @@ CupMap::CupMap(const TargetSurface& surface, const SurfaceFit& fit, float radius
   for (auto* distances : {&edge_, &obstacle_})
     for (float& distance : *distances)
       distance = std::min(distance * cell_, limit);
+  // Where the cup leaks anyway, small holes do not matter.
+  const Clearance here = at(0.0f, 0.0f);
+  if (here.smallest(margin_) >= radius_)
+    addGaps(gapsWithin(radius_ + margin_, pointsOf(surface, fit), fit.spacing));
+}
+
+std::vector<Vector2f>
+CupMap::pointsOf(const TargetSurface& surface, const SurfaceFit& fit) const
+{
+  constexpr float beyond = 3.0f; // spacings around the cup, see gapsWithin()
+  const float reach = radius_ + margin_ + beyond * fit.spacing;
+  const float band = toleranceOf(surface.noise(), fit.spacing, radius_).band;
+  std::vector<Vector2f> points;
+  surface.forEachWithin(
+      fit.origin, std::hypot(reach, reach), [&](std::uint32_t i, float) {
+        const Vector3f local = fit.toLocal(surface.points()[i].position);
+        const Vector2f place = local.head<2>();
+        const float away = place.norm();
+        const float above = local.z() - fit.height(place.x(), place.y());
+        if (away <= reach && !(std::abs(above) > band * std::max(1.0f, away / radius_)))
+          points.push_back(place);
+      });
+  return points;
+}
+
+void
+CupMap::addGaps(const std::vector<Gap>& gaps)
+{
+  if (gaps.empty())
+    return;
+  float nearest = std::numeric_limits<float>::infinity();
+  std::vector<char> is_gap(border_.size(), 0);
+  for (const Gap& gap : gaps) {
+    nearest = std::min(nearest, gap.distance());
+    for (float y = -gap.radius; y <= gap.radius; y += cell_)
+      for (float x = -gap.radius; x <= gap.radius; x += cell_)
+        if (const auto cell = cellOf(gap.center.x() + x, gap.center.y() + y))
+          if (std::hypot(x, y) <= gap.radius)
+            is_gap[*cell] = 1;
+    if (const auto cell = cellOf(gap.center.x(), gap.center.y()))
+      is_gap[*cell] = 1;
+  }
+  float& here = border_[*cellOf(0.0f, 0.0f)]; // better known than to a cell
+  const float exact = std::clamp(nearest, 0.0f, here);
+  const std::vector<float> cells = distancesTo(is_gap, side_);
+  for (std::size_t i = 0; i < border_.size(); ++i)
+    border_[i] = std::min(border_[i], cells[i] * cell_);
+  here = exact;
 }
 
 std::optional<std::size_t>

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "grasps/quadric_fit.h"
+#include "grasps/surface_gaps.h"
 
 #include <algorithm>
 #include <optional>
@@ -51,6 +52,13 @@ private:
   struct Marks {
     std::vector<char> surface, edge, obstacle;
   };
+
+  /** The target's points on the surface under the cup and around it. */
+  std::vector<Eigen::Vector2f> pointsOf(const TargetSurface& surface,
+                                        const SurfaceFit& fit) const;
+
+  /** What is narrower than the image tells, exactly. */
+  void addGaps(const std::vector<Gap>& gaps);
 
   Marks marksOf(const TargetSurface& surface, const SurfaceFit& fit) const;
 
