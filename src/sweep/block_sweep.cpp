@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace pcl::kernels {
 namespace {
@@ -24,7 +25,41 @@ setRadius(SweepBlock& block, float r2)
   std::fill_n(block.tie_d2, block.size, -1.0f);
 }
 
+/** Whether all values of [begin, end) have the same bits: NaN is as good as a number.
+ */
+bool
+areSame(const float* values, std::uint32_t begin, std::uint32_t end)
+{
+  return std::all_of(values + begin + 1, values + end, [&](const float& value) {
+    return std::memcmp(&value, values + begin, sizeof value) == 0;
+  });
+}
+
 } // namespace
+
+bool
+BlockSweep::repeatsTheOneBefore(std::size_t block) const
+{
+  const auto& box = queries.clusters.box;
+  for (std::size_t axis = 0; block > 0 && axis < 3; ++axis)
+    if (box[axis][block] != box[axis + 3][block] ||
+        box[axis][block - 1] != box[axis + 3][block - 1] ||
+        box[axis][block - 1] != box[axis][block])
+      return false;
+  const bool has_query_normals = normals && queries_on_surface;
+  if (block == 0 || (has_query_normals && &queries != &surface))
+    return false;
+  const std::uint32_t begin = queries.clusters.begin[block - 1];
+  const std::uint32_t end = queries.clusters.begin[block + 1];
+  if (has_query_normals)
+    for (const auto* coordinates : {&normals->x, &normals->y, &normals->z})
+      if (!areSame(coordinates->data(), begin, end))
+        return false;
+  return !neighborhood.radii ||
+         std::all_of(&queries.order[begin], &queries.order[end], [&](std::uint32_t i) {
+           return neighborhood.radii[i] == neighborhood.radii[queries.order[begin]];
+         });
+}
 
 SweepBlock
 BlockSweep::queriesOf(std::size_t index) const

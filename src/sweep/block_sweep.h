@@ -19,7 +19,8 @@ struct BlockSweep {
   bool rows_by_radius = false;    ///< the rows' width follows from the radius alone
   const UnitNormals* normals = nullptr; ///< of the surface, or null
 
-  /** \brief visit(block, order): order[i] is the position of the block's query i. */
+  /** \brief visit(block, order): order[i] is the position of the block's query i.
+   * Blocks that repeat the one before are left out (forEachRepeat()). */
   template <typename Visit>
   void
   forEachBlock(unsigned threads, const Visit& visit) const
@@ -32,6 +33,10 @@ struct BlockSweep {
           double reach = queries.edge;
           const std::size_t end = std::min(count, (t + 1) * blocks_per_task);
           for (std::size_t b = t * blocks_per_task; b < end;) {
+            if (repeatsTheOneBefore(b)) {
+              ++b;
+              continue;
+            }
             const BlockGroup group = groupFrom(b, end);
             // For k, with room for blocks that are a little less dense.
             const double group_reach =
@@ -52,7 +57,29 @@ struct BlockSweep {
         });
   }
 
+  /** \brief visit(position, same): the query at this position has the result of the
+   * one at the position `same`, which was visited. */
+  template <typename Visit>
+  void
+  forEachRepeat(const Visit& visit) const
+  {
+    const auto& begin = queries.clusters.begin;
+    std::uint32_t same = 0;
+    for (std::size_t b = 0; b < queries.clusters.size(); ++b) {
+      if (!repeatsTheOneBefore(b))
+        same = queries.order[begin[b]];
+      else
+        for (std::uint32_t i = begin[b]; i < begin[b + 1]; ++i)
+          visit(queries.order[i], same);
+    }
+  }
+
 private:
+  /** \brief Whether all queries of a block, and of the one before, are at one place,
+   * and nothing else tells them apart either: many points at one place are looked at
+   * once, or their cost would grow with the square of their number. */
+  bool repeatsTheOneBefore(std::size_t block) const;
+
   /** \brief Blocks [begin, end) that are close enough together to share runs: kernels
    * look at each of their clusters anyway. */
   struct BlockGroup {

@@ -114,11 +114,11 @@ public:
     return (blocks_ ? blocks_->queries.size() : 0) != sweep_.size();
   }
 
-  /** \brief kernel(block, order, results), then store(position, result) for each query.
-   */
-  template <typename Result, typename Kernel, typename Store>
+  /** \brief kernel(block, order, results), then store(position, result) for each query,
+   * or copy(position, same) where another query has the same result. */
+  template <typename Result, typename Kernel, typename Store, typename Copy>
   void
-  run(const Kernel& kernel, const Store& store) const
+  run(const Kernel& kernel, const Store& store, const Copy& copy) const
   {
     if (!blocks_)
       return;
@@ -129,6 +129,7 @@ public:
                             for (std::size_t i = 0; i < block.size; ++i)
                               store(order[i], results[i]);
                           });
+    blocks_->forEachRepeat(copy);
   }
 
 private:
@@ -162,7 +163,11 @@ NeighborhoodSweep::computeNormals(const NeighborhoodSize& neighborhood,
       [](const SweepBlock& block, const std::uint32_t*, NormalResult* results) {
         chosenKernels().normals(block, results);
       },
-      store);
+      store,
+      [&](std::size_t i, std::size_t same) {
+        std::copy_n(normals + same * stride, 3, normals + i * stride);
+        curvature[i * stride] = curvature[same * stride];
+      });
   return is_finite;
 }
 
@@ -195,6 +200,9 @@ NeighborhoodSweep::computeINAD(const NeighborhoodSize& neighborhood,
         mu_sigma[2 * i + 1] = result.sigma;
         if (std::isnan(result.mu))
           is_finite = false;
+      },
+      [&](std::size_t i, std::size_t same) {
+        std::copy_n(mu_sigma + 2 * same, 2, mu_sigma + 2 * i);
       });
   return is_finite;
 }
@@ -209,7 +217,8 @@ NeighborhoodSweep::countNeighbors(const NeighborhoodSize& neighborhood,
       [](const SweepBlock& block, const std::uint32_t*, std::uint32_t* results) {
         chosenKernels().count(block, results);
       },
-      [&](std::size_t i, std::uint32_t count) { counts[i] = count; });
+      [&](std::size_t i, std::uint32_t count) { counts[i] = count; },
+      [&](std::size_t i, std::size_t same) { counts[i] = counts[same]; });
 }
 
 void
@@ -221,7 +230,8 @@ NeighborhoodSweep::computeDistanceToNearest(std::size_t k, float* distances) con
       [](const SweepBlock& block, const std::uint32_t*, float* results) {
         std::copy_n(block.kth_d2, block.size, results);
       },
-      [&](std::size_t i, float d2) { distances[i] = std::sqrt(d2); });
+      [&](std::size_t i, float d2) { distances[i] = std::sqrt(d2); },
+      [&](std::size_t i, std::size_t same) { distances[i] = distances[same]; });
 }
 
 } // namespace pcl

@@ -7,8 +7,11 @@
 #include "support/reference.h"
 #include "support/shapes.h"
 #include "support/sweep.h"
+#include "sweep/block_sweep.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 // Thousands of points at the same place: results are right, and memory grows with the
 // number of points, not of pairs.
@@ -124,6 +127,66 @@ TEST_P(SweepCoincident, AnglesWithinARadius)
     EXPECT_NEAR(expected.mu, inad[2 * i], 2e-6);
     EXPECT_NEAR(expected.sigma, inad[2 * i + 1], 2e-6);
   }
+}
+
+/** \brief Where the normals of a heap are equal, too, its points have one result. */
+TEST_P(SweepCoincident, AnglesOfEqualNormalsWithinARadius)
+{
+  std::vector<float> normals;
+  for (std::size_t i = 0; i < cloud_.size(); ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      normals.push_back(cloud_.trueNormals()[i][axis]);
+  for (const Heap& heap : heaps_)
+    for (std::size_t i = 3 * heap.first; i < 3 * (heap.first + heap.size); ++i)
+      normals[i] = i % 3 == 2 ? 1.0f : 0.0f;
+  const XYZView view{normals.data(), 3, cloud_.size()};
+  for (const auto& size :
+       {NeighborhoodSize::ofRadius(radius), NeighborhoodSize::ofNearest(20300)}) {
+    const auto inad = sweptINAD(NeighborhoodSweep(cloud_.points()), size, view);
+    expectSameInHeaps(inad, 2);
+    for (const std::int32_t sample : samples()) {
+      const auto i = static_cast<std::size_t>(sample);
+      SCOPED_TRACE(i);
+      const Found found =
+          size.k > 0 ? neighborsNearest(cloud_.points(), cloud_.points()[i], size.k)
+                     : neighborsWithin(cloud_.points(), cloud_.points()[i], radius);
+      if (squaredDistance(cloud_.points()[found.back()], cloud_.points()[i]) == 0.0f &&
+          (size.k > 0 || isAlone(i))) {
+        EXPECT_TRUE(std::isnan(inad[2 * i]));
+        continue;
+      }
+      const auto expected =
+          referenceINAD(view, vectorAt(view, i), without(found, i), 2.0);
+      EXPECT_NEAR(expected.mu, inad[2 * i], 2e-6);
+      EXPECT_NEAR(expected.sigma, inad[2 * i + 1], 2e-6);
+    }
+  }
+}
+
+/** \brief The cost is linear: each place is visited a few times, whatever its points.
+ */
+TEST(SweepRepeats, PlacesAreVisitedOnceAndTheirPointsGetTheResult)
+{
+  constexpr std::size_t heap = 50000;
+  std::vector<float> points(3 * heap, 1.0f);
+  for (const float other : {0.5f, 0.9f, 1.1f, 1.5f})
+    points.insert(points.end(), {other, 1.0f, 1.0f});
+  const std::size_t size = points.size() / 3;
+  const kernels::RowIndex index =
+      kernels::buildRowIndex({points.data(), 3, size}, nullptr, size, 4.0, 2);
+  const kernels::BlockSweep sweep{index, index, NeighborhoodSize::ofRadius(0.2)};
+  std::vector<int> visits(size, 0);
+  sweep.forEachBlock(1, [&](const kernels::SweepBlock& block, const std::uint32_t* at) {
+    for (std::size_t i = 0; i < block.size; ++i)
+      ++visits[at[i]];
+  });
+  EXPECT_LT(std::count(visits.begin(), visits.end(), 1), 64);
+  sweep.forEachRepeat([&](std::size_t i, std::size_t same) {
+    ++visits[i];
+    EXPECT_TRUE(std::equal(&points[3 * i], &points[3 * i] + 3, &points[3 * same]));
+  });
+  EXPECT_EQ(static_cast<std::ptrdiff_t>(size),
+            std::count(visits.begin(), visits.end(), 1));
 }
 
 /** \brief Fewer than a heap has, as many, and more. */
