@@ -4,11 +4,10 @@
 // which.
 
 #include "common/number_text.h"
-#include "common/point_types.h"
 #include "edges/edge_types.h"
 #include "features/local_spacing.h"
+#include "segmentation/compiled_estimations.h"
 
-#include <pcl/impl/instantiate.hpp>
 #include <pcl/segmentation/impl/shape_back_projection.hpp>
 #include <pcl/segmentation/impl/shape_edge_detection.hpp>
 

@@ -3,12 +3,11 @@
 // Instances of a field: what they are made of, and what each is like.
 
 #include "common/number_text.h"
-#include "common/point_types.h"
 #include "geometry/voxel_means.h"
 #include "instances/instance_detection.h"
+#include "segmentation/compiled_estimations.h"
 #include "segmentation/field_places.h"
 
-#include <pcl/impl/instantiate.hpp>
 #include <pcl/segmentation/impl/shape_instance_segmentation.hpp>
 
 #include <algorithm>

@@ -3,11 +3,10 @@
 // Labels of a field: their names, and what is refused.
 
 #include "common/number_text.h"
-#include "common/point_types.h"
 #include "labels/label_evidence.h"
+#include "segmentation/compiled_estimations.h"
 #include "segmentation/field_places.h"
 
-#include <pcl/impl/instantiate.hpp>
 #include <pcl/segmentation/impl/shape_labeling.hpp>
 
 #include <algorithm>

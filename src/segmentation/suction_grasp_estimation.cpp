@@ -2,11 +2,10 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Grasps on a field: the target that they are looked for on.
 
-#include "common/point_types.h"
 #include "grasps/suction_grasps.h"
+#include "segmentation/compiled_estimations.h"
 #include "segmentation/field_places.h"
 
-#include <pcl/impl/instantiate.hpp>
 #include <pcl/segmentation/impl/suction_grasp_estimation.hpp>
 
 namespace pcl::detail {
