@@ -134,8 +134,9 @@ typeOf(const Words& words, std::size_t at, const Header& header)
   const auto datatype = at < words.size() ? datatypeOf(words[at]) : std::nullopt;
   if (!datatype)
     fail(header.cloud,
-         "property " + inQuotes(words.back()) + " of " + header.elements.back().name +
-             " has type " + inQuotes(at < words.size() ? words[at] : ""),
+         "property " + inQuotes(words.back()) + " of " +
+             inQuotes(header.elements.back().name) + " has type " +
+             inQuotes(at < words.size() ? words[at] : ""),
          "char, uchar, short, ushort, int, uint, float or double");
   return *datatype;
 }
@@ -343,7 +344,7 @@ public:
       words_ = splitPoint(takeLine(rest_));
     if (words_.empty())
       failTruncated(element, instance);
-    where_ = element.name + ' ' + std::to_string(instance);
+    where_ = inQuotes(element.name) + ' ' + std::to_string(instance);
     next_ = 0;
   }
 
@@ -364,7 +365,8 @@ public:
       const auto value = parseFileValue<decltype(zero)>(word);
       if (!value)
         fail(cloud_,
-             where_ + " has " + inQuotes(word) + " in property '" + property.name + "'",
+             where_ + " has " + inQuotes(word) + " in property " +
+                 inQuotes(property.name),
              "a number of the property's type");
       std::memcpy(to, &*value, sizeof(*value));
     });

@@ -20,7 +20,6 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
-#include <random>
 
 namespace {
 
@@ -404,51 +403,6 @@ TEST_F(Readers, ScansOfFourOrFiveFloats)
   catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("-floats 5"), std::string::npos);
   }
-}
-
-/** Reads or refuses it, and nothing else. \return whether it refuses */
-bool
-isRefused(const std::string& contents)
-{
-  try {
-    const CloudFile cloud = decodePly("damaged.ply", contents);
-    EXPECT_EQ(cloud.blob.data.size(), cloud.size() * cloud.blob.point_step);
-    return false;
-  }
-  catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("expected"), std::string::npos);
-    return true;
-  }
-}
-
-TEST_F(Readers, DamagedPlyIsReadOrRefused)
-{
-  const std::string head =
-      "element camera 1\nproperty float view_px\nelement vertex 2\n" + xyz_properties +
-      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty list "
-      "uchar int seen\nend_header\n";
-  const std::string vertex = bytesOf(std::vector<float>{1, 2, 3}) + "rgb" + '\1' +
-                             bytesOf(std::vector<std::int32_t>{5});
-  const std::string camera = bytesOf(std::vector<float>{1});
-  const std::vector<std::string> files{
-      binary_ply + head + camera + vertex + vertex,
-      "ply\nformat binary_big_endian 1.0\n" + head + camera + vertex.substr(0, 15) +
-          '\0' + vertex.substr(0, 15) + '\0',
-      "ply\nformat ascii 1.0\n" + head + "1\n1 2 3 4 5 6 1 5\n1 2 3 4 5 6 0\n"};
-  std::mt19937 random(7);
-  std::size_t refused = 0;
-  for (const std::string& whole : files) {
-    EXPECT_FALSE(isRefused(whole));
-    for (std::size_t size = 0; size + 2 < whole.size(); ++size)
-      EXPECT_TRUE(isRefused(whole.substr(0, size))) << size;
-    for (int i = 0; i < 2000; ++i) {
-      std::string damaged = whole;
-      damaged[std::uniform_int_distribution<std::size_t>(0, whole.size() - 1)(random)] =
-          static_cast<char>(std::uniform_int_distribution<>(0, 255)(random));
-      refused += isRefused(damaged);
-    }
-  }
-  EXPECT_GT(refused, 1000u);
 }
 
 /** \brief The clouds of PCL's own repositories (doc/files.md lists them), in the

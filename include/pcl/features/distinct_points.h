@@ -9,7 +9,8 @@
 
 #pragma once
 
-#include <pcl/features/neighborhood_sweep.h>
+#include <pcl/features/xyz_view.h>
+#include <pcl/pcl_shape_exports.h>
 
 #include <cstdint>
 #include <vector>

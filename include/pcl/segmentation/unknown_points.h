@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <pcl/features/neighborhood_sweep.h>
 #include <pcl/features/shape_model.h>
 #include <pcl/segmentation/shape_field.h>
 
