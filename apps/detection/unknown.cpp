@@ -4,8 +4,7 @@
 
 #include "detection/unknown.h"
 
-#include "cli/app.h"
-
+#include <iostream>
 #include <sstream>
 
 namespace pcl::app {
@@ -53,9 +52,9 @@ reportUnknown(const std::string& path, const pcl::UnknownPoints& points, Report&
 {
   if (points.unknown * one_of <= points.finite)
     return;
-  logLine(path + ": warning: " + std::to_string(points.unknown) + " of " +
-          std::to_string(points.finite) +
-          " points got no answer: " + reasonsOf(points));
+  std::cerr << "Warning: " + path + ": " + std::to_string(points.unknown) + " of " +
+                   std::to_string(points.finite) +
+                   " points got no answer: " + reasonsOf(points) + '\n';
   const std::string section = "unknown";
   report.setCount(section, "float_rounding", points.rounded);
   report.setCount(section, "at_one_place", points.at_one_place);

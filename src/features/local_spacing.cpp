@@ -21,13 +21,6 @@ constexpr std::size_t nearest = 13; // the point itself and 12 neighbors
 constexpr double min_ratio = 0.6;
 constexpr double max_ratio = 3.0;
 constexpr float full_depth = 0.8f; // meters
-// Where points are sparse, eight of twelve neighbors must be within d: INAD needs five.
-constexpr float min_share_of_nearest = 0.8f;
-constexpr double max_sparseness = 10.0; // beyond it, gaps are not told from sparseness
-constexpr std::size_t few = 5;          // the point itself and 4 neighbors
-// On a surface these are within sqrt(4 / 12) = 0.58 of the distance of twelve. Around a
-// stray point all are about as far.
-constexpr float max_share_of_few = 0.8f;
 constexpr double noise_spacings = 1.5;
 constexpr double max_noise = 0.3;
 constexpr std::size_t noise_points = 20000; // the percentile is then known to 1 %
@@ -95,47 +88,16 @@ depthRadii(double radius, const XYZView& points, const pcl::Indices& indices)
   return radii;
 }
 
-double
-medianOf(const std::vector<float>& distances)
-{
-  std::vector<float> positive;
-  for (const float d : distances)
-    if (d > 0.0f)
-      positive.push_back(d);
-  return positive.empty() ? 1.0 : quantile(std::move(positive), 0.5);
-}
-
-/** Points of a surface that is sampled more sparsely than most: softened, their spacing
- * would hold too few neighbors. */
-void
-widenWhereSparse(const Neighborhoods& neighborhoods,
-                 const std::vector<float>& distances,
-                 std::vector<float>& spacings)
-{
-  const auto max = static_cast<float>(max_sparseness * medianOf(distances));
-  const auto needed = [&](std::size_t i) {
-    return min_share_of_nearest * std::min(distances[i], max);
-  };
-  pcl::Indices sparse;
-  for (std::size_t i = 0; i < distances.size(); ++i)
-    if (needed(i) > spacings[i])
-      sparse.push_back(static_cast<pcl::index_t>(i));
-  std::vector<float> to_few(sparse.size());
-  if (!sparse.empty())
-    neighborhoods.among(sparse).computeDistanceToNearest(few, to_few.data());
-  for (std::size_t k = 0; k < sparse.size(); ++k) {
-    const auto i = static_cast<std::size_t>(sparse[k]);
-    if (to_few[k] < max_share_of_few * distances[i])
-      spacings[i] = needed(i);
-  }
-}
-
 } // namespace
 
 std::vector<float>
 spacingsOf(std::vector<float> distances)
 {
-  const double median = medianOf(distances);
+  std::vector<float> positive;
+  for (const float d : distances)
+    if (d > 0.0f)
+      positive.push_back(d);
+  const double median = positive.empty() ? 1.0 : quantile(std::move(positive), 0.5);
   for (float& d : distances) {
     const double ratio = std::isfinite(d) ? d / median : 1.0;
     d = static_cast<float>(median * std::sqrt(std::clamp(ratio, min_ratio, max_ratio)));
@@ -148,9 +110,7 @@ localSpacings(const Neighborhoods& neighborhoods, std::size_t count)
 {
   std::vector<float> distances(count);
   neighborhoods.computeDistanceToNearest(nearest, distances.data());
-  std::vector<float> spacings = spacingsOf(distances);
-  widenWhereSparse(neighborhoods, distances, spacings);
-  return spacings;
+  return spacingsOf(std::move(distances));
 }
 
 std::vector<float>
