@@ -4,7 +4,8 @@
 
 #include "detection/unknown.h"
 
-#include <iostream>
+#include "cli/app.h"
+
 #include <sstream>
 
 namespace pcl::app {
@@ -52,9 +53,9 @@ reportUnknown(const std::string& path, const pcl::UnknownPoints& points, Report&
 {
   if (points.unknown * one_of <= points.finite)
     return;
-  std::cerr << "Warning: " + path + ": " + std::to_string(points.unknown) + " of " +
-                   std::to_string(points.finite) +
-                   " points got no answer: " + reasonsOf(points) + '\n';
+  logLine(path + ": warning: " + std::to_string(points.unknown) + " of " +
+          std::to_string(points.finite) +
+          " points got no answer: " + reasonsOf(points));
   const std::string section = "unknown";
   report.setCount(section, "float_rounding", points.rounded);
   report.setCount(section, "at_one_place", points.at_one_place);
