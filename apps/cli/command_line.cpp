@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <ostream>
+#include <sstream>
 
 namespace po = boost::program_options;
 
@@ -102,9 +103,10 @@ CommandLine::printHelp(std::ostream& stream) const
   for (const Option& option : options_)
     width = std::max(width, option.name.size() + option.value.size() + 4);
   for (const Option& option : options_) {
-    const std::string left = "-" + option.name + ' ' + option.value;
-    stream << "  " << left << std::string(width - left.size(), ' ') << option.help
-           << '\n';
+    std::string left = "  -" + option.name + ' ' + option.value;
+    std::istringstream help(option.help);
+    for (std::string line; std::getline(help, line); left.clear())
+      stream << left << std::string(2 + width - left.size(), ' ') << line << '\n';
   }
   stream << "\nLengths are in meters, angles in degrees. Exit status: 0 success, 1 bad "
             "input, 2 bad command line.\n";

@@ -83,9 +83,10 @@ addDetectionOptions(CommandLine& command_line)
               "likelihood from which a point is of the surface (0.5); edges, or with "
               "-mode paper")
       .option("bins", "N", "with -mode paper: N x N bins for an ideal plane (10)");
-  addInadOptions(command_line);
-  command_line.flag("ignore_model_parameters",
-                    "use a model at other radii than it was made with");
+  addInadOptions(command_line, "with -mode paper: ");
+  command_line.flag(
+      "ignore_model_parameters",
+      "with -mode paper: use a model at other radii than it was made with");
 }
 
 DetectionSettings
@@ -138,7 +139,7 @@ fieldOf(CloudFile& file,
   estimation.setNumberOfThreads(arguments.threads());
   const auto field = pcl::make_shared<pcl::ShapeField>();
   withPclErrors(file.path, [&] { return estimation.compute(*field); });
-  reportUnknown(file.path, pcl::unknownPoints(*field, arguments.threads()), report);
+  reportUnknown(file.path, *field, arguments.threads(), report);
   if (arguments.has("normals")) {
     const pcl::ShapeModel& model =
         edges_only ? estimation.getEdgeModel() : estimation.getSurfaceModel();

@@ -11,16 +11,18 @@
 namespace pcl::app {
 
 void
-addInadOptions(CommandLine& command_line)
+addInadOptions(CommandLine& command_line, const std::string& condition)
 {
-  command_line.option("radius", "R", "of the neighborhoods of INAD")
-      .option("normal_radius", "R", "of the neighborhoods of the normals")
+  command_line.option("radius", "R", condition + "of the neighborhoods of INAD")
+      .option("normal_radius", "R", condition + "of the neighborhoods of the normals")
       .option("scale",
               "S",
-              "of the radii: fixed (meters), depth (meters up to 0.8 m away, growing "
-              "with z),\ndensity (local spacings)")
-      .option("k", "N", "the nearest N points instead of both radii")
-      .option("outlier_rate", "C", "leave angles out beyond C sigma, 0 for none (2)")
+              condition + "of the radii: fixed (meters), depth (meters up to\n0.8 m "
+                          "away, growing with z), density (local spacings)")
+      .option("k", "N", condition + "the nearest N points instead of both radii")
+      .option("outlier_rate",
+              "C",
+              condition + "leave angles out beyond C sigma, 0 for none (2)")
       .flag("use_normals", "take the file's normals instead of estimating them");
 }
 

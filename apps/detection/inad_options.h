@@ -16,8 +16,9 @@
 
 namespace pcl::app {
 
-/** \brief -radius, -normal_radius, -k, -outlier_rate, -use_normals. */
-void addInadOptions(CommandLine& command_line);
+/** \brief -radius, -normal_radius, -scale, -k, -outlier_rate, -use_normals.
+ * \param[in] condition said before the help of those that need one */
+void addInadOptions(CommandLine& command_line, const std::string& condition = "");
 
 /** \brief -scale, fixed by default. */
 AdaptiveRadius::RadiusMode radiusMode(const Arguments& arguments);

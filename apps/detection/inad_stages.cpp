@@ -112,14 +112,7 @@ estimateInad(CloudFile& file,
         report.time("inad", [&] { return estimateAngles(cloud, parameters, threads); });
     return cloud.inad->size() == file.size();
   });
-  std::vector<float> mu;
-  mu.reserve(cloud.inad->size());
-  for (const pcl::INAD& inad : *cloud.inad)
-    mu.push_back(inad.mu);
-  reportUnknown(
-      file.path,
-      pcl::unknownPoints(pcl::detail::xyzOf(*points), mu, parameters, threads),
-      report);
+  reportUnknown(file.path, *points, *cloud.inad, parameters, threads, report);
   if (arguments.has("normals"))
     setNormals(file, *cloud.normals);
   return cloud;

@@ -27,7 +27,7 @@ surfaceFieldOf(const CloudFile& file,
   estimation.setNumberOfThreads(threads);
   const auto field = pcl::make_shared<pcl::ShapeField>();
   withPclErrors(file.path, [&] { return estimation.compute(*field); });
-  reportUnknown(file.path, pcl::unknownPoints(*field, threads), report);
+  reportUnknown(file.path, *field, threads, report);
   return field;
 }
 

@@ -6,7 +6,12 @@
 
 #include "cli/app.h"
 
+#include <pcl/segmentation/unknown_points.h>
+#include <pcl/features/impl/neighborhoods.hpp>
+
+#include <cmath>
 #include <sstream>
+#include <vector>
 
 namespace pcl::app {
 namespace {
@@ -46,13 +51,24 @@ reasonsOf(const pcl::UnknownPoints& points)
   return text;
 }
 
-} // namespace
+/** Whether to say why: before the reasons are looked for, which takes longer. */
+bool
+areMany(const pcl::XYZView& points, const std::vector<float>& values)
+{
+  std::size_t finite = 0, unknown = 0;
+  for (std::size_t i = 0; i < points.size; ++i) {
+    const float* const p = points[i];
+    const bool is_finite =
+        std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+    finite += is_finite ? 1 : 0;
+    unknown += is_finite && std::isnan(values[i]) ? 1 : 0;
+  }
+  return unknown * one_of > finite;
+}
 
 void
-reportUnknown(const std::string& path, const pcl::UnknownPoints& points, Report& report)
+addReasons(const std::string& path, const pcl::UnknownPoints& points, Report& report)
 {
-  if (points.unknown * one_of <= points.finite)
-    return;
   logLine(path + ": warning: " + std::to_string(points.unknown) + " of " +
           std::to_string(points.finite) +
           " points got no answer: " + reasonsOf(points));
@@ -65,6 +81,37 @@ reportUnknown(const std::string& path, const pcl::UnknownPoints& points, Report&
   report.setNumber(section, "spacing", points.spacing);
   report.setNumber(section, "float_spacing", points.float_spacing);
   report.setNumber(section, "radius", points.radius);
+}
+
+} // namespace
+
+void
+reportUnknown(const std::string& path,
+              const pcl::ShapeField& field,
+              unsigned threads,
+              Report& report)
+{
+  const bool has_classes = !field.likelihoods.empty();
+  if (areMany(field.points,
+              has_classes ? field.likelihoods.front() : field.edge_likelihood))
+    addReasons(path, pcl::unknownPoints(field, threads), report);
+}
+
+void
+reportUnknown(const std::string& path,
+              const pcl::PointCloud<pcl::PointXYZ>& points,
+              const pcl::PointCloud<pcl::INAD>& inad,
+              const pcl::INADParameters& parameters,
+              unsigned threads,
+              Report& report)
+{
+  std::vector<float> mu;
+  mu.reserve(inad.size());
+  for (const pcl::INAD& point : inad)
+    mu.push_back(point.mu);
+  const pcl::XYZView view = pcl::detail::xyzOf(points);
+  if (areMany(view, mu))
+    addReasons(path, pcl::unknownPoints(view, mu, parameters, threads), report);
 }
 
 } // namespace pcl::app

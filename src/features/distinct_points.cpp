@@ -46,15 +46,22 @@ areEqual(const float* p, const float* q)
   return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
 }
 
+std::int32_t
+placeIn(Slot slot)
+{
+  return static_cast<std::int32_t>((slot & place_mask) - 1);
+}
+
 class Places {
 public:
   explicit Places(const XYZView& points) : points_(points)
   {
-    std::size_t slots = 2;
-    while (slots < 2 * points.size)
+    // At most half of the slots are taken. A cloud with many repeats needs few of them,
+    // and does not leave the cache then.
+    std::size_t slots = 2 * ahead;
+    while (slots < points.size / 8)
       slots *= 2;
     slots_.resize(slots);
-    distinct_.first.reserve(points.size);
     distinct_.place.reserve(points.size);
   }
 
@@ -64,6 +71,8 @@ public:
     std::array<std::uint64_t, ahead> hashes{};
     for (std::size_t begin = 0; begin < points_.size; begin += ahead) {
       const std::size_t count = std::min(ahead, points_.size - begin);
+      if (2 * (distinct_.first.size() + count) > slots_.size())
+        grow();
       for (std::size_t k = 0; k < count; ++k) {
         hashes[k] = hashOf(points_[begin + k]);
         __builtin_prefetch(&slots_[hashes[k] & (slots_.size() - 1)]);
@@ -78,6 +87,23 @@ public:
 
 private:
   void
+  grow()
+  {
+    std::vector<Slot> old(4 * slots_.size());
+    old.swap(slots_);
+    for (const Slot slot : old) {
+      if (slot == 0)
+        continue;
+      const auto first = distinct_.first[static_cast<std::size_t>(placeIn(slot))];
+      const std::uint64_t hash = hashOf(points_[static_cast<std::size_t>(first)]);
+      std::size_t at = hash & (slots_.size() - 1);
+      while (slots_[at] != 0)
+        at = (at + 1) & (slots_.size() - 1);
+      slots_[at] = slot;
+    }
+  }
+
+  void
   add(std::size_t i, std::uint64_t hash)
   {
     const float* const p = points_[i];
@@ -89,7 +115,7 @@ private:
       for (; slots_[at] != 0; at = (at + 1) & (slots_.size() - 1)) {
         if ((slots_[at] & ~place_mask) != tag)
           continue;
-        const auto other = static_cast<std::int32_t>((slots_[at] & place_mask) - 1);
+        const std::int32_t other = placeIn(slots_[at]);
         const auto first = distinct_.first[static_cast<std::size_t>(other)];
         if (areEqual(p, points_[static_cast<std::size_t>(first)])) {
           place = other;

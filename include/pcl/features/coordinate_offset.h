@@ -118,7 +118,7 @@ destructiveFloatSpacing(const DoubleXYZ& points)
   constexpr double surely_held = 1e-4;
   if (scale.largest == 0.0 || step < surely_held * scale.spacing)
     return 0.0;
-  constexpr std::size_t samples = 50; // a median needs no more
+  constexpr std::size_t samples = 15; // a median of an order of magnitude needs no more
   const std::size_t stride = std::max<std::size_t>(1, points.size() / samples);
   std::vector<double> nearest;
   for (std::size_t i = 0; i < points.size(); i += stride) {
