@@ -72,7 +72,7 @@ markBands(const std::vector<Agreement>& agreements,
 void
 findEdges(const FieldInput& input, const ShapeModel& model, ShapeField& field)
 {
-  field.spacings = localSpacings(input.neighborhoods, input.points.size);
+  field.spacings = localSpacings(input.neighborhoods, input.points.size, input.is_even);
   field.noise = noiseOf(input.neighborhoods, field.spacings);
   const std::vector<float> evidence = evidenceOf(input, model, field);
   field.edge_likelihood.reserve(evidence.size());

@@ -18,6 +18,7 @@ struct FieldInput {
   XYZView points;
   XYZView normals; ///< of size 0 to estimate them
   unsigned threads = 0;
+  bool is_even = false; ///< the spacing changes slowly: it is taken as it is
 };
 
 /** \brief Normals and INAD; NaN unknown. */

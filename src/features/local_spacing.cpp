@@ -20,7 +20,8 @@ namespace {
 constexpr std::size_t nearest = 13; // the point itself and 12 neighbors
 constexpr double min_ratio = 0.6;
 constexpr double max_ratio = 3.0;
-constexpr float full_depth = 0.8f; // meters
+constexpr double max_contrast = 10.0; // of spacings that are taken as they are
+constexpr float full_depth = 0.8f;    // meters
 constexpr double noise_spacings = 1.5;
 constexpr double max_noise = 0.3;
 constexpr std::size_t noise_points = 20000; // the percentile is then known to 1 %
@@ -88,16 +89,22 @@ depthRadii(double radius, const XYZView& points, const pcl::Indices& indices)
   return radii;
 }
 
-} // namespace
-
-std::vector<float>
-spacingsOf(std::vector<float> distances)
+double
+medianOf(const std::vector<float>& distances)
 {
   std::vector<float> positive;
   for (const float d : distances)
     if (d > 0.0f)
       positive.push_back(d);
-  const double median = positive.empty() ? 1.0 : quantile(std::move(positive), 0.5);
+  return positive.empty() ? 1.0 : quantile(std::move(positive), 0.5);
+}
+
+} // namespace
+
+std::vector<float>
+spacingsOf(std::vector<float> distances)
+{
+  const double median = medianOf(distances);
   for (float& d : distances) {
     const double ratio = std::isfinite(d) ? d / median : 1.0;
     d = static_cast<float>(median * std::sqrt(std::clamp(ratio, min_ratio, max_ratio)));
@@ -106,11 +113,19 @@ spacingsOf(std::vector<float> distances)
 }
 
 std::vector<float>
-localSpacings(const Neighborhoods& neighborhoods, std::size_t count)
+localSpacings(const Neighborhoods& neighborhoods, std::size_t count, bool is_even)
 {
   std::vector<float> distances(count);
   neighborhoods.computeDistanceToNearest(nearest, distances.data());
-  return spacingsOf(std::move(distances));
+  if (!is_even)
+    return spacingsOf(std::move(distances));
+  const double median = medianOf(distances);
+  for (float& d : distances)
+    d = static_cast<float>(
+        median * (std::isfinite(d)
+                      ? std::clamp(d / median, 1.0 / max_contrast, max_contrast)
+                      : 1.0));
+  return distances;
 }
 
 std::vector<float>

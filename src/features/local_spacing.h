@@ -21,7 +21,9 @@ PCL_SHAPE_EXPORTS std::vector<float> spacingsOf(std::vector<float> distances);
 
 /** \brief The local spacings of the points of some neighborhoods.
  * \param[in] count how many they are */
-std::vector<float> localSpacings(const Neighborhoods& neighborhoods, std::size_t count);
+std::vector<float> localSpacings(const Neighborhoods& neighborhoods,
+                                 std::size_t count,
+                                 bool is_even = false);
 
 /** \brief Radii in meters, one for each index, in DEPTH or DENSITY mode. */
 std::vector<float> adaptiveRadii(AdaptiveRadius::RadiusMode mode,

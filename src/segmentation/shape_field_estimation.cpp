@@ -7,6 +7,7 @@
 #include "common/number_text.h"
 #include "common/point_types.h"
 #include "edges/edge_detection.h"
+#include "features/even_sampling.h"
 #include "geometry/voxel_means.h"
 #include "surfaces/surface_classification.h"
 
@@ -42,18 +43,23 @@ problemOfModel(const ShapeModel& model, const std::string& name, bool is_edge)
   return {};
 }
 
+// With more unknown points the spacing is looked at again: scans have as many strays.
+constexpr double max_unknown = 0.02;
+
 ShapeField
 fieldOf(const FieldRequest& request,
         const shared_ptr<const void>& owner,
         const XYZView& points,
-        const NeighborFinder& finder)
+        const NeighborFinder& finder,
+        bool is_even = false)
 {
   pcl::Indices all(points.size);
   std::iota(all.begin(), all.end(), 0);
   Neighborhoods neighborhoods(points, points, all, request.threads);
   neighborhoods.setFinder(finder);
   neighborhoods.setIndex(request.index);
-  const FieldInput input{neighborhoods, points, request.normals, request.threads};
+  const FieldInput input{
+      neighborhoods, points, request.normals, request.threads, is_even};
   ShapeField field;
   field.cloud = owner;
   field.points = points;
@@ -64,14 +70,49 @@ fieldOf(const FieldRequest& request,
   return field;
 }
 
+/** The share of the finite points that are unknown. */
+double
+unknownShare(const ShapeField& field)
+{
+  std::size_t finite = 0, unknown = 0;
+  for (std::size_t i = 0; i < field.points.size; ++i)
+    if (kernels::isFinite(field.points[i])) {
+      ++finite;
+      unknown += std::isnan(field.edge_likelihood[i]) ? 1 : 0;
+    }
+  return finite == 0 ? 0.0 : static_cast<double>(unknown) / static_cast<double>(finite);
+}
+
+/** The distance to the 12th neighbor, as the spacing of even clouds is. */
+std::vector<float>
+plainSpacings(const FieldRequest& request, const NeighborFinder& finder)
+{
+  pcl::Indices all(request.surface.size);
+  std::iota(all.begin(), all.end(), 0);
+  Neighborhoods neighborhoods(request.surface, request.surface, all, request.threads);
+  neighborhoods.setFinder(finder);
+  neighborhoods.setIndex(request.index);
+  return localSpacings(neighborhoods, all.size(), true);
+}
+
 ShapeField
 baseOf(const FieldRequest& request)
 {
   const auto finderAmong = [&](const std::vector<float>& points) {
     return request.makeFinder ? request.makeFinder(points) : NeighborFinder();
   };
-  if (request.resolution == 0.0)
-    return fieldOf(request, request.surface_owner, request.surface, finderAmong({}));
+  if (request.resolution == 0.0) {
+    ShapeField field =
+        fieldOf(request, request.surface_owner, request.surface, finderAmong({}));
+    const double unknown = unknownShare(field);
+    if (unknown <= max_unknown || request.has_normals)
+      return field;
+    const auto even = std::make_shared<const std::vector<float>>(
+        evenSampling(request.surface, plainSpacings(request, finderAmong({}))));
+    ShapeField evened = fieldOf(
+        request, even, {even->data(), 3, even->size() / 3}, finderAmong(*even), true);
+    return unknownShare(evened) < unknown ? evened : field;
+  }
   const auto means = std::make_shared<const std::vector<float>>(
       voxelMeans(request.surface, request.resolution));
   return fieldOf(
@@ -240,8 +281,9 @@ estimateField(const FieldRequest& request)
   const DistinctPoints distinct = distinctPoints(request.surface);
   ShapeField field = baseOf(request, distinct);
   if (field.points.first != request.input.first) {
-    const bool is_of_input =
-        request.surface.first == request.input.first && request.resolution == 0.0;
+    const bool is_of_input = request.surface.first == request.input.first &&
+                             request.resolution == 0.0 &&
+                             field.points.size == distinct.first.size();
     std::vector<std::int32_t> base_points =
         is_of_input ? distinct.place : basePoints(request, field);
     field = scattered(pcl::make_shared<const ShapeField>(std::move(field)),

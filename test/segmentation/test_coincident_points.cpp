@@ -96,7 +96,7 @@ TEST(CoincidentPoints, ManyAtOnePlaceAreUnknownAndChangeNothing)
   const std::size_t points = cloud->size();
   cloud->push_back(PointXYZ(0.0f, 0.0f, 0.0f));
   const ShapeField expected = fieldOf(cloud);
-  cloud->resize(points + fillers, PointXYZ(0.0f, 0.0f, -0.0f));
+  cloud->resize(static_cast<index_t>(points + fillers), PointXYZ(0.0f, 0.0f, -0.0f));
   const ShapeField field = fieldOf(cloud);
   ASSERT_TRUE(field.base);
   EXPECT_EQ(points + 1, field.base->points.size);
