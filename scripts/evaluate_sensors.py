@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+"""Make the tables of machined parts and of other depth cameras in doc/evaluation.md: no options. Markdown goes to
+standard output. Beside it, as a peer, the surface variation of the k nearest points with one threshold for each part,
+the best for the other parts.
+Usage: scripts/evaluate_sensors.py BUILD_DIR DATA_DIR
+DATA_DIR/parts has PART_SAMPLING.pcd with edge, crease_s, surface, radius_s, thin_s; DATA_DIR/rgbd clouds with table and
+perhaps label (doc/evaluation.md says what these are). Needs python3-numpy and python3-scipy.
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import numpy
+from scipy.spatial import cKDTree
+
+from pcd_fields import CODES, read_pcd
+
+SAMPLINGS = {"pds0": "even", "pds15": "even, .15 s", "pds40": "even, .40 s", "rnd15": "random, .15 s"}
+NEAREST = 24  # the peer's neighbors: about as many as the default mode's normals see without noise
+
+
+def fields_of(path):
+    lines, columns = read_pcd(path)
+    kinds = dict(zip(lines["FIELDS"].split(), zip(lines["TYPE"].split(), map(int, lines["SIZE"].split()))))
+    return {name: numpy.frombuffer(data, "<" + CODES[kinds[name]]) for name, data in columns.items()}
+
+
+def run(apps, app, cloud, *options):
+    """The fields of the output, among them those of the input."""
+    with tempfile.TemporaryDirectory() as directory:
+        out = pathlib.Path(directory) / "out.pcd"
+        subprocess.run([apps / app, cloud, out, "-format", "binary", *options], check=True, stdout=subprocess.DEVNULL)
+        return fields_of(out)
+
+
+def f1(found, truth):
+    both = numpy.count_nonzero(found & truth)
+    return 2 * both / max(1, numpy.count_nonzero(found) + numpy.count_nonzero(truth))
+
+
+def edge_points(part):
+    """Those that count: no thin walls, no sharp curves that are not creases."""
+    is_curve = (part["radius_s"] < 10) & (part["crease_s"] > 3)
+    return (part["edge"] != 255) & (part["thin_s"] > 4) & ~is_curve
+
+
+def surface_points(part):
+    is_curved = part["surface"] == 2
+    is_measured = (part["radius_s"] >= 10) & (part["radius_s"] <= 40)
+    return (part["surface"] > 0) & (part["thin_s"] > 4) & (~is_curved | is_measured)
+
+
+def class_score(part):
+    """The mean F1 of planar and curved, of those that the part has."""
+    counts = surface_points(part)
+    truth = numpy.digitize(part["surface"], [1, 2])
+    scores = []
+    for number in (1, 2):
+        of_class = truth[counts] == number
+        if numpy.count_nonzero(of_class) > 500:
+            scores.append(f1(part["found_surface"][counts] == number, of_class))
+    return numpy.mean(scores)
+
+
+def variation(part):
+    points = numpy.stack([part[axis] for axis in "xyz"], axis=1).astype(float)
+    near = points[cKDTree(points).query(points, NEAREST)[1]]
+    near -= near.mean(axis=1, keepdims=True)
+    values = numpy.linalg.eigvalsh(numpy.einsum("nki,nkj->nij", near, near))
+    return values[:, 0] / values.sum(axis=1)
+
+
+def peer_scores(parts):
+    """F1 of each part at the threshold that is best for the others."""
+    thresholds = numpy.geomspace(1e-4, 0.2, 60)
+    table = []
+    for part in parts.values():
+        counts = edge_points(part)
+        values = variation(part)[counts]
+        table.append([f1(values > t, part["edge"][counts] == 1) for t in thresholds])
+    table = numpy.array(table)
+    return [table[i][numpy.argmax(numpy.delete(table, i, 0).mean(0))] for i in range(len(table))]
+
+
+def part_tables(apps, folder):
+    names = sorted(path.name[:-len("_pds0.pcd")] for path in folder.glob("*_pds0.pcd"))
+    rows = {"edge F1": {}, "surface variation, edge F1": {}, "planar and curved F1": {}}
+    for sampling, title in SAMPLINGS.items():
+        parts = {}
+        for name in names:
+            cloud = folder / f"{name}_{sampling}.pcd"
+            parts[name] = run(apps, "pcl_shape_edge_detection", cloud)
+            # The output's field replaces the truth of the same name.
+            parts[name]["found_edge"] = parts[name]["edge"]
+            parts[name]["found_surface"] = run(apps, "pcl_shape_back_projection", cloud)["surface"]
+            truth = fields_of(cloud)
+            parts[name].update({field: truth[field] for field in ("edge", "surface")})
+        rows["edge F1"][title] = [f1(part["found_edge"][edge_points(part)] == 1, part["edge"][edge_points(part)] == 1)
+                                  for part in parts.values()]
+        rows["surface variation, edge F1"][title] = peer_scores(parts)
+        rows["planar and curved F1"][title] = [class_score(part) for part in parts.values()]
+    print("### Machined parts\n")
+    for what, by_sampling in rows.items():
+        print("| " + " | ".join([what, *names, "mean"]) + " |")
+        print("|---" * (len(names) + 2) + "|")
+        for title, scores in by_sampling.items():
+            print("| " + " | ".join([title, *(f"{score:.3f}" for score in (*scores, numpy.mean(scores)))]) + " |")
+        print()
+
+
+def share(values):
+    return f"{values.mean():.4f}"
+
+
+def table_tables(apps, folder):
+    print("### Tables of other depth cameras\n")
+    print("| cloud | table called curved | edge | in an object | IoU of the object |")
+    print("|---|---|---|---|---|")
+    for cloud in sorted(folder.glob("*.pcd")):
+        surfaces = run(apps, "pcl_shape_back_projection", cloud)
+        table = surfaces["table"] == 1
+        edges = run(apps, "pcl_shape_edge_detection", cloud)["edge"]
+        instances = run(apps, "pcl_shape_instances", cloud, "-class", "object")["instance"]
+        iou = "–"
+        if "label" in surfaces:
+            truth = surfaces["label"] > 0
+            iou = max((numpy.count_nonzero((instances == k) & truth) / numpy.count_nonzero((instances == k) | truth)
+                       for k in numpy.unique(instances[truth]) if k > 0), default=0.0)
+            iou = f"{iou:.3f}"
+        print(f"| {cloud.stem} | {share(surfaces['surface'][table] == 2)} | {share(edges[table] == 1)} | "
+              f"{share(instances[table] > 0)} | {iou} |")
+    print()
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit("usage: scripts/evaluate_sensors.py BUILD_DIR DATA_DIR")
+    apps, data = pathlib.Path(sys.argv[1]) / "apps", pathlib.Path(sys.argv[2])
+    part_tables(apps, data / "parts")
+    table_tables(apps, data / "rgbd")
+
+
+if __name__ == "__main__":
+    main()

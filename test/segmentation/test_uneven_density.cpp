@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// A crease is found all along where one part of a cloud is sampled more finely.
+
+#include "features/even_sampling.h"
+
+#include <pcl/segmentation/shape_field_estimation.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace pcl;
+
+using Cloud = PointCloud<PointXYZ>;
+
+constexpr float spacing = 0.03f; // the mean distance between points
+constexpr float stripe_from = 0.4f, stripe_to = 0.6f;
+
+/** A floor and a wall of one by one meter, which meet along x at y = 1. A stripe of the
+ * floor is sampled `times` as finely. */
+Cloud::Ptr
+floorWithStripe(float times, std::mt19937& random)
+{
+  const auto cloud = pcl::make_shared<Cloud>();
+  const auto add = [&](float from, float to, float step, bool is_wall) {
+    std::uniform_real_distribution<float> x(from, to), other(0.0f, 1.0f);
+    const auto count = static_cast<int>((to - from) / (step * step));
+    for (int i = 0; i < count; ++i)
+      cloud->push_back(is_wall ? PointXYZ(x(random), 1.0f, other(random))
+                               : PointXYZ(x(random), other(random), 0.0f));
+  };
+  add(0.0f, 1.0f, spacing, true);
+  add(0.0f, stripe_from, spacing, false);
+  add(stripe_to, 1.0f, spacing, false);
+  add(stripe_from, stripe_to, spacing / times, false);
+  return cloud;
+}
+
+ShapeField
+fieldOf(const Cloud::ConstPtr& cloud, unsigned threads = 1)
+{
+  ShapeFieldEstimation<PointXYZ> estimation;
+  estimation.setInputCloud(cloud);
+  estimation.setEdgesOnly(true);
+  estimation.setNumberOfThreads(threads);
+  ShapeField field;
+  EXPECT_TRUE(estimation.compute(field));
+  return field;
+}
+
+bool
+hasCreaseNear(const ShapeField& field, float x)
+{
+  return std::any_of(
+      field.creases.begin(), field.creases.end(), [x](const CreasePoint& crease) {
+        const auto& p = crease.position;
+        return std::abs(p[0] - x) < spacing && std::abs(p[1] - 1.0f) < spacing &&
+               std::abs(p[2]) < spacing;
+      });
+}
+
+class UnevenDensity : public testing::TestWithParam<float> {};
+
+TEST_P(UnevenDensity, TheCreaseIsFoundAllAlong)
+{
+  std::mt19937 random(5);
+  const Cloud::Ptr cloud = floorWithStripe(GetParam(), random);
+  const ShapeField field = fieldOf(cloud);
+  for (float x = 0.05f; x < 0.96f; x += 0.05f)
+    EXPECT_TRUE(hasCreaseNear(field, x)) << x;
+  const auto unknown =
+      std::count_if(field.edge_likelihood.begin(),
+                    field.edge_likelihood.end(),
+                    [](float likelihood) { return std::isnan(likelihood); });
+  EXPECT_LE(100 * unknown, static_cast<std::ptrdiff_t>(cloud->size()));
+}
+
+TEST_P(UnevenDensity, TheResultDependsOnNeitherOrderNorThreads)
+{
+  std::mt19937 random(6);
+  const Cloud::Ptr cloud = floorWithStripe(GetParam(), random);
+  const ShapeField expected = fieldOf(cloud, 1);
+  std::vector<int> order(cloud->size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    order[i] = static_cast<int>(i);
+  std::shuffle(order.begin(), order.end(), random);
+  const ShapeField field = fieldOf(pcl::make_shared<Cloud>(*cloud, order), 3);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const float was = expected.edge_likelihood[static_cast<std::size_t>(order[i])];
+    ASSERT_TRUE(field.edge_likelihood[i] == was ||
+                (std::isnan(field.edge_likelihood[i]) && std::isnan(was)))
+        << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Times, UnevenDensity, testing::Values(3.0f, 5.0f));
+
+TEST(EvenSampling, KeepsWhatIsEvenAndThinsWhatIsDenseBesideIt)
+{
+  std::vector<float> points, spacings;
+  for (int i = 0; i < 40; ++i) { // far from the rest, as dense as what is thinned
+    points.insert(points.end(), {100.0f + 0.01f * static_cast<float>(i), 0.0f, 0.0f});
+    spacings.push_back(0.01f);
+  }
+  for (int i = 0; i < 40; ++i) {
+    points.insert(points.end(), {0.1f * static_cast<float>(i), 0.0f, 0.0f});
+    spacings.push_back(0.1f);
+  }
+  const std::size_t kept = points.size();
+  for (int i = 0; i < 400; ++i) {
+    points.insert(points.end(), {0.01f * static_cast<float>(i), 0.05f, 0.0f});
+    spacings.push_back(0.01f);
+  }
+  const std::vector<float> even =
+      detail::evenSampling({points.data(), 3, points.size() / 3}, spacings);
+  ASSERT_GT(even.size(), kept);
+  EXPECT_TRUE(std::equal(points.begin(), points.begin() + 240, even.begin()));
+  const std::size_t thinned = (even.size() - kept) / 3;
+  EXPECT_GT(thinned, 40u);
+  EXPECT_LT(thinned, 160u);
+}
+
+TEST(EvenSampling, LeavesAnEvenCloudAsItIs)
+{
+  std::mt19937 random(7);
+  EXPECT_FALSE(fieldOf(floorWithStripe(1.0f, random)).base);
+}
+
+} // namespace
