@@ -69,9 +69,10 @@ areMany(const pcl::XYZView& points, const std::vector<float>& values)
 void
 addReasons(const std::string& path, const pcl::UnknownPoints& points, Report& report)
 {
-  logLine(path + ": warning: " + std::to_string(points.unknown) + " of " +
-          std::to_string(points.finite) +
-          " points got no answer: " + reasonsOf(points));
+  if (points.rounded < points.unknown) // else it was said when the file was read
+    logLine(path + ": warning: " + std::to_string(points.unknown) + " of " +
+            std::to_string(points.finite) +
+            " points got no answer: " + reasonsOf(points));
   const std::string section = "unknown";
   report.setCount(section, "float_rounding", points.rounded);
   report.setCount(section, "at_one_place", points.at_one_place);

@@ -8,6 +8,7 @@
 #include "instances/face_grouping.h"
 #include "instances/label_growth.h"
 #include "instances/smooth_pieces.h"
+#include "instances/support_planes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,6 +62,19 @@ dropUnlikely(const InstanceInput& input, double high, Labels& labels)
   }
 }
 
+/** Each support is a face more. */
+void
+addFaces(const std::vector<Support>& supports, Labels& faces)
+{
+  std::int32_t next =
+      faces.empty() ? 0 : *std::max_element(faces.begin(), faces.end()) + 1;
+  for (const Support& support : supports) {
+    for (const std::uint32_t i : support.points)
+      faces[i] = next;
+    ++next;
+  }
+}
+
 } // namespace
 
 InstanceLabels
@@ -78,7 +92,13 @@ InstanceLabels
 findObjects(const InstanceInput& input, const InstanceLimits& limits)
 {
   const PointGrid grid(input.points, grid_spacings * medianSpacing(input));
-  Labels faces = smoothPieces(input, grid, membersOf(input, 0.0, false));
+  std::vector<char> members = membersOf(input, 0.0, false);
+  const std::vector<Support> planes = supportPlanes(input, grid, members);
+  for (const Support& plane : planes)
+    for (const std::uint32_t i : plane.points)
+      members[i] = 0;
+  Labels faces = smoothPieces(input, grid, members);
+  addFaces(planes, faces);
   sortLabels(input, min_face_points, faces);
   if (std::none_of(faces.begin(), faces.end(), [](auto face) { return face >= 0; }))
     return faces;
@@ -90,7 +110,10 @@ findObjects(const InstanceInput& input, const InstanceLimits& limits)
   const std::vector<Face> properties = facesOf(input, faces);
   const std::vector<FaceContact> contacts =
       faceContacts(input, grid, faces, properties, grown);
-  const std::vector<char> supports = supportsAmong(input, faces, properties, contacts);
+  std::vector<char> supports = supportsAmong(input, faces, properties, contacts);
+  const std::vector<char> patches = patchesOf(planes, input, faces);
+  for (std::size_t f = 0; f < patches.size(); ++f)
+    supports[f] = supports[f] || patches[f];
   const Labels groups = groupFaces(properties, supports, contacts);
   for (std::int32_t& label : grown)
     if (label >= 0)

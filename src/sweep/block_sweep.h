@@ -33,10 +33,6 @@ struct BlockSweep {
           double reach = queries.edge;
           const std::size_t end = std::min(count, (t + 1) * blocks_per_task);
           for (std::size_t b = t * blocks_per_task; b < end;) {
-            if (repeatsTheOneBefore(b)) {
-              ++b;
-              continue;
-            }
             const BlockGroup group = groupFrom(b, end);
             // For k, with room for blocks that are a little less dense.
             const double group_reach =
@@ -44,6 +40,8 @@ struct BlockSweep {
             const auto& runs = finder.find(group.box, group_reach);
             bool same_runs = true;
             for (; same_runs && b < group.end; ++b) {
+              if (repeatsTheOneBefore(b))
+                continue;
               SweepBlock block = queriesOf(b);
               block.runs = runs.data();
               block.run_count = runs.size();

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Tables, floors, shelves: large planes with things before them and nothing behind.
+
+#pragma once
+
+#include "geometry/point_grid.h"
+#include "geometry/principal_axes.h"
+#include "instances/instance_points.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl::segmentation {
+
+/** \brief What things stand on. */
+struct Support {
+  Plane<float> plane;                ///< the normal is towards the viewpoint
+  std::vector<std::uint32_t> points; ///< on it, and on no other one
+};
+
+/** \brief The supports of a cloud, as wavy as a depth camera makes them.
+ * \param[in] members which points may be on one */
+std::vector<Support> supportPlanes(const detail::InstanceInput& input,
+                                   const PointGrid& grid,
+                                   const std::vector<char>& members);
+
+/** \brief Which faces are patches of a support: not higher than its ripple, nor far
+ * behind it, where a lens bends it. \param[in] faces of each point, -1 none */
+std::vector<char> patchesOf(const std::vector<Support>& supports,
+                            const detail::InstanceInput& input,
+                            const Labels& faces);
+
+} // namespace pcl::segmentation
