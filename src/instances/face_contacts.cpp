@@ -198,7 +198,7 @@ faceContacts(const InstanceInput& input,
       contact.concave += std::max(0.0f, -bends[end].convexity);
       gaps.push_back(bends[end].gap);
     }
-    if (median(std::move(gaps)) > 1.0f) { // one stands on or before the other
+    if (median(std::move(gaps)) > 1.5f) { // one stands on or before the other
       contact.concave += contact.convex;
       contact.convex = 0.0f;
     }

@@ -6,6 +6,7 @@
 
 #include "common/finite.h"
 #include "instances/face_grouping.h"
+#include "instances/hollow_bodies.h"
 #include "instances/label_growth.h"
 #include "instances/smooth_pieces.h"
 #include "instances/support_planes.h"
@@ -118,6 +119,8 @@ findObjects(const InstanceInput& input, const InstanceLimits& limits)
   for (std::int32_t& label : grown)
     if (label >= 0)
       label = groups[static_cast<std::size_t>(label)];
+  if (!planes.empty())
+    joinInsides(input, planes.front().plane.normal, grown);
   sortLabels(input, limits.min_points, grown);
   return grown;
 }

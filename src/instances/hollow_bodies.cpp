@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Cups and bowls: the inside, seen over the rim, belongs to the outside.
+
+#include "instances/hollow_bodies.h"
+
+#include "common/statistics.h"
+#include "geometry/point_choice.h"
+#include "geometry/point_grid.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl::segmentation {
+namespace {
+
+using detail::InstanceInput;
+using Eigen::Matrix3f;
+using Eigen::Vector3f;
+
+constexpr std::size_t max_points = 500; // of a body: their means change no more
+constexpr float max_upright = 0.8f;     // of a wall's normal: steeper than 37 degrees
+constexpr std::size_t min_wall_points = 30;
+// The mean cosine between the normals of a half cylinder's inside and the directions to
+// its middle is about 0.6, of a plane 0.
+constexpr float min_concavity = 0.25f;
+constexpr float min_share = 0.8f; // of the points that face the axis, or away from it
+// Normals of a quarter of a circle spread that much across their mean, of a plane not.
+constexpr float min_spread = 0.05f;
+constexpr float max_miss = 0.35f; // of the radius: how far normals pass by the axis
+// Walls are thin, and lean outward: inside and outside are seen at other heights.
+constexpr float min_ratio = 0.5f, max_ratio = 1.2f;
+constexpr float max_rim_step = 0.3f; // of the height: the rim is seen from one side
+
+/** Points of the walls of a body. */
+struct Walls {
+  std::vector<Vector3f> points;
+  std::vector<Vector3f> normals; ///< unit, square to up
+  Vector3f middle = Vector3f::Zero();
+  float low = 0.0f, high = 0.0f; ///< heights, but for the lowest and highest points
+};
+
+Walls
+wallsOf(const InstanceInput& input,
+        std::vector<std::uint32_t> members,
+        const Vector3f& up)
+{
+  sortByPosition(input.points, members);
+  const std::size_t step = (members.size() + max_points - 1) / max_points;
+  Walls walls;
+  std::vector<float> heights;
+  for (std::size_t k = 0; k < members.size(); k += step) {
+    const Vector3f normal = normalOf(input, members[k]);
+    const Vector3f point = positionOf(input.points, members[k]);
+    heights.push_back(up.dot(point));
+    if (!(std::abs(normal.dot(up)) < max_upright))
+      continue;
+    walls.points.push_back(point);
+    walls.normals.push_back((normal - normal.dot(up) * up).normalized());
+    walls.middle += point;
+  }
+  walls.middle /= std::max(1.0f, static_cast<float>(walls.points.size()));
+  std::sort(heights.begin(), heights.end());
+  if (!heights.empty()) {
+    walls.low = heights[heights.size() / 20];
+    walls.high = heights[heights.size() - 1 - heights.size() / 20];
+  }
+  return walls;
+}
+
+bool
+isConcave(const Walls& walls, const Vector3f& up)
+{
+  if (walls.points.size() < min_wall_points)
+    return false;
+  float sum = 0.0f;
+  for (std::size_t k = 0; k < walls.points.size(); ++k) {
+    const Vector3f to_middle = walls.middle - walls.points[k];
+    const Vector3f level = to_middle - to_middle.dot(up) * up;
+    sum += level.norm() > 0.0f ? walls.normals[k].dot(level.normalized()) : 0.0f;
+  }
+  return sum > min_concavity * static_cast<float>(walls.points.size());
+}
+
+/** Adds the lines along the normals: what a point nearest to all of them solves. */
+void
+addLines(const Walls& walls, const Vector3f& origin, Matrix3f& left, Vector3f& right)
+{
+  for (std::size_t k = 0; k < walls.points.size(); ++k) {
+    const Matrix3f across =
+        Matrix3f::Identity() - walls.normals[k] * walls.normals[k].transpose();
+    left += across / static_cast<float>(walls.points.size());
+    right +=
+        across * (walls.points[k] - origin) / static_cast<float>(walls.points.size());
+  }
+}
+
+struct AroundAxis {
+  float radius = 0.0f;  ///< the median distance from the axis
+  float miss = 0.0f;    ///< how far normals pass by the axis, the median
+  float outward = 0.0f; ///< the share of the points that face away from it
+};
+
+AroundAxis
+around(const Vector3f& axis_point, const Vector3f& up, const Walls& walls)
+{
+  AroundAxis result;
+  std::vector<float> radii, misses;
+  for (std::size_t k = 0; k < walls.points.size(); ++k) {
+    Vector3f from = walls.points[k] - axis_point;
+    from -= from.dot(up) * up;
+    const float along = from.dot(walls.normals[k]);
+    radii.push_back(from.norm());
+    misses.push_back((from - along * walls.normals[k]).norm());
+    result.outward += along > 0.0f ? 1.0f : 0.0f;
+  }
+  result.outward /= static_cast<float>(walls.points.size());
+  result.radius = median(std::move(radii));
+  result.miss = median(std::move(misses));
+  return result;
+}
+
+/** How badly an inside fits an outside; infinite if it is not its inside. */
+float
+misfit(const Walls& inside, const Walls& outside, const Vector3f& up)
+{
+  constexpr float no_fit = std::numeric_limits<float>::infinity();
+  if (outside.points.size() < min_wall_points)
+    return no_fit;
+  const float height = std::max(outside.high - outside.low, inside.high - inside.low);
+  if (std::abs(inside.high - outside.high) > max_rim_step * height)
+    return no_fit;
+  const Vector3f origin = outside.middle;
+  Matrix3f left = Matrix3f::Zero();
+  Vector3f right = Vector3f::Zero();
+  addLines(inside, origin, left, right);
+  addLines(outside, origin, left, right);
+  const Eigen::SelfAdjointEigenSolver<Matrix3f> solver(left);
+  if (!(solver.eigenvalues()[0] > 2.0f * min_spread)) // of two bodies
+    return no_fit;
+  const Vector3f axis_point = origin + left.inverse() * right;
+  const AroundAxis in = around(axis_point, up, inside);
+  const AroundAxis out = around(axis_point, up, outside);
+  const float ratio = in.radius / out.radius;
+  const float miss = std::max(in.miss, out.miss) / std::max(in.radius, out.radius);
+  const bool fits = out.outward >= min_share && in.outward <= 1.0f - min_share &&
+                    ratio > min_ratio && ratio < max_ratio && miss < max_miss;
+  return fits ? miss : no_fit;
+}
+
+} // namespace
+
+void
+joinInsides(const InstanceInput& input, const Vector3f& up, Labels& labels)
+{
+  std::vector<std::vector<std::uint32_t>> members;
+  for (std::uint32_t i = 0; i < labels.size(); ++i)
+    if (labels[i] >= 0 && normalOf(input, i).allFinite()) {
+      const auto label = static_cast<std::size_t>(labels[i]);
+      members.resize(std::max(members.size(), label + 1));
+      members[label].push_back(i);
+    }
+  std::vector<Walls> walls;
+  for (auto& of_label : members)
+    walls.push_back(wallsOf(input, std::move(of_label), up));
+  std::vector<std::int32_t> joined(walls.size());
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    joined[k] = static_cast<std::int32_t>(k);
+    if (!isConcave(walls[k], up))
+      continue;
+    float best = std::numeric_limits<float>::infinity();
+    for (std::size_t other = 0; other < walls.size(); ++other) {
+      const float fit = other == k || isConcave(walls[other], up)
+                            ? std::numeric_limits<float>::infinity()
+                            : misfit(walls[k], walls[other], up);
+      if (fit < best) {
+        best = fit;
+        joined[k] = static_cast<std::int32_t>(other);
+      }
+    }
+  }
+  for (std::int32_t& label : labels)
+    if (label >= 0 && static_cast<std::size_t>(label) < joined.size())
+      label = joined[static_cast<std::size_t>(label)];
+}
+
+} // namespace pcl::segmentation

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Cups and bowls: the inside, seen over the rim, belongs to the outside.
+
+#pragma once
+
+#include "instances/instance_points.h"
+
+#include <Eigen/Core>
+
+namespace pcl::segmentation {
+
+/** \brief Give the insides of hollow bodies the labels of their outsides.
+ *
+ * Nobody sees where the two meet, but at the ends of the rim. So they are told by what
+ * they are: the inside is concave, both face away from or towards one axis at about
+ * the same distance, and their rims are equally high.
+ * \param[in] up the normal of what they stand on
+ * \param[in,out] labels of the objects */
+void joinInsides(const detail::InstanceInput& input,
+                 const Eigen::Vector3f& up,
+                 Labels& labels);
+
+} // namespace pcl::segmentation
