@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// A table is no object, however wavy, and a cup is one with its inside.
+
+#include <pcl/segmentation/shape_instance_segmentation.h>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace pcl;
+using Eigen::Vector3d;
+
+constexpr double none = std::numeric_limits<double>::infinity();
+enum Label { table = 1, cup = 2, box = 3 };
+
+constexpr double radius = 0.045, wall = 0.004, height = 0.09; // of the cup
+const Vector3d box_low(0.10, -0.05, 0.0), box_high(0.18, 0.04, 0.07);
+
+/** Where a ray meets an upright cylinder between the table and the rim. */
+double
+cylinderHit(const Vector3d& from, const Vector3d& ray, double r, bool from_inside)
+{
+  const double a = ray.head<2>().squaredNorm();
+  const double b = from.head<2>().dot(ray.head<2>());
+  const double root = b * b - a * (from.head<2>().squaredNorm() - r * r);
+  if (root < 0.0)
+    return none;
+  const double t = (-b + (from_inside ? 1.0 : -1.0) * std::sqrt(root)) / a;
+  const double z = from.z() + t * ray.z();
+  return z > 0.0 && z < height ? t : none;
+}
+
+double
+boxHit(const Vector3d& from, const Vector3d& ray)
+{
+  const Eigen::Array3d a = (box_low - from).array() / ray.array();
+  const Eigen::Array3d b = (box_high - from).array() / ray.array();
+  const double enter = a.min(b).maxCoeff(), leave = a.max(b).minCoeff();
+  return enter < leave && enter > 0.0 ? enter : none;
+}
+
+struct Scene {
+  PointCloud<PointXYZ>::Ptr cloud = pcl::make_shared<PointCloud<PointXYZ>>();
+  std::vector<int> labels;
+};
+
+/** A table with a cup and a box on it, as a depth camera above sees them.
+ * \param[in] ripple of the depth, meters, over 40 mm */
+Scene
+tableScene(double ripple, double spacing, std::mt19937& random)
+{
+  const Vector3d from(0.0, -0.45, 0.5);
+  const Vector3d forward = (Vector3d(0.05, 0.0, 0.03) - from).normalized();
+  const Vector3d right = forward.cross(Vector3d::UnitZ()).normalized();
+  const Vector3d up = right.cross(forward);
+  const double step = spacing / from.norm();
+  std::normal_distribution<double> noise(0.0, 0.0003);
+  Scene scene;
+  for (double u = -0.45; u < 0.45; u += step)
+    for (double v = -0.35; v < 0.35; v += step) {
+      const Vector3d ray = (forward + u * right + v * up).normalized();
+      std::array<double, 4> hits{-from.z() / ray.z(),
+                                 cylinderHit(from, ray, radius, false),
+                                 cylinderHit(from, ray, radius - wall, true),
+                                 boxHit(from, ray)};
+      // The inside is seen through the opening only.
+      const double at_rim = (height - from.z()) / ray.z();
+      if ((from + at_rim * ray).head<2>().norm() < radius - wall) {
+        hits[1] = none;
+        hits[0] = std::max(hits[0], 0.0);
+      }
+      else
+        hits[2] = none;
+      const auto nearest = std::min_element(hits.begin(), hits.end());
+      const int which = static_cast<int>(nearest - hits.begin());
+      Vector3d point = from + (*nearest + noise(random)) * ray;
+      const bool in_cup = which == 0 && point.head<2>().norm() < radius;
+      const double wave = std::sin(point.x() * 2.0 * M_PI / 0.04) *
+                          std::sin(point.y() * 2.0 * M_PI / 0.04);
+      point += ripple * wave * ray;
+      const Vector3d seen(right.dot(point - from),
+                          -up.dot(point - from), // camera axes
+                          forward.dot(point - from));
+      scene.cloud->push_back(PointXYZ(static_cast<float>(seen.x()),
+                                      static_cast<float>(seen.y()),
+                                      static_cast<float>(seen.z())));
+      scene.labels.push_back(which == 3 ? box : which > 0 || in_cup ? cup : table);
+    }
+  return scene;
+}
+
+/** The best intersection over union of an instance with the points of a label. */
+double
+bestOverlap(const Scene& scene, const std::vector<ShapeInstance>& instances, int label)
+{
+  const auto all =
+      static_cast<double>(std::count(scene.labels.begin(), scene.labels.end(), label));
+  double best = 0.0;
+  for (const ShapeInstance& instance : instances) {
+    const auto both = static_cast<double>(
+        std::count_if(instance.indices.begin(), instance.indices.end(), [&](index_t i) {
+          return scene.labels[static_cast<std::size_t>(i)] == label;
+        }));
+    const auto size = static_cast<double>(instance.indices.size());
+    best = std::max(best, both / (size + all - both));
+  }
+  return best;
+}
+
+double
+tableShare(const Scene& scene, const std::vector<ShapeInstance>& instances)
+{
+  std::size_t taken = 0;
+  for (const ShapeInstance& instance : instances)
+    for (const index_t i : instance.indices)
+      taken += scene.labels[static_cast<std::size_t>(i)] == table ? 1 : 0;
+  return static_cast<double>(taken) /
+         static_cast<double>(
+             std::count(scene.labels.begin(), scene.labels.end(), table));
+}
+
+std::vector<ShapeInstance>
+objectsOf(const Scene& scene)
+{
+  ShapeInstanceSegmentation<PointXYZ> segmentation;
+  segmentation.setInputCloud(scene.cloud);
+  segmentation.setClass("object");
+  std::vector<ShapeInstance> instances;
+  EXPECT_TRUE(segmentation.segment(instances));
+  return instances;
+}
+
+struct View {
+  double ripple, spacing;
+};
+
+class ObjectsOnSupports : public testing::TestWithParam<View> {};
+
+TEST_P(ObjectsOnSupports, TheTableIsNoneAndTheCupIsOne)
+{
+  std::mt19937 random(3);
+  const Scene scene = tableScene(GetParam().ripple, GetParam().spacing, random);
+  const std::vector<ShapeInstance> objects = objectsOf(scene);
+  EXPECT_LT(tableShare(scene, objects), 0.02);
+  EXPECT_GT(bestOverlap(scene, objects, cup), 0.85);
+  EXPECT_GT(bestOverlap(scene, objects, box), 0.85);
+}
+
+INSTANTIATE_TEST_SUITE_P(Views,
+                         ObjectsOnSupports,
+                         testing::Values(View{0.0, 0.0015},
+                                         View{0.0, 0.0025},
+                                         View{0.0015, 0.0015},
+                                         View{0.0015, 0.0025}));
+
+} // namespace
