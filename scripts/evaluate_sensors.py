@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Make the tables of machined parts and of other depth cameras in doc/evaluation.md: no options. Markdown goes to
-standard output. Beside it, as a peer, the surface variation of the k nearest points with one threshold for each part,
+"""Make the tables of machined parts, of other depth cameras and of whole objects in doc/evaluation.md: no options.
+Markdown goes to standard output. Beside it, as a peer, the surface variation of the k nearest points with one threshold for each part,
 the best for the other parts.
 Usage: scripts/evaluate_sensors.py BUILD_DIR DATA_DIR
 DATA_DIR/parts has PART_SAMPLING.pcd with edge, crease_s, surface, radius_s, thin_s; DATA_DIR/rgbd clouds with table and
-perhaps label (doc/evaluation.md says what these are). Needs python3-numpy and python3-scipy.
+perhaps label, DATA_DIR/osd and osd/objects learnN.pcd with labels of parts, ten to an object (doc/evaluation.md says
+what these are). Needs python3-numpy and python3-scipy.
 """
 import pathlib
 import subprocess
@@ -12,11 +13,13 @@ import sys
 import tempfile
 
 import numpy
+from scipy.optimize import linear_sum_assignment
 from scipy.spatial import cKDTree
 
 from pcd_fields import CODES, read_pcd
 
 SAMPLINGS = {"pds0": "even", "pds15": "even, .15 s", "pds40": "even, .40 s", "rnd15": "random, .15 s"}
+MIN_OBJECT = 300  # points; smaller ones do not count
 NEAREST = 24  # the peer's neighbors: about as many as the default mode's normals see without noise
 
 
@@ -133,12 +136,47 @@ def table_tables(apps, folder):
     print()
 
 
+def object_score(truth, found):
+    """Overlap precision, recall and F over points, one instance for each object (Hungarian matching); how many objects
+    are found with an IoU of .7, and how many there are."""
+    objects = [k for k in numpy.unique(truth) if k > 0 and numpy.count_nonzero(truth == k) >= MIN_OBJECT]
+    instances = [k for k in numpy.unique(found) if k > 0]
+    both = numpy.array([[numpy.count_nonzero((truth == t) & (found == f)) for f in instances] for t in objects])
+    sizes = numpy.array([numpy.count_nonzero(truth == t) for t in objects])
+    found_sizes = numpy.array([numpy.count_nonzero(found == f) for f in instances])
+    rows, columns = linear_sum_assignment(-both / (sizes[:, None] + found_sizes[None]))
+    hits = both[rows, columns]
+    precision, recall = hits.sum() / found_sizes.sum(), hits.sum() / sizes.sum()
+    ious = hits / (sizes[rows] + found_sizes[columns] - hits)
+    return precision, recall, 2 * precision * recall / (precision + recall), int((ious >= 0.7).sum()), len(objects)
+
+
+def object_table(apps, folder):
+    print("### Whole objects of labeled Kinect scenes\n")
+    print("| cloud | overlap P | R | F | found at IoU .7 |")
+    print("|---|---|---|---|---|")
+    clouds = [path for path in (*folder.glob("learn*.pcd"), *folder.glob("objects/learn*.pcd"))
+              if path.stem[len("learn"):].isdigit()]
+    scores = []
+    for cloud in sorted(clouds, key=lambda path: int(path.stem[len("learn"):])):
+        result = run(apps, "pcl_shape_instances", cloud, "-class", "object")
+        is_finite = numpy.isfinite(result["x"])
+        label = result["label"].astype(int)
+        truth = numpy.where(label >= 10, label // 10, 0)[is_finite]
+        scores.append(object_score(truth, result["instance"][is_finite].astype(int)))
+        print(f"| {cloud.stem} | " + " | ".join(f"{s:.3f}" for s in scores[-1][:3]) +
+              f" | {scores[-1][3]} of {scores[-1][4]} |")
+    means, sums = numpy.mean(scores, 0), numpy.sum(scores, 0)
+    print("| mean | " + " | ".join(f"{s:.3f}" for s in means[:3]) + f" | {int(sums[3])} of {int(sums[4])} |\n")
+
+
 def main():
     if len(sys.argv) != 3:
         sys.exit("usage: scripts/evaluate_sensors.py BUILD_DIR DATA_DIR")
     apps, data = pathlib.Path(sys.argv[1]) / "apps", pathlib.Path(sys.argv[2])
     part_tables(apps, data / "parts")
     table_tables(apps, data / "rgbd")
+    object_table(apps, data / "osd")
 
 
 if __name__ == "__main__":

@@ -44,8 +44,8 @@ reasonsOf(const pcl::UnknownPoints& points)
   add(points.at_one_place, "are at one place with others, and nothing around it");
   add(points.few_neighbors,
       "have fewer than 5 neighbors within their radius" +
-          (points.radius > 0.0f ? ", " + meters(points.radius) : "") +
-          " (median), where the cloud's spacing is " + spacing);
+          (points.radius > 0.0f ? ", " + meters(points.radius) : "") + " (median)" +
+          (points.spacing > 0.0f ? ", where the cloud's spacing is " + spacing : ""));
   add(points.on_a_line, "have all neighbors on a line");
   add(points.unknown_neighbors, "have too few neighbors that are known");
   return text;

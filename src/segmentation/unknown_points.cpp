@@ -88,7 +88,11 @@ spacingOf(const Places& places, unsigned threads)
   NeighborhoodSweep sweep(places.view());
   sweep.setNumberOfThreads(threads);
   sweep.computeDistanceToNearest(2, distances.data());
-  return median(std::move(distances));
+  distances.erase(std::remove_if(distances.begin(),
+                                 distances.end(),
+                                 [](float d) { return !std::isfinite(d); }),
+                  distances.end());
+  return distances.empty() ? 0.0f : median(std::move(distances));
 }
 
 /** Count the places that a sweep is asked about by what is wrong with them. */

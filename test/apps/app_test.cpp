@@ -103,6 +103,16 @@ expectSuccess(const Outcome& outcome)
   EXPECT_NE(outcome.out, "");
 }
 
+void
+expectSuccessOrWarnings(const Outcome& outcome)
+{
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out, "");
+  std::istringstream lines(outcome.err);
+  for (std::string line; std::getline(lines, line);)
+    EXPECT_NE(line.find(": warning: "), std::string::npos) << line;
+}
+
 std::string
 asciiCloud(const std::string& fields,
            const std::string& types,

@@ -47,6 +47,9 @@ void expectRefused(const Outcome& outcome, int status, const Words& words);
 
 void expectSuccess(const Outcome& outcome);
 
+/** \brief The same, but warnings on standard error are all right. */
+void expectSuccessOrWarnings(const Outcome& outcome);
+
 /** \brief A PCD file in text: the header for these fields, all of SIZE 4, and the rows.
  */
 std::string asciiCloud(const std::string& fields,

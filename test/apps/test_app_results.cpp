@@ -63,11 +63,11 @@ TEST_F(Results, LonelyPointsAreUnknown)
 {
   const std::string cloud =
       file("in.pcd", asciiCloud("x y z", "F F F", {"0 0 1", "1e30 0 0", "1e6 1 1"}));
-  expectSuccess(runApp("pcl_shape_back_projection",
-                       {cloud, path("surface.pcd"), "-json", path("json")}));
+  expectSuccessOrWarnings(runApp("pcl_shape_back_projection",
+                                 {cloud, path("surface.pcd"), "-json", path("json")}));
   EXPECT_EQ(json()["counts"]["unknown"], 3);
-  expectSuccess(runApp("pcl_shape_edge_detection",
-                       {cloud, path("edge.pcd"), "-json", path("json")}));
+  expectSuccessOrWarnings(runApp("pcl_shape_edge_detection",
+                                 {cloud, path("edge.pcd"), "-json", path("json")}));
   EXPECT_EQ(json()["counts"]["unknown"], 3);
   const CloudFile surface = readCloud(path("surface.pcd"));
   const CloudFile edge = readCloud(path("edge.pcd"));
