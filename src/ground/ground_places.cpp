@@ -14,12 +14,13 @@
 namespace pcl::segmentation {
 namespace {
 
-/** The places so far, by their coordinates: open addressing, at most half full. */
+/** The places so far, by their coordinates: open addressing, at most two thirds full.
+ */
 class PlaceTable {
 public:
   explicit PlaceTable(std::size_t points)
   {
-    while (std::size_t{1} << bits_ < 2 * points)
+    while (2 * (std::size_t{1} << bits_) < 3 * points)
       ++bits_;
     slots_.assign(std::size_t{1} << bits_, no_place);
   }
