@@ -41,6 +41,8 @@ segmentation(const Arguments& arguments)
     ground.setMaxSlope(static_cast<float>(*slope * degree));
   ground.setMaxStep(static_cast<float>(
       arguments.number("max_step", positive_length).value_or(defaults.max_step)));
+  ground.setSensorHeight(static_cast<float>(
+      arguments.number("sensor_height", positive_length).value_or(0.0)));
   ground.setNumberOfThreads(arguments.threads());
   return ground;
 }
@@ -73,6 +75,8 @@ addGround(CloudFile& file,
   report.setNumber("parameters", "max_slope_degrees", used.max_slope / degree);
   report.setNumber("parameters", "max_step", used.max_step);
   report.setNumber("parameters", "threshold", threshold);
+  if (used.sensor_height > 0.0f)
+    report.setNumber("parameters", "sensor_height", used.sensor_height);
   report.setCount("parameters", "threads", arguments.threads());
   report.setCount("counts", "ground", count);
   setField(file, "ground_likelihood", likelihood);
@@ -104,6 +108,9 @@ main(int argc, char** argv)
   command_line.option("up", "X,Y,Z", "a direction, roughly up (0,0,1)")
       .option("max_slope", "A", "of the ground towards up, degrees (20)")
       .option("max_step", "S", "that ground continues over, meters: a curb (0.2)")
+      .option("sensor_height",
+              "H",
+              "of the scanner above the ground, meters (found: ground is below it)")
       .option("threshold", "L", "the likelihood from which a point is ground (0.5)");
   addFilterOptions(command_line);
   return runApp(command_line, argc, argv, run);

@@ -9,15 +9,50 @@
 #include "scene/lidar.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace pcl::app {
 namespace {
 
 using pcl::scene::LidarOptions;
+using pcl::scene::LidarPattern;
 using pcl::scene::LidarScan;
+using pcl::scene::StreetPlace;
 
 constexpr double max_noise = 0.1; // meters: a kerb drowns in more
+
+const std::array<std::pair<const char*, StreetPlace>, 10> places{
+    {{"town", StreetPlace::Town},
+     {"bumps", StreetPlace::Bumps},
+     {"bridge", StreetPlace::Bridge},
+     {"canopy", StreetPlace::Canopy},
+     {"country", StreetPlace::Country},
+     {"deck", StreetPlace::Deck},
+     {"garage", StreetPlace::Garage},
+     {"tunnel", StreetPlace::Tunnel},
+     {"corridor", StreetPlace::Corridor},
+     {"hall", StreetPlace::Hall}}};
+
+const std::array<std::pair<const char*, LidarPattern>, 3> patterns{
+    {{"turn", LidarPattern::Turn},
+     {"rosette70", LidarPattern::Rosette70},
+     {"rosette120", LidarPattern::Rosette120}}};
+
+/** The one of the choices that is named; the first one is the default. */
+template <typename Choices>
+auto
+chosen(const Arguments& arguments, const std::string& option, const Choices& choices)
+{
+  std::vector<std::string> names;
+  for (const auto& choice : choices)
+    names.emplace_back(choice.first);
+  const std::string name = arguments.choice(option, names);
+  for (const auto& choice : choices)
+    if (name == choice.first)
+      return choice.second;
+  return choices.front().second;
+}
 
 LidarOptions
 lidarOptions(const Arguments& arguments)
@@ -25,7 +60,15 @@ lidarOptions(const Arguments& arguments)
   LidarOptions options;
   options.seed = arguments.integer("seed", 0, std::numeric_limits<std::uint64_t>::max())
                      .value_or(options.seed);
-  options.beams = arguments.choice("beams", {"64", "16"}) == "16" ? 16 : 64;
+  options.beams = static_cast<unsigned>(
+      std::stoul(arguments.choice("beams", {"64", "16", "32", "128"})));
+  options.place = chosen(arguments, "place", places);
+  options.pattern = chosen(arguments, "pattern", patterns);
+  options.mirrors = arguments.has("mirrors");
+  options.fillers = arguments.has("fillers");
+  if (options.pattern != LidarPattern::Turn && arguments.has("beams"))
+    throw UsageError("-beams '" + arguments.text("beams") +
+                     "' of a rosette; expected only with -pattern turn");
   const std::string noise = arguments.text("noise", "lidar");
   if (noise == "none") {
     options.sigma = 0.0;
@@ -83,16 +126,31 @@ addLidarOptions(CommandLine& command_line)
               "camera (default), or lidar: a laser scanner in a street, fields ground, "
               "surface,\ninstance and ring; its -noise is lidar (default), none, or a "
               "sigma")
-      .option("beams", "N", "of the lidar, 64 (default) or 16");
+      .option("beams", "N", "of the lidar, 64 (default), 16, 32 or 128")
+      .option("pattern",
+              "P",
+              "of the lidar: turn (default), or rosette70 or rosette120, which look "
+              "forward only")
+      .option("place",
+              "P",
+              "of the lidar: town (default), bumps, bridge, canopy, country, deck, "
+              "garage, tunnel,\ncorridor, hall")
+      .flag("mirrors", "wet ground mirrors what is behind it: points below the ground")
+      .flag("fillers", "rays of the lidar that do not return are points at 0,0,0");
 }
 
 bool
 isLidar(const Arguments& arguments)
 {
   if (arguments.choice("sensor", {"camera", "lidar"}) == "camera") {
-    if (arguments.has("beams"))
-      throw UsageError("-beams '" + arguments.text("beams") +
-                       "' without a laser; expected -sensor lidar with it");
+    for (const std::string laser : {"beams", "pattern", "place"})
+      if (arguments.has(laser))
+        throw UsageError('-' + laser + " '" + arguments.text(laser) +
+                         "' without a laser; expected -sensor lidar with it");
+    for (const std::string laser : {"mirrors", "fillers"})
+      if (arguments.has(laser))
+        throw UsageError('-' + laser +
+                         " without a laser; expected -sensor lidar with it");
     return false;
   }
   for (const char* camera : {"objects",
@@ -127,7 +185,10 @@ lidarCloud(const Arguments& arguments, Report& report)
   report.setCount("counts", "objects", scan.objects);
   report.setText("parameters", "sensor", "lidar");
   report.setCount("parameters", "seed", options.seed);
-  report.setCount("parameters", "beams", options.beams);
+  report.setText("parameters", "place", arguments.text("place", "town"));
+  report.setText("parameters", "pattern", arguments.text("pattern", "turn"));
+  if (options.pattern == LidarPattern::Turn)
+    report.setCount("parameters", "beams", options.beams);
   report.setText("parameters", "noise", arguments.text("noise", "lidar"));
   return cloud;
 }

@@ -18,7 +18,6 @@ namespace {
 constexpr int key_shift = 20;
 constexpr std::uint32_t keys_per_octave = bins_per_octave / 2;
 constexpr std::uint32_t keys = 1U << (31 - key_shift);
-constexpr std::uint32_t no_cell = std::numeric_limits<std::uint32_t>::max();
 
 constexpr std::uint32_t ring_bins = 16 * keys_per_octave; // ranges of 1 to 256
 constexpr std::uint32_t sectors = 256; // 1.6 to 3.1 %: half as wide as cells are deep
@@ -28,9 +27,9 @@ constexpr double max_laser_ratio = 0.47;
 constexpr double points_per_square = 8.0; // enough to have a lowest surface
 constexpr float max_squares = 2048.0f;    // in a line, and lines: bounds the memory
 
-/** The points in the frame of the sensor, z up. */
+/** Places and their cells. */
 struct Points {
-  std::vector<float> x, y, z;
+  const std::vector<float>&x, &y, &z;
   std::vector<std::uint32_t> cells; ///< first the keys of their ranges
 };
 
@@ -52,32 +51,16 @@ rangeOf(std::uint32_t key)
   return std::sqrt(squared_range);
 }
 
-Points
-pointsOf(const detail::GroundQuery& query, const Eigen::Vector3f& up)
+std::vector<std::uint32_t>
+keysOf(const GroundPlaces& places, unsigned threads)
 {
-  const Eigen::Matrix3f turn =
-      Eigen::Quaternionf::FromTwoVectors(up, Eigen::Vector3f::UnitZ())
-          .toRotationMatrix();
-  const Eigen::Vector3f origin(query.origin);
-  Points points;
-  for (auto* values : {&points.x, &points.y, &points.z})
-    values->resize(query.size);
-  points.cells.resize(query.size);
+  std::vector<std::uint32_t> found(places.x.size());
   kernels::parallelForRanges(
-      query.size, query.threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          const auto at = static_cast<std::size_t>(query.indices[i]);
-          const Eigen::Vector3f p =
-              turn * (Eigen::Map<const Eigen::Vector3f>(query.points[at]) - origin);
-          points.x[i] = p.x();
-          points.y[i] = p.y();
-          points.z[i] = p.z();
-          const float squared = p.x() * p.x() + p.y() * p.y();
-          const bool is_finite = (squared - squared) + (p.z() - p.z()) == 0.0f;
-          points.cells[i] = is_finite ? keyOf(squared) : no_cell;
-        }
+      found.size(), threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          found[i] = keyOf(places.x[i] * places.x[i] + places.y[i] * places.y[i]);
       });
-  return points;
+  return found;
 }
 
 struct Layout {
@@ -91,8 +74,7 @@ assignCells(Points& points, unsigned threads, const CellOf& cellOf)
   kernels::parallelForRanges(
       points.cells.size(), threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-          if (points.cells[i] != no_cell)
-            points.cells[i] = cellOf(points.x[i], points.y[i], points.cells[i]);
+          points.cells[i] = cellOf(points.x[i], points.y[i], points.cells[i]);
       });
 }
 
@@ -113,19 +95,18 @@ assignSectors(Points& points, unsigned threads, std::uint32_t last_key)
 }
 
 Layout
-assignSquares(Points& points, unsigned threads, std::uint64_t count, float limit)
+assignSquares(Points& points, unsigned threads, float limit)
 {
   Eigen::AlignedBox2f box;
   for (std::size_t i = 0; i < points.cells.size(); ++i)
-    if (points.cells[i] != no_cell)
-      box.extend(Eigen::Vector2f(std::clamp(points.x[i], -limit, limit),
-                                 std::clamp(points.y[i], -limit, limit)));
+    box.extend(Eigen::Vector2f(std::clamp(points.x[i], -limit, limit),
+                               std::clamp(points.y[i], -limit, limit)));
   const Eigen::Vector2f low = box.min();
   const Eigen::Vector2d size = box.max().cast<double>() - low.cast<double>();
-  const double edge = std::max(
-      {std::sqrt(points_per_square * size.x() * size.y() / static_cast<double>(count)),
-       size.maxCoeff() / max_squares,
-       double{std::numeric_limits<float>::min()}});
+  const double edge = std::max({std::sqrt(points_per_square * size.x() * size.y() /
+                                          static_cast<double>(points.cells.size())),
+                                size.maxCoeff() / max_squares,
+                                double{std::numeric_limits<float>::min()}});
   const auto squares = [&](double length) {
     return static_cast<std::uint32_t>(std::min<double>(length / edge, max_squares)) + 1;
   };
@@ -148,8 +129,7 @@ sortIntoCells(const Points& points, const Layout& layout, GroundCells& cells)
 {
   std::vector<std::uint32_t> next(std::size_t{layout.lines} * layout.bins, 0);
   for (const std::uint32_t cell : points.cells)
-    if (cell != no_cell)
-      ++next[cell];
+    ++next[cell];
   std::uint32_t begin = 0;
   for (std::uint32_t line = 0; line < layout.lines; ++line) {
     cells.lines.push_back(static_cast<std::uint32_t>(cells.size()));
@@ -167,12 +147,10 @@ sortIntoCells(const Points& points, const Layout& layout, GroundCells& cells)
   cells.begins.push_back(begin);
   for (auto* values : {&cells.x, &cells.y, &cells.z})
     values->resize(begin);
-  cells.positions.resize(begin);
+  cells.places.resize(begin);
   for (std::size_t i = 0; i < points.cells.size(); ++i) {
-    if (points.cells[i] == no_cell)
-      continue;
     const std::uint32_t at = next[points.cells[i]]++;
-    cells.positions[at] = static_cast<std::uint32_t>(i);
+    cells.places[at] = static_cast<std::uint32_t>(i);
     cells.x[at] = points.x[i];
     cells.y[at] = points.y[i];
     cells.z[at] = points.z[i];
@@ -182,22 +160,17 @@ sortIntoCells(const Points& points, const Layout& layout, GroundCells& cells)
 } // namespace
 
 GroundCells
-groundCells(const detail::GroundQuery& query, const Eigen::Vector3f& up)
+groundCells(const GroundPlaces& places, unsigned threads)
 {
-  Points points = pointsOf(query, up);
+  Points points{places.x, places.y, places.z, keysOf(places, threads)};
+  const auto size = static_cast<double>(points.cells.size());
   std::vector<std::uint32_t> counts(keys, 0);
-  std::uint64_t finite = 0;
-  for (const std::uint32_t key : points.cells) {
-    if (key != no_cell) {
-      ++counts[key];
-      ++finite;
-    }
-  }
+  for (const std::uint32_t key : points.cells)
+    ++counts[key];
   const auto keyAt = [&](double share) { // that a share of the points does not exceed
     std::uint64_t below = 0;
     std::uint32_t key = 0;
-    while (key + 1 < keys && static_cast<double>(below += counts[key]) <
-                                 share * static_cast<double>(finite))
+    while (key + 1 < keys && static_cast<double>(below += counts[key]) < share * size)
       ++key;
     return key;
   };
@@ -206,9 +179,8 @@ groundCells(const detail::GroundQuery& query, const Eigen::Vector3f& up)
   cells.extent = rangeOf(std::min(last_key + 1, keys - keys_per_octave - 1));
   cells.around = rangeOf(keyAt(0.5)) < max_laser_ratio * rangeOf(keyAt(0.95));
   sortIntoCells(points,
-                cells.around
-                    ? assignSectors(points, query.threads, last_key)
-                    : assignSquares(points, query.threads, finite, cells.extent),
+                cells.around ? assignSectors(points, threads, last_key)
+                             : assignSquares(points, threads, cells.extent),
                 cells);
   return cells;
 }

@@ -5,9 +5,7 @@
 #pragma once
 
 #include "common/parallel.h"
-
-#include <pcl/segmentation/shape_ground_segmentation.h>
-#include <pcl/segmentation/impl/ground_likelihoods.hpp>
+#include "ground/ground_places.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -28,9 +26,11 @@ struct GroundCells {
   std::vector<std::uint32_t> begins; ///< of each occupied cell in the points, and end
   std::vector<std::uint32_t> bins;   ///< of each occupied cell, its place in its line
   std::vector<std::uint32_t> lines;  ///< the first occupied cell of each line, and end
+  std::vector<char> hangs;           ///< of each occupied cell, see overhangsOf()
   bool around = false;               ///< a laser: the last line is beside the first
-  std::vector<std::uint32_t> positions; ///< of the points in the input
-  std::vector<float> x, y, z;           ///< of the points, z along "up", meters
+  bool below_sensor = false;         ///< the plane that z is measured from is
+  std::vector<std::uint32_t> places; ///< of the points, each once
+  std::vector<float> x, y, z;        ///< of the points, z along "up", meters
   float slope_x = 0.0f, slope_y = 0.0f; ///< of the plane that z is measured from
   float extent = 1.0f;                  ///< coordinates are not much larger, meters
 
@@ -63,7 +63,7 @@ forEachCell(const GroundCells& cells, unsigned threads, const Visit& visit)
       });
 }
 
-/** \brief Sort the finite points into cells. \param[in] up of any length but 0 */
-GroundCells groundCells(const detail::GroundQuery& query, const Eigen::Vector3f& up);
+/** \brief Sort places into cells. */
+GroundCells groundCells(const GroundPlaces& places, unsigned threads);
 
 } // namespace pcl::segmentation

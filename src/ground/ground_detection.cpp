@@ -7,6 +7,7 @@
 #include "ground/ground_growth.h"
 #include "ground/ground_level.h"
 #include "ground/obstacle_feet.h"
+#include "ground/overhangs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,7 +95,9 @@ std::vector<float>
 detail::groundLikelihoods(const GroundQuery& query, const GroundParameters& parameters)
 {
   const float step = parameters.max_step;
-  GroundCells cells = groundCells(query, parameters.up);
+  const GroundPlaces places = groundPlaces(query, parameters.up);
+  GroundCells cells = groundCells(places, query.threads);
+  cells.hangs = overhangsOf(cells, step, query.threads);
   const bool has_ground = level(parameters, query.threads, cells);
   const std::vector<char> feet = feetOf(cells, step, query.threads);
   GroundPatches all = groundPatches(cells, feet, step, query.threads);
@@ -104,13 +107,17 @@ detail::groundLikelihoods(const GroundQuery& query, const GroundParameters& para
   const float tolerance = std::clamp(noises * groundNoise(cells, all, ground, step),
                                      min_tolerance * step,
                                      max_tolerance * step);
-  std::vector<float> likelihoods(query.size, std::numeric_limits<float>::quiet_NaN());
+  std::vector<float> of_places(places.x.size());
   forEachCell(cells, query.threads, [&](std::size_t cell) {
     const NearSurfaces near{cells, all, cell, nearGround(all, ground, cell), step};
     for (std::size_t i = cells.begins[cell]; i < cells.begins[cell + 1]; ++i)
-      likelihoods[cells.positions[i]] =
+      of_places[cells.places[i]] =
           near.likelihoodOf(i, tolerance, feet[i] ? foot_share : 1.0f);
   });
+  std::vector<float> likelihoods(query.size, std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t i = 0; i < query.size; ++i)
+    if (places.of_points[i] != no_place)
+      likelihoods[i] = of_places[places.of_points[i]];
   return likelihoods;
 }
 
@@ -128,7 +135,7 @@ detail::problemOf(const GroundQuery& query, const GroundParameters& parameters)
   }
   if (!has_finite)
     return "the cloud has no finite point: at least one is needed";
-  const auto& [up, max_slope, max_step, threshold] = parameters;
+  const auto& [up, max_slope, max_step, threshold, sensor_height] = parameters;
   if (!(threshold >= 0.0f && threshold <= 1.0f))
     return "threshold is " + numberText(threshold) + ": it must be 0 to 1";
   if (!up.allFinite() || up.squaredNorm() == 0.0f)
@@ -139,6 +146,9 @@ detail::problemOf(const GroundQuery& query, const GroundParameters& parameters)
            ": it must be above 0 and below 1.57 radians";
   if (!(max_step > 0.0f && std::isfinite(max_step)))
     return "max_step is " + numberText(max_step) + " m: it must be positive and finite";
+  if (!(sensor_height >= 0.0f && std::isfinite(sensor_height)))
+    return "sensor_height is " + numberText(sensor_height) +
+           " m: it must be positive and finite, or 0 for unknown";
   return {};
 }
 

@@ -60,6 +60,26 @@ markedAside(const GroundCells& cells,
   return no_patch;
 }
 
+/** The nearest marked patch inward; if there is none, the first one behind the laser:
+ * the vehicle stands on ground that continues below it. Not for what is far away. */
+std::uint32_t
+markedInward(const GroundCells& cells,
+             const GroundPatches& all,
+             const std::vector<char>& marks,
+             const Candidate& from)
+{
+  const std::uint32_t found =
+      nextMarked(all.neighbors, marks, from.patch, Inner, max_vote_hops);
+  if (found != no_patch || !cells.around)
+    return found;
+  const std::size_t lines = cells.lineCount();
+  const std::size_t line = (from.line + lines / 2) % lines;
+  for (std::uint32_t i = cells.lines[line]; i < cells.lines[line + 1]; ++i)
+    if (marks[i])
+      return cells.bins[from.patch] <= cells.bins[i] + max_bins_apart ? i : no_patch;
+  return no_patch;
+}
+
 std::vector<char>
 levelPatches(const GroundCells& cells, const GroundPatches& all, float max_slope)
 {
@@ -73,27 +93,57 @@ levelPatches(const GroundCells& cells, const GroundPatches& all, float max_slope
   return level;
 }
 
-/** The set of each level patch, by its smallest patch; the number of patches for
- * others. */
-std::vector<std::size_t>
-connectedSets(const GroundPatches& all, const std::vector<char>& level, float max_step)
+/** Level patches that continue each other: sets by their smallest patch. */
+struct Continuations {
+  std::vector<std::size_t> set_of; ///< the number of patches for those not level
+  std::vector<std::size_t> wide_set_of;
+};
+
+/** Sides on which a patch continues; it is wide with three: not one ring alone, which
+ * may climb the side of a car as gently as ground rises. */
+constexpr int wide_sides = 3;
+
+Continuations
+continuations(const GroundPatches& all, const std::vector<char>& level, float max_step)
 {
-  DisjointSets sets(level.size());
-  for (std::size_t i = 0; i < level.size(); ++i) {
+  const std::size_t size = level.size();
+  std::vector<std::array<std::uint32_t, 3>> next(size);
+  std::vector<int> sides(size, 0);
+  for (std::size_t i = 0; i < size; ++i) {
+    next[i].fill(no_patch);
+    std::size_t at = 0;
     for (const PatchSide side : {Outer, Left, Right}) {
-      if (!level[i])
-        break;
-      const std::uint32_t j = nextMarked(all.neighbors, level, i, side, max_hops);
+      const std::uint32_t j =
+          level[i] ? nextMarked(all.neighbors, level, i, side, max_hops) : no_patch;
       if (j != no_patch && all.patches[i].continuesTo(all.patches[j], max_step) &&
-          all.patches[j].continuesTo(all.patches[i], max_step))
-        sets.unite(static_cast<std::uint32_t>(i), j);
+          all.patches[j].continuesTo(all.patches[i], max_step)) {
+        next[i][at] = j;
+        ++sides[i];
+        if (side == Outer)
+          ++sides[j];
+      }
+      ++at;
     }
   }
-  std::vector<std::size_t> set_of(level.size(), level.size());
-  for (std::size_t i = 0; i < level.size(); ++i)
-    if (level[i])
-      set_of[i] = sets.find(static_cast<std::uint32_t>(i));
-  return set_of;
+  DisjointSets sets(size), wide(size);
+  for (std::size_t i = 0; i < size; ++i)
+    for (const std::uint32_t j : next[i]) {
+      if (j == no_patch)
+        continue;
+      sets.unite(static_cast<std::uint32_t>(i), j);
+      if (sides[i] >= wide_sides && sides[j] >= wide_sides)
+        wide.unite(static_cast<std::uint32_t>(i), j);
+    }
+  Continuations found{std::vector<std::size_t>(size, size),
+                      std::vector<std::size_t>(size, size)};
+  for (std::size_t i = 0; i < size; ++i) {
+    if (!level[i])
+      continue;
+    found.set_of[i] = sets.find(static_cast<std::uint32_t>(i));
+    if (sides[i] >= wide_sides)
+      found.wide_set_of[i] = wide.find(static_cast<std::uint32_t>(i));
+  }
+  return found;
 }
 
 /** The ground around a laser in the large, within an octave of the range. */
@@ -146,21 +196,23 @@ coarseGround(const GroundCells& cells,
              float max_step)
 {
   std::vector<std::vector<GroundPatch>> patches;
+  std::vector<std::size_t> near; // patches of each octave
+  CoarsePlane plane;             // what heights are measured from
   for (std::size_t i = 0; i < level.size(); ++i) {
     const std::size_t octave = cells.bins[i] / bins_per_octave;
     patches.resize(std::max(patches.size(), octave + 1));
-    if (level[i])
-      patches[octave].push_back(all.patches[i]);
+    near.resize(patches.size(), 0);
+    if (!level[i])
+      continue;
+    patches[octave].push_back(all.patches[i]);
+    near[octave] += plane.isNear(all.patches[i], max_step) ? 1U : 0U;
   }
   // Ground surrounds what is nearer than most of it; there may be more of cars there.
-  const auto surest = std::max_element(
-      patches.begin(), patches.end(), [](const auto& a, const auto& b) {
-        return a.size() < b.size();
-      });
+  const auto surest = std::max_element(near.begin(), near.end()) - near.begin();
   constexpr int rounds = 3; // each with the patches near the last plane
   std::vector<CoarsePlane> planes;
-  CoarsePlane plane; // what heights are measured from
-  for (auto of_octave = surest; of_octave != patches.end(); ++of_octave) {
+  for (auto of_octave = patches.begin() + surest; of_octave != patches.end();
+       ++of_octave) {
     for (int round = 0; round < rounds; ++round)
       plane.refit(*of_octave, max_step);
     planes.resize(static_cast<std::size_t>(of_octave - patches.begin()) + 1, plane);
@@ -195,7 +247,7 @@ addLowSets(const GroundCells& cells,
     Votes& of_set = votes[c.set];
     ++of_set.patches;
     for (const std::uint32_t base :
-         {nextMarked(all.neighbors, ground, c.patch, Inner, max_vote_hops),
+         {markedInward(cells, all, ground, c),
           nextMarked(all.neighbors, ground, c.patch, Outer, max_vote_hops),
           markedAside(cells, ground, c, Right),
           markedAside(cells, ground, c, Left)})
@@ -249,29 +301,41 @@ connectedGround(const GroundCells& cells,
   const float max_step = parameters.max_step;
   const std::size_t size = all.patches.size();
   const std::vector<char> level = levelPatches(cells, all, parameters.max_slope);
-  const std::vector<std::size_t> set_of = connectedSets(all, level, max_step);
-  std::vector<std::size_t> sizes(size + 1, 0);
-  for (const std::size_t set : set_of)
-    ++sizes[set];
-  const auto largest = std::max_element(sizes.begin(), sizes.end() - 1);
-  std::vector<char> ground(size, 0);
-  if (*largest < min_set_patches)
-    return ground;
+  const Continuations of = continuations(all, level, max_step);
   std::vector<CoarsePlane> coarse;
   if (cells.around)
     coarse = coarseGround(cells, all, level, max_step);
+  const auto isNear = [&](std::size_t i) {
+    const CoarsePlane plane =
+        cells.around ? coarse[cells.bins[i] / bins_per_octave] : CoarsePlane();
+    return plane.isNear(all.patches[i], max_step);
+  };
+  // A larger set may hang above the ground that the sensor stands on.
+  const auto largestOf = [&](const std::vector<std::size_t>& set_of) {
+    std::vector<std::size_t> sizes(size + 1, 0);
+    for (std::size_t i = 0; i < size; ++i)
+      if (level[i] && (!cells.below_sensor || isNear(i)))
+        ++sizes[set_of[i]];
+    const auto largest = std::max_element(sizes.begin(), sizes.end() - 1);
+    return std::make_pair(static_cast<std::size_t>(largest - sizes.begin()), *largest);
+  };
+  const auto [first, first_size] = largestOf(of.set_of);
+  const auto [wide, wide_size] = largestOf(of.wide_set_of);
+  std::vector<char> ground(size, 0);
+  if (first_size < min_set_patches)
+    return ground;
   std::vector<Candidate> candidates;
   for (std::size_t line = 0; line < cells.lineCount(); ++line) {
     for (std::size_t i = cells.lines[line]; i < cells.lines[line + 1]; ++i) {
       // A ring climbs the side of a car as gently as ground rises, and one ring alone
       // does not tell: what is not near the ground in the large is left out.
-      if (!level[i] || (cells.around && !coarse[cells.bins[i] / bins_per_octave].isNear(
-                                            all.patches[i], max_step)))
+      const bool is_wide = wide_size > 0 && of.wide_set_of[i] == wide;
+      if (!level[i] || (cells.around && !is_wide && !isNear(i)))
         continue;
-      if (set_of[i] == static_cast<std::size_t>(largest - sizes.begin()))
+      if (of.set_of[i] == first)
         ground[i] = 1;
       else
-        candidates.push_back({i, line, set_of[i]});
+        candidates.push_back({i, line, of.set_of[i]});
     }
   }
   while (addLowSets(cells, all, coarse, max_step, candidates, ground)) {

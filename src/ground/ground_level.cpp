@@ -5,10 +5,17 @@
 #include "ground/ground_level.h"
 
 #include "common/quiet.h"
+#include "ground/ground_patches.h"
 
 #include <pcl/sample_consensus/ransac.h>
 #include <pcl/sample_consensus/sac_model_perpendicular_plane.h>
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <tuple>
 
 namespace pcl::segmentation {
@@ -16,20 +23,173 @@ namespace {
 
 // If a third of the bottoms is ground, one sample of 27 is: none of 200 is one in 2000.
 constexpr int max_samples = 200;
+// A sensor is in the middle of what it sees, or looks at it from one side: it is nearer
+// than a quarter of what it sees is wide. The zero of a map may be anywhere.
+constexpr float max_gap = 0.25f;
+// Of the bottoms near the best plane, those that a plane below the sensor has at least;
+// else what is taken for the sensor is none, such as the zero of a map deep below it.
+constexpr double min_below_share = 0.25;
+// In steps, by how much ground below the sensor may differ from the height given: the
+// plane is that of the ground in the large, beside a vehicle that may stand on a curb.
+constexpr float height_steps = 2.0f;
 
-/** The lowest point of each cell; of several the one with the smallest x, then y. */
+/** Heights that the plane of the ground may have at the sensor. */
+struct HeightRange {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+};
+
+HeightRange
+heightsBelow(const GroundParameters& parameters)
+{
+  const double step = parameters.max_step, height = parameters.sensor_height;
+  if (height > 0.0)
+    return {-height - height_steps * step, -height + height_steps * step};
+  // The zero of a vehicle's frame may be on the ground, which is not quite level.
+  return {-std::numeric_limits<double>::infinity(), step};
+}
+
+/** A plane that is level, but for an angle, passes the sensor at some height, and has
+ * little below it: of two levels that hold as much, the lower one carries. */
+class GroundPlaneModel : public SampleConsensusModelPerpendicularPlane<PointXYZ> {
+public:
+  GroundPlaneModel(const pcl::PointCloud<PointXYZ>::ConstPtr& bottoms,
+                   float max_slope,
+                   const HeightRange& heights)
+  : SampleConsensusModelPerpendicularPlane<PointXYZ>(bottoms)
+  , heights_(heights)
+  {
+    setAxis(Eigen::Vector3f::UnitZ());
+    setEpsAngle(max_slope);
+  }
+
+  /** The bottoms near the plane, times the share of all that is not below it. */
+  std::size_t
+  countWithinDistance(const Eigen::VectorXf& plane,
+                      const double distance) const override
+  {
+    if (!isModelValid(plane))
+      return 0;
+    const Eigen::Vector4f upward = plane * (plane[2] < 0.0f ? -1.0f : 1.0f);
+    const auto limit = static_cast<float>(distance);
+    std::size_t near = 0, below = 0;
+    for (const PointXYZ& p : *input_) {
+      const float above =
+          upward[0] * p.x + upward[1] * p.y + upward[2] * p.z + upward[3];
+      near += std::abs(above) < limit ? 1U : 0U;
+      below += above <= -limit ? 1U : 0U;
+    }
+    return near * (input_->size() - below) / input_->size();
+  }
+
+protected:
+  bool
+  isModelValid(const Eigen::VectorXf& plane) const override
+  {
+    if (!SampleConsensusModelPerpendicularPlane<PointXYZ>::isModelValid(plane))
+      return false;
+    const double height = -double{plane[3]} / double{plane[2]};
+    return height >= heights_.min && height <= heights_.max;
+  }
+
+private:
+  HeightRange heights_;
+};
+
+struct GroundPlane {
+  double slope_x, slope_y, height;
+  std::size_t bottoms; ///< near it
+};
+
+std::optional<GroundPlane>
+planeOf(const PointCloud<PointXYZ>::ConstPtr& bottoms,
+        const GroundParameters& parameters,
+        const HeightRange& heights)
+{
+  const auto model =
+      pcl::make_shared<GroundPlaneModel>(bottoms, parameters.max_slope, heights);
+  RandomSampleConsensus<PointXYZ> consensus(model, parameters.max_step);
+  consensus.setMaxIterations(max_samples);
+  const detail::Quiet quiet;
+  if (bottoms->size() < 4 || !consensus.computeModel())
+    return std::nullopt;
+  Eigen::VectorXf plane;
+  Indices near;
+  consensus.getModelCoefficients(plane);
+  consensus.getInliers(near);
+  const auto over = [&](int i) { return -double{plane[i]} / double{plane[2]}; };
+  return GroundPlane{over(0), over(1), over(3), near.size()};
+}
+
+/** Whether the sensor is in the middle of the bottoms, or looks at them from near. */
+bool
+isSensorNear(const PointCloud<PointXYZ>& bottoms)
+{
+  Eigen::AlignedBox2f box;
+  for (const PointXYZ& p : bottoms)
+    box.extend(Eigen::Vector2f(p.x, p.y));
+  return box.exteriorDistance(Eigen::Vector2f(0.0f, 0.0f)) <=
+         max_gap * box.sizes().norm();
+}
+
+/** The plane of the ground, below the sensor if there is one. */
+std::optional<GroundPlane>
+groundPlane(const PointCloud<PointXYZ>::ConstPtr& bottoms,
+            const GroundParameters& parameters,
+            GroundCells& cells)
+{
+  const bool is_known = cells.around || parameters.sensor_height > 0.0f;
+  if (is_known || isSensorNear(*bottoms)) {
+    const auto below = planeOf(bottoms, parameters, heightsBelow(parameters));
+    cells.below_sensor = true;
+    if (is_known)
+      return below;
+    const auto any = planeOf(bottoms, parameters, HeightRange());
+    if (below && static_cast<double>(below->bottoms) >=
+                     min_below_share * static_cast<double>(any ? any->bottoms : 0))
+      return below;
+    cells.below_sensor = false;
+    return any;
+  }
+  return planeOf(bottoms, parameters, HeightRange());
+}
+
+/** Whether more points of a cell are above its bottom, as on a wall, than around it.
+ * What is ten steps up may hang over the ground. */
+bool
+isUpright(const GroundCells& cells, std::size_t cell, float bottom, float max_step)
+{
+  constexpr float max_around = 0.5f, max_above = 10.0f; // steps
+  std::uint32_t around = 0, above = 0;
+  for (std::size_t i = cells.begins[cell]; i < cells.begins[cell + 1]; ++i) {
+    const float up = cells.z[i] - bottom;
+    const float range = std::sqrt(cells.x[i] * cells.x[i] + cells.y[i] * cells.y[i]);
+    // Steep ground rises in a cell, whose depth is a share of the range.
+    const bool is_around =
+        up < max_around * max_step + static_cast<float>(ground_bend) * range;
+    around += is_around ? 1U : 0U;
+    above += !is_around && up < max_above * max_step ? 1U : 0U;
+  }
+  return above > around;
+}
+
+/** The lowest point of each cell that is not the side of something; of several the one
+ * with the smallest x, then y. */
 PointCloud<PointXYZ>::Ptr
-bottomsOf(const GroundCells& cells)
+bottomsOf(const GroundCells& cells, float max_step)
 {
   const auto bottoms = pcl::make_shared<PointCloud<PointXYZ>>();
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    if (cells.hangs[cell])
+      continue;
     const auto at = [&](std::size_t i) {
       return std::make_tuple(cells.z[i], cells.x[i], cells.y[i]);
     };
     std::size_t bottom = cells.begins[cell];
     for (std::size_t i = bottom + 1; i < cells.begins[cell + 1]; ++i)
       bottom = cells.z[i] > cells.z[bottom] || at(i) > at(bottom) ? bottom : i;
-    bottoms->emplace_back(cells.x[bottom], cells.y[bottom], cells.z[bottom]);
+    if (!isUpright(cells, cell, cells.z[bottom], max_step))
+      bottoms->emplace_back(cells.x[bottom], cells.y[bottom], cells.z[bottom]);
   }
   return bottoms;
 }
@@ -39,20 +199,13 @@ bottomsOf(const GroundCells& cells)
 bool
 level(const GroundParameters& parameters, unsigned threads, GroundCells& cells)
 {
-  const auto model = pcl::make_shared<SampleConsensusModelPerpendicularPlane<PointXYZ>>(
-      bottomsOf(cells));
-  model->setAxis(Eigen::Vector3f::UnitZ());
-  model->setEpsAngle(parameters.max_slope);
-  RandomSampleConsensus<PointXYZ> consensus(model, parameters.max_step);
-  consensus.setMaxIterations(max_samples);
-  Eigen::VectorXf plane;
-  const detail::Quiet quiet;
-  if (cells.size() < 4 || !consensus.computeModel())
+  const auto plane =
+      groundPlane(bottomsOf(cells, parameters.max_step), parameters, cells);
+  if (!plane)
     return false;
-  consensus.getModelCoefficients(plane);
-  cells.slope_x = -plane[0] / plane[2];
-  cells.slope_y = -plane[1] / plane[2];
-  const float height = -plane[3] / plane[2];
+  cells.slope_x = static_cast<float>(plane->slope_x);
+  cells.slope_y = static_cast<float>(plane->slope_y);
+  const auto height = static_cast<float>(plane->height);
   forEachCell(cells, threads, [&](std::size_t cell) {
     for (std::size_t i = cells.begins[cell]; i < cells.begins[cell + 1]; ++i)
       cells.z[i] -= height + cells.slope_x * cells.x[i] + cells.slope_y * cells.y[i];

@@ -9,8 +9,8 @@
 namespace pcl::segmentation {
 
 /** \brief Measure heights from the plane that most bottoms of cells are near: a sensor
- * is rarely quite upright. \return false if there is none that is no steeper than
- * ground may be */
+ * is rarely quite upright. If a sensor is there the plane passes below it.
+ * \return false if there is none that is no steeper than ground may be */
 bool level(const GroundParameters& parameters, unsigned threads, GroundCells& cells);
 
 } // namespace pcl::segmentation

@@ -253,7 +253,8 @@ groundPatches(const GroundCells& cells,
   std::vector<GroundPatch> low(cells.size());
   std::vector<char> has_surface(cells.size()), has_plane(cells.size());
   forEachCell(cells, threads, [&](std::size_t i) {
-    const auto found = lowestSurface(cells, feet, i, max_step);
+    const auto found =
+        cells.hangs[i] ? std::nullopt : lowestSurface(cells, feet, i, max_step);
     has_surface[i] = found.has_value();
     low[i] = found.value_or(GroundPatch());
   });

@@ -13,7 +13,7 @@ namespace {
 
 // Where the points above a foot are, in steps.
 constexpr float max_aside = 0.3f;  // 6 cm: straight above, but for noise
-constexpr float min_above = 0.5f;  // less than two rings on the side of a car are apart
+constexpr float min_above = 1.0f;  // what is not as high is grass, or a kerb
 constexpr float max_above = 10.0f; // what is higher may hang over the ground
 
 /** A cell and those directly beside it in its line, from first to last. */
@@ -72,7 +72,7 @@ feetOf(const GroundCells& cells, float max_step, unsigned threads)
     lowest[i] = *low;
     highest[i] = *high;
   });
-  std::vector<char> feet(cells.positions.size(), 0);
+  std::vector<char> feet(cells.places.size(), 0);
   forEachCell(cells, threads, [&](std::size_t cell) {
     const Column column = columnOf(cells, cell);
     const float low = lowest[cell];

@@ -122,6 +122,10 @@ TEST_F(AppGround, BadOptionsAreRefused)
   expectRefused(runApp(app, {in, out, "-max_step", "0"}), 2, {"max_step", "expected"});
   expectRefused(
       runApp(app, {in, out, "-threshold", "2"}), 2, {"threshold", "expected"});
+  for (const std::string height : {"0", "-1", "x"})
+    expectRefused(runApp(app, {in, out, "-sensor_height", height}),
+                  2,
+                  {"sensor_height", "expected"});
   expectRefused(runApp(app, {in, out, "-radius", "1"}), 2, {"radius"});
   EXPECT_EQ(files(), Words{"plane.pcd"});
 }
@@ -144,6 +148,49 @@ TEST_F(AppGround, AirborneScansDoNotBreakIt)
   for (const float likelihood :
        floatsOf(readCloud(path("out.pcd")), "ground_likelihood"))
     ASSERT_TRUE(likelihood >= 0.0f && likelihood <= 1.0f);
+}
+
+TEST_F(AppGround, TheCeilingOfAGarageIsNoGround)
+{
+  const std::string in = path("garage.pcd");
+  expectSuccess(runApp("pcl_shape_scene",
+                       {in,
+                        "-sensor",
+                        "lidar",
+                        "-place",
+                        "garage",
+                        "-beams",
+                        "16",
+                        "-seed",
+                        "411",
+                        "-fillers"}));
+  expectSuccess(runApp(app, {in, path("out.pcd")}));
+  EXPECT_GE(f1(path("out.pcd"), in), 0.97);
+}
+
+TEST_F(AppGround, TheHeightOfTheSensorIsAnOption)
+{
+  const std::string in =
+      file("plane.pcd", asciiCloud("x y z", "F F F", planeRows(100)));
+  const auto found = [&](const Words& height) {
+    Words arguments{in, path("out.pcd")};
+    arguments.insert(arguments.end(), height.begin(), height.end());
+    EXPECT_EQ(runApp(app, arguments).status, 0);
+    const auto ground = labelsOf(readCloud(path("out.pcd")), "ground");
+    return std::count(ground.begin(), ground.end(), 1u);
+  };
+  EXPECT_EQ(found({}), 10000) << "what is 1 m up is not known to be above a sensor";
+  EXPECT_EQ(found({"-sensor_height", "1"}), 0) << "it is above the sensor";
+}
+
+TEST_F(AppGround, AGivenGarageHasGround)
+{
+  if (std::string(PCL_SHAPE_TEST_DATA).empty())
+    GTEST_SKIP() << "PCL_SHAPE_TEST_DATA is not set";
+  const std::string in =
+      std::string(PCL_SHAPE_TEST_DATA) + "/faults/garage_16_beams.pcd";
+  expectSuccess(runApp(app, {in, path("out.pcd")}));
+  EXPECT_GE(f1(path("out.pcd"), in), 0.99);
 }
 
 TEST_F(AppGround, StreetsAreReproducible)
@@ -197,7 +244,15 @@ TEST_F(AppGround, OptionsOfOtherSensorsAreRefused)
   }
   expectRefused(runApp(scene, {out, "-beams", "16"}), 2, {"-beams", "-sensor lidar"});
   expectRefused(
-      runApp(scene, {out, "-sensor", "lidar", "-beams", "32"}), 2, {"beams", "64, 16"});
+      runApp(scene, {out, "-sensor", "lidar", "-beams", "33"}), 2, {"beams", "64, 16"});
+  expectRefused(runApp(scene, {out, "-place", "hall"}), 2, {"-place", "-sensor lidar"});
+  expectRefused(runApp(scene, {out, "-fillers"}), 2, {"-fillers", "-sensor lidar"});
+  expectRefused(
+      runApp(scene, {out, "-sensor", "lidar", "-place", "moon"}), 2, {"place", "town"});
+  expectRefused(
+      runApp(scene, {out, "-sensor", "lidar", "-pattern", "rosette70", "-beams", "16"}),
+      2,
+      {"-beams", "-pattern turn"});
   expectRefused(runApp(scene, {out, "-sensor", "radar"}), 2, {"sensor", "camera"});
   for (const std::string noise : {"kinect", "-1", "0.2"})
     expectRefused(runApp(scene, {out, "-sensor", "lidar", "-noise", noise}),

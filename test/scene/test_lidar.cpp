@@ -11,6 +11,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 using namespace pcl::scene;
 
@@ -168,11 +169,87 @@ TEST(Lidar, SeedsDecide)
   EXPECT_LT(scan.size(), scanStreet(exact(62)).size()) << "some returns get lost";
 }
 
+TEST(Lidar, RosettesLookForwardOnly)
+{
+  for (const auto& [pattern, width, height] :
+       {std::make_tuple(LidarPattern::Rosette70, 70.4, 77.2),
+        std::make_tuple(LidarPattern::Rosette120, 120.0, 25.0)}) {
+    LidarOptions options = exact(64);
+    options.pattern = pattern;
+    const LidarScan scan = scanStreet(options);
+    EXPECT_GT(scan.size(), 5000U);
+    for (std::size_t i = 0; i < scan.size(); ++i) {
+      const Vec3 p = pointOf(scan, i);
+      ASSERT_LE(std::abs(degreesUp(p)), 0.5 * height + 1e-3);
+      ASSERT_LE(std::abs(std::atan2(p.y, p.x)) * 180.0 / std::acos(-1.0),
+                0.5 * width + 1e-3);
+    }
+  }
+}
+
+TEST(Lidar, FillersStandForRaysThatDoNotReturn)
+{
+  LidarOptions options = exact(65);
+  const LidarScan without = scanStreet(options);
+  options.fillers = true;
+  const LidarScan with = scanStreet(options);
+  EXPECT_EQ(with.size(), 16U * 1800U);
+  std::size_t fillers = 0;
+  for (std::size_t i = 0; i < with.size(); ++i) {
+    const bool is_filler = squaredNorm(pointOf(with, i)) == 0.0;
+    fillers += is_filler;
+    ASSERT_TRUE(!is_filler || with.ground[i] == GroundNot);
+  }
+  EXPECT_EQ(with.size() - fillers, without.size());
+}
+
+TEST(Lidar, WetGroundShowsWhatIsBehindBelowIt)
+{
+  LidarOptions options = exact(66, 64);
+  options.mirrors = true;
+  const LidarScan scan = scanStreet(options);
+  const Street street = randomStreet(66);
+  std::size_t below = 0;
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    const Vec3 p = pointOf(scan, i);
+    const bool is_below =
+        p.z < street.ground.height(street.ground.toStreet(p.x, p.y)) - 0.1;
+    below += is_below;
+    ASSERT_TRUE(!is_below || scan.ground[i] != GroundTrue);
+  }
+  EXPECT_GT(below, 20U);
+  EXPECT_LT(below, scan.size() / 50);
+}
+
+TEST(Lidar, PlacesHaveCeilingsAndFields)
+{
+  for (const StreetPlace place : {StreetPlace::Garage,
+                                  StreetPlace::Tunnel,
+                                  StreetPlace::Corridor,
+                                  StreetPlace::Hall}) {
+    LidarOptions options = exact(67);
+    options.place = place;
+    const LidarScan scan = scanStreet(options);
+    std::size_t ceiling = 0;
+    for (std::size_t i = 0; i < scan.size(); ++i)
+      ceiling += scan.normals[3 * i + 2] < -0.9F && pointOf(scan, i).z > 0.0;
+    EXPECT_GT(ceiling, 100U) << static_cast<int>(place);
+  }
+  const Street fields = randomStreet(67, StreetPlace::Country);
+  const double edge = fields.ground.profile.half_width;
+  EXPECT_GT(fields.ground.profile.grass, 0.0);
+  EXPECT_NEAR(
+      fields.ground.height({0.0, edge + 1e-9}), fields.ground.height({0.0, edge}), 1e-6)
+      << "no kerb";
+  const Street deck = randomStreet(67, StreetPlace::Deck);
+  EXPECT_LT(deck.ground.height({0.0, 12.0}), deck.ground.height({0.0, 0.0}) - 2.0);
+}
+
 TEST(Lidar, RefusesBadOptions)
 {
   LidarOptions options;
-  options.beams = 32;
-  EXPECT_EQ(refusal(options), "beams must be 16 or 64, not 32");
+  options.beams = 33;
+  EXPECT_EQ(refusal(options), "beams must be 16, 32, 64 or 128, not 33");
   options = {};
   for (const double sigma : {-0.001, 0.2, std::nan("")}) {
     options.sigma = sigma;

@@ -69,6 +69,67 @@ TEST(GroundSegmentation, TheStepIsASetting)
   EXPECT_GE(f1(likelihoods, table.truth), 0.99);
 }
 
+TEST(GroundSegmentation, TheHeightOfTheSensorTellsTheLevel)
+{
+  Stage levels(10.0, 6.0, 3.0); // a large deck, 3 m above what is around it
+  for (PointXYZ& p : *levels.cloud)
+    p.z -= 4.5f;
+  Ground ground;
+  ground.setInputCloud(levels.cloud);
+  std::vector<float> likelihoods;
+  ground.setSensorHeight(4.5f);
+  ground.compute(likelihoods);
+  EXPECT_GE(f1(likelihoods, levels.truth), 0.99);
+  ground.setSensorHeight(1.5f);
+  ground.compute(likelihoods);
+  for (std::uint32_t& truth : levels.truth)
+    truth = 1 - truth;
+  EXPECT_GE(f1(likelihoods, levels.truth), 0.99);
+}
+
+TEST(GroundSegmentation, ALargerCeilingIsNoGround)
+{
+  // A floor and, where none is seen, the ceiling, above the sensor.
+  Stage room(10.0, 8.0, 3.0);
+  for (PointXYZ& p : *room.cloud)
+    p.z -= 2.0f;
+  EXPECT_GE(f1(likelihoodsOf(room.cloud), room.truth), 0.99);
+}
+
+TEST(GroundSegmentation, APlaceCountsOnce)
+{
+  const Stage stage(30.0, 3.0, 0.8);
+  const std::vector<float> once = likelihoodsOf(stage.cloud);
+  const auto often = make_shared<Cloud>();
+  for (int i = 0; i < 3; ++i)
+    *often += *stage.cloud;
+  const PointXYZ hot = (*stage.cloud)[100];
+  often->points.insert(often->end(), 50000, hot);
+  often->width = static_cast<std::uint32_t>(often->size());
+  const std::vector<float> repeated = likelihoodsOf(often);
+  for (std::size_t i = 0; i < often->size(); ++i)
+    ASSERT_EQ(repeated[i], once[i < 3 * once.size() ? i % once.size() : 100]) << i;
+}
+
+TEST(GroundSegmentation, FillersAreUnknownAndChangeNothing)
+{
+  const Stage stage(30.0, 3.0, 0.8);
+  for (const float sensor_z : {0.0f, 1.5f}) {
+    const auto cloud = make_shared<Cloud>(*stage.cloud);
+    cloud->sensor_origin_ = Eigen::Vector4f(0.0f, 0.0f, sensor_z, 0.0f);
+    const std::vector<float> without = likelihoodsOf(cloud);
+    for (int i = 0; i < 4000; ++i)
+      cloud->emplace_back(0.0f, 0.0f, i % 2 == 0 ? 0.0f : sensor_z);
+    const std::vector<float> with = likelihoodsOf(cloud);
+    for (std::size_t i = 0; i < cloud->size(); ++i) {
+      if (i < without.size())
+        ASSERT_EQ(with[i], without[i]) << i;
+      else
+        ASSERT_TRUE(std::isnan(with[i])) << i;
+    }
+  }
+}
+
 TEST(GroundSegmentation, AWallIsNoGround)
 {
   const auto wall = make_shared<Cloud>();
@@ -133,16 +194,19 @@ TEST(GroundSegmentation, EverySetterHasItsGetter)
   EXPECT_EQ(ground.getMaxSlope(), 0.35f);
   EXPECT_EQ(ground.getMaxStep(), 0.2f);
   EXPECT_EQ(ground.getThreshold(), 0.5f);
+  EXPECT_EQ(ground.getSensorHeight(), 0.0f);
   EXPECT_EQ(ground.getNumberOfThreads(), 0U);
   ground.setUp({0.0f, -1.0f, 0.0f});
   ground.setMaxSlope(0.1f);
   ground.setMaxStep(0.3f);
   ground.setThreshold(0.7f);
+  ground.setSensorHeight(1.2f);
   ground.setNumberOfThreads(3);
   EXPECT_TRUE(ground.getUp() == Eigen::Vector3f(0.0f, -1.0f, 0.0f));
   EXPECT_EQ(ground.getMaxSlope(), 0.1f);
   EXPECT_EQ(ground.getMaxStep(), 0.3f);
   EXPECT_EQ(ground.getThreshold(), 0.7f);
+  EXPECT_EQ(ground.getSensorHeight(), 1.2f);
   EXPECT_EQ(ground.getNumberOfThreads(), 3U);
 }
 
@@ -197,6 +261,11 @@ TEST_F(BadGround, Settings)
   ground_.setMaxStep(0.2f);
   ground_.setThreshold(1.1f);
   expectRefused("threshold is ");
+  ground_.setThreshold(0.5f);
+  for (const float height : {-1.0f, nan}) {
+    ground_.setSensorHeight(height);
+    expectRefused("sensor_height is ");
+  }
 }
 
 TEST_F(BadGround, Indices)

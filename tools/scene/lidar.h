@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include "scene/street.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -16,11 +18,22 @@ enum GroundTruth : std::uint32_t {
   GroundVoid = 255 /**< the face of a kerb */
 };
 
+/** \brief How the rays of a turn are arranged. */
+enum class LidarPattern {
+  Turn,      /**< beams that spin */
+  Rosette70, /**< forward only, without repeats: 70 by 77 degrees */
+  Rosette120 /**< likewise 120 by 25 degrees */
+};
+
 struct LidarOptions {
   std::uint64_t seed = 1;
-  unsigned beams = 64;   /**< 64 or 16 */
+  unsigned beams = 64;   /**< of a spinning scanner: 16, 32, 64, 128 */
   double sigma = 0.02;   /**< meters along the ray, 0 to 0.1 */
   bool drop_outs = true; /**< returns are lost at random */
+  StreetPlace place = StreetPlace::Town;
+  LidarPattern pattern = LidarPattern::Turn;
+  bool mirrors = false; /**< some ground is wet and mirrors what stands behind it */
+  bool fillers = false; /**< rays that did not come back are points at 0 */
 };
 
 /** \brief A turn of a spinning laser scanner in a street, without the rays that did not
@@ -42,7 +55,7 @@ struct LidarScan {
 };
 
 /** \brief Elevations of the beams in degrees, the lowest first. \throws
- * std::invalid_argument unless there are 16 or 64 */
+ * std::invalid_argument unless there are 16, 32, 64 or 128 */
 std::vector<double> beamElevations(unsigned beams);
 
 /** \brief Scan a random street.
@@ -50,8 +63,10 @@ std::vector<double> beamElevations(unsigned beams);
  * 64 beams: Velodyne HDL-64E, its upper 32 lasers from +2 to -8.33 degrees by a third,
  * its lower 32 from -8.83 to -24.33 by a half, 0.1728 degrees from column to column at
  * 10 turns a second, 120 m. 16 beams: VLP-16, -15 to +15 degrees by 2, 0.2 degrees, 100
- * m. Both: 2 cm (one sigma), and 50 m on asphalt, which reflects a tenth (HDL-64E data
- * sheet). 1 % of the returns get lost.
+ * m. 32 beams: HDL-32E, -30.67 to +10.67 degrees by 4/3, 0.1659 degrees, 100 m. 128
+ * beams: OS1-128, -22.5 to +22.5 degrees, 1024 columns, 120 m. Rosettes have 48,000
+ * rays and 100 m. All: 2 cm (one sigma), and 50 m on asphalt, which reflects a tenth
+ * (HDL-64E data sheet). 1 % of the returns get lost.
  *
  * The same options give the same labels, and coordinates within 1e-6 m, on any machine.
  * \throws std::invalid_argument that names the parameter, its value and what it must be

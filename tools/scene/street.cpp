@@ -4,6 +4,9 @@
 
 #include "scene/street.h"
 
+#include "scene/street_builder.h"
+#include "scene/street_places.h"
+
 #include <cmath>
 
 namespace pcl::scene {
@@ -33,100 +36,9 @@ randomProfile(Random& random)
   return profile;
 }
 
-/** Puts things on the ground. */
-class Builder {
-public:
-  Builder(Street& street, Random& random) : street_(street), random_(random) {}
-
-  void
-  beginObject()
-  {
-    ++street_.objects;
-  }
-
-  /** \param[in] at its middle, in the frame of what it belongs to */
-  void
-  addBox(const Pose& frame, const Vec3& at, const std::array<double, 3>& size)
-  {
-    Pose pose = frame;
-    pose.origin = frame.toWorld(at);
-    add({Shape::Box, size, pose});
-  }
-
-  /** \brief Along the street, its foot below a slope. */
-  void
-  addBlock(
-      const StreetPoint& at, double below, double length, double width, double height)
-  {
-    addBox(upright(at, below),
-           {0.0, 0.0, 0.5 * (below + height)},
-           {length, width, below + height});
-  }
-
-  /** \brief Upright. */
-  void
-  addCylinder(const Pose& frame, double radius, double height)
-  {
-    add({Shape::Cylinder, {radius, height, 0.0}, frame});
-  }
-
-  /** \brief Lying across. \param[in] at the middle of its nearer end */
-  void
-  addWheel(const Pose& frame, const Vec3& at, double radius, double width)
-  {
-    Pose pose;
-    pose.axes = {frame.axes[2], frame.axes[0], frame.axes[1]};
-    pose.origin = frame.toWorld(at);
-    add({Shape::Cylinder, {radius, width, 0.0}, pose});
-  }
-
-  /** \brief Where something stands whose foot reaches below a slope. */
-  Pose
-  upright(const StreetPoint& at, double below) const
-  {
-    const UnitVector heading = street_.ground.profile.heading;
-    Pose pose;
-    pose.axes = {Vec3{heading.cosine, -heading.sine, 0.0},
-                 Vec3{heading.sine, heading.cosine, 0.0},
-                 Vec3{0.0, 0.0, 1.0}};
-    pose.origin = street_.ground.toSensor(at, street_.ground.height(at) - below);
-    return pose;
-  }
-
-  void
-  addCar(const StreetPoint& at)
-  {
-    const double length = random_.uniform(3.8, 4.9), width = random_.uniform(1.7, 1.9);
-    const double clearance = random_.uniform(0.15, 0.25);
-    const double hood = random_.uniform(0.8, 1.0), roof = random_.uniform(1.4, 1.9);
-    const Pose frame = street_.ground.standing(at);
-    beginObject();
-    addBox(
-        frame, {0.0, 0.0, 0.5 * (clearance + hood)}, {length, width, hood - clearance});
-    addBox(frame,
-           {-0.08 * length, 0.0, 0.5 * (hood + roof)},
-           {0.55 * length, 0.88 * width, roof - hood});
-    constexpr double wheel = 0.32, wheel_width = 0.2;
-    for (const double end : {-0.31, 0.31})
-      for (const double side : {-0.5 * width + 0.01, 0.5 * width - 0.01 - wheel_width})
-        addWheel(frame, {end * length, side, wheel}, wheel, wheel_width);
-  }
-
-private:
-  void
-  add(const Solid& solid)
-  {
-    street_.solids.push_back(solid);
-    street_.instances.push_back(street_.objects);
-  }
-
-  Street& street_;
-  Random& random_;
-};
-
 /** House fronts along one side, with gaps; some stand back. */
 void
-addHouses(Builder& builder, double side, double front, Random& random)
+addHouses(StreetBuilder& builder, double side, double front, Random& random)
 {
   constexpr double below = 3.0, depth = 10.0;
   double s = -far_end + random.uniform(0.0, 10.0);
@@ -143,7 +55,7 @@ addHouses(Builder& builder, double side, double front, Random& random)
 
 /** Cars along one side, and one or two that drive. */
 void
-addCars(Builder& builder, double side, double half_width, Random& random)
+addCars(StreetBuilder& builder, double side, double half_width, Random& random)
 {
   for (double s = -60.0 + random.uniform(0.0, 8.0); s < 60.0;
        s += random.uniform(5.5, 14.0))
@@ -152,7 +64,8 @@ addCars(Builder& builder, double side, double half_width, Random& random)
 }
 
 void
-addSmallThings(Builder& builder, double side, double kerb, double front, Random& random)
+addSmallThings(
+    StreetBuilder& builder, double side, double kerb, double front, Random& random)
 {
   constexpr double below = 0.3;
   for (double s = -70.0 + random.uniform(0.0, 10.0); s < 70.0;
@@ -183,15 +96,10 @@ addSmallThings(Builder& builder, double side, double kerb, double front, Random&
   }
 }
 
-} // namespace
-
-Street
-randomStreet(std::uint64_t seed)
+/** Things on both sides, and two cars that drive. */
+void
+addTraffic(StreetBuilder& builder, const StreetProfile& profile, Random& random)
 {
-  Random random(seed, street_stream);
-  const StreetProfile profile = randomProfile(random);
-  Street street(profile);
-  Builder builder(street, random);
   for (const double side : {-1.0, 1.0}) {
     const double kerb = profile.half_width;
     const double front = kerb + random.uniform(1.8, 5.0);
@@ -201,6 +109,22 @@ randomStreet(std::uint64_t seed)
   }
   for (const double s : {random.uniform(10.0, 35.0), random.uniform(-40.0, -12.0)})
     builder.addCar({s, profile.lane});
+}
+
+} // namespace
+
+Street
+randomStreet(std::uint64_t seed, StreetPlace place)
+{
+  Random random(seed, street_stream);
+  StreetProfile profile = randomProfile(random);
+  shapePlace(place, random, profile);
+  Street street(profile);
+  StreetBuilder builder(street, random);
+  if (place == StreetPlace::Town || place == StreetPlace::Bridge ||
+      place == StreetPlace::Canopy || place == StreetPlace::Bumps)
+    addTraffic(builder, profile, random);
+  fillPlace(place, random, builder, profile);
   return street;
 }
 

@@ -13,6 +13,9 @@ namespace {
 
 constexpr double pavement_fall = 0.02; // towards the road, per meter
 constexpr double search_step = 1.0;    // meters; far below the length of a wave
+constexpr double fine_step = 0.2;      // meters; for ditches and bumps
+constexpr double verge = 1.0;          // meters that are mown
+constexpr double driveway_begin = 1.0; // meters from the road
 
 /** \brief The root of a falling function between two distances. */
 template <typename Function>
@@ -69,7 +72,34 @@ StreetGround::height(const StreetPoint& p, GroundZone zone) const
       zone == GroundZone::Road
           ? -f.crown * p.t * p.t / w
           : f.kerb - f.crown * w + pavement_fall * (std::abs(p.t) - w);
-  return base_ + along + f.tilt * p.t + across;
+  return base_ + along + f.tilt * p.t + across + side(p, zone);
+}
+
+double
+StreetGround::side(const StreetPoint& p, GroundZone zone) const
+{
+  double rise = 0.0;
+  if (zone == GroundZone::Road) {
+    for (const SpeedBump& bump : profile.bumps) {
+      const double from = (p.s - bump.s) / bump.half_length;
+      if (std::abs(from) < 1.0)
+        rise += bump.height * (1.0 - from * from) * (1.0 - from * from);
+    }
+    return rise;
+  }
+  const double across = std::abs(p.t) - profile.half_width;
+  const auto& knots = profile.sides[zone == GroundZone::LeftWalk ? 1 : 0];
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    const SideKnot &a = knots[i - 1], &b = knots[i];
+    const double end = i + 1 < knots.size() ? b.across : across;
+    const double along = std::min(across, end) - a.across;
+    if (along > 0.0)
+      rise = a.rise + (b.rise - a.rise) / (b.across - a.across) * along;
+  }
+  for (const Driveway& way : profile.driveways)
+    if (way.side * p.t > 0.0 && p.s > way.begin && p.s < way.end)
+      rise += way.slope * std::clamp(across - driveway_begin, 0.0, way.length);
+  return rise;
 }
 
 Vec3
@@ -97,8 +127,11 @@ StreetGround::standing(const StreetPoint& p) const
 }
 
 std::optional<GroundHit>
-StreetGround::cast(const Vec3& direction, double reach) const
+StreetGround::cast(const Vec3& direction, double reach, double tuft) const
 {
+  const bool is_fine = !profile.bumps.empty() || !profile.driveways.empty() ||
+                       !profile.sides[0].empty() || !profile.sides[1].empty();
+  const double step = is_fine ? fine_step : search_step;
   const auto at = [&](double distance) {
     return toStreet(direction.x * distance, direction.y * distance);
   };
@@ -113,17 +146,21 @@ StreetGround::cast(const Vec3& direction, double reach) const
   for (std::size_t i = 0; i + 1 < ends.size() && ends[i] < reach; ++i) {
     const GroundZone zone = this->zone(at(0.5 * (ends[i] + ends[i + 1])));
     const auto above = [&](double distance) {
-      return direction.z * distance - height(at(distance), zone);
+      const StreetPoint p = at(distance);
+      const bool is_grass = std::abs(p.t) > profile.half_width + verge;
+      return direction.z * distance - height(p, zone) -
+             (is_grass ? tuft * profile.grass : 0.0);
     };
     if (above(ends[i]) < 0.0)
       return GroundHit{ends[i],
                        true,
                        toSensor({0.0, profile.lane + (drift > 0.0 ? -1.0 : 1.0)}, 0.0)};
-    for (double low = ends[i]; low < ends[i + 1]; low += search_step) {
-      const double high = std::min(low + search_step, ends[i + 1]);
+    for (double low = ends[i]; low < ends[i + 1]; low += step) {
+      const double high = std::min(low + step, ends[i + 1]);
       if (above(high) < 0.0) {
         const double distance = bisect(low, high, above);
-        return GroundHit{distance, false, normal(at(distance), zone)};
+        const StreetPoint p = at(distance);
+        return GroundHit{distance, std::abs(p.t) > profile.low_level, normal(p, zone)};
       }
     }
   }

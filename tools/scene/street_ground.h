@@ -7,12 +7,33 @@
 #include "scene/random.h"
 #include "scene/solid.h"
 
+#include <array>
 #include <optional>
+#include <vector>
 
 namespace pcl::scene {
 
 /** \brief The kinds of ground that a kerb separates. */
 enum class GroundZone { Road, LeftWalk, RightWalk };
+
+/** \brief Where the ground beside a road is higher or lower than the pavement. */
+struct SideKnot {
+  double across = 0.0; /**< from the edge of the road */
+  double rise = 0.0;   /**< linear in between, and from the last two on */
+};
+
+/** \brief A part of a street that is higher or lower than the pavement. */
+struct Driveway {
+  double begin = 0.0, end = 0.0; /**< s */
+  double side = 1.0;             /**< 1 left, -1 right */
+  double slope = 0.0;            /**< away from the road */
+  double length = 0.0;           /**< until it is level again */
+};
+
+/** \brief A bump across the road. */
+struct SpeedBump {
+  double s = 0.0, height = 0.0, half_length = 0.0;
+};
 
 /** \brief The shape of a street. Lengths in meters; s runs along it, t to its left, and
  * the vehicle is at s = 0. */
@@ -29,6 +50,11 @@ struct StreetProfile {
   double wave = 0.0;         /**< amplitude of its undulation */
   double wave_length = 30.0; /**< of the undulation */
   double wave_phase = 0.0;   /**< in turns */
+  double grass = 0.0;        /**< height, beyond a meter from the road */
+  double low_level = 1e9;    /**< t beyond which the ground is of another level */
+  std::array<std::vector<SideKnot>, 2> sides; /**< right, left */
+  std::vector<Driveway> driveways;
+  std::vector<SpeedBump> bumps;
 };
 
 struct StreetPoint {
@@ -37,9 +63,9 @@ struct StreetPoint {
 
 /** \brief Where a ray meets the ground. */
 struct GroundHit {
-  double distance = 0.0; /**< in lengths of the direction */
-  bool kerb_face = false;
-  Vec3 normal; /**< unit */
+  double distance = 0.0;  /**< in lengths of the direction */
+  bool kerb_face = false; /**< or ground of another level */
+  Vec3 normal;            /**< unit */
 };
 
 /** \brief Road and, behind a kerb on either side, pavement and yards, as a height above
@@ -69,10 +95,14 @@ public:
   Pose standing(const StreetPoint& p) const;
 
   /** \brief The first place where a ray from the sensor meets it.
-   * \param[in] direction unit \param[in] reach meters */
-  std::optional<GroundHit> cast(const Vec3& direction, double reach) const;
+   * \param[in] direction unit \param[in] reach meters
+   * \param[in] tuft where in the grass, 0 on the soil, 1 at the tips */
+  std::optional<GroundHit>
+  cast(const Vec3& direction, double reach, double tuft = 0.0) const;
 
 private:
+  double side(const StreetPoint& p, GroundZone zone) const;
+
   Vec3 normal(const StreetPoint& p, GroundZone zone) const;
 
   double base_ = 0.0;

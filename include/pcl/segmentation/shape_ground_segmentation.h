@@ -23,9 +23,10 @@ namespace pcl {
 /** \brief What counts as ground. \ingroup segmentation */
 struct GroundParameters {
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ(); ///< roughly; of any length but 0
-  float max_slope = 0.35f; ///< of the ground towards up, radians: 20 degrees
-  float max_step = 0.2f;   ///< that ground continues over, meters: a high curb
-  float threshold = 0.5f;  ///< the likelihood from which a point is ground
+  float max_slope = 0.35f;    ///< of the ground towards up, radians: 20 degrees
+  float max_step = 0.2f;      ///< that ground continues over, meters: a high curb
+  float threshold = 0.5f;     ///< the likelihood from which a point is ground
+  float sensor_height = 0.0f; ///< above the ground, meters; 0 unknown
 };
 
 /** \brief Find the ground in a vehicle's laser scan: road, pavement, yards.
@@ -37,8 +38,11 @@ struct GroundParameters {
  * grow with the range, elsewhere they are squares of some eight points. doc/ground.md
  * has the steps.
  *
- * The sensor is at the cloud's sensor_origin_. Points with NaN have the likelihood NaN
- * and are not ground. Errors (no cloud, no finite point, bad settings) are reported by
+ * The sensor is at the cloud's sensor_origin_, and ground is below it if it is in or
+ * near the cloud; what hangs above the ground, such as a ceiling or a bridge, is none.
+ * Points at the same place count once. Points with NaN, and fillers for rays that did
+ * not return (many points at 0 or at the sensor), have the likelihood NaN and are not
+ * ground. Errors (no cloud, no finite point, bad settings) are reported by
  * PCL_ERROR and give empty outputs; a cloud without ground gives a warning.
  *
  * compute() and segment() silence PCL's console in the whole process while they run
@@ -106,6 +110,21 @@ public:
   getThreshold() const
   {
     return parameters_.threshold;
+  }
+
+  /** \brief How high the sensor is above the ground, meters, to two steps; 0, the
+   * default, if that is not known: ground is below a sensor that is in or near the
+   * cloud. Needed where several levels are below it, as on a bridge. */
+  void
+  setSensorHeight(float height)
+  {
+    parameters_.sensor_height = height;
+  }
+
+  float
+  getSensorHeight() const
+  {
+    return parameters_.sensor_height;
   }
 
   /** \param[in] threads 0 for all cores */
