@@ -200,7 +200,7 @@ collectVotes(const FieldInput& input,
   for (std::size_t i = 0; i < evidence.size(); ++i)
     if (evidence[i] > candidate_evidence)
       candidates.push_back(i);
-  const float reach = fitSpacings(edges.noise);
+  const float reach = fitSpacings(edges.noise_level);
   std::vector<Vote> votes(candidates.size());
   kernels::parallelForRanges(
       candidates.size(), input.threads, [&](std::size_t begin, std::size_t end) {

@@ -9,6 +9,7 @@
 #include "edges/crease_votes.h"
 #include "edges/edge_band.h"
 #include "features/class_evidence.h"
+#include "features/noise_level.h"
 #include "geometry/point_grid.h"
 
 #include <cmath>
@@ -29,8 +30,8 @@ constexpr float needed_per_noise = 5.0f;
 std::vector<float>
 evidenceOf(const FieldInput& input, const ShapeModel& model, ShapeField& field)
 {
-  AdaptiveINAD inad =
-      adaptiveINAD(input, field.spacings, withNoise(model.parameters(), field.noise));
+  AdaptiveINAD inad = adaptiveINAD(
+      input, field.spacings, withNoise(model.parameters(), field.noise_level));
   field.normals = std::move(inad.normals);
   const ShapeEvidence densities(model);
   std::vector<float> evidence(input.points.size);
@@ -51,8 +52,8 @@ markBands(const std::vector<Agreement>& agreements,
           const PointGrid& grid,
           ShapeField& field)
 {
-  const auto noise = static_cast<float>(field.noise);
-  const float band = edgeBand(field.noise);
+  const auto noise = static_cast<float>(field.noise_level);
+  const float band = edgeBand(field.noise_level);
   const float needed = needed_evidence * (1.0f + needed_per_noise * noise);
   for (const Agreement& agreement : agreements) {
     const Vector3f center = Eigen::Map<const Vector3f>(agreement.point.position.data());
@@ -74,14 +75,18 @@ findEdges(const FieldInput& input, const ShapeModel& model, ShapeField& field)
 {
   field.spacings = localSpacings(input.neighborhoods, input.points.size, input.is_even);
   field.noise = noiseOf(input.neighborhoods, field.spacings);
+  const float spacing = median(field.spacings);
+  const PointGrid grid(input.points, 2.0f * spacing);
+  field.noise_level =
+      input.normals.size > 0
+          ? field.noise
+          : noiseLevelOf(input.neighborhoods, field.spacings, field.noise, grid);
   const std::vector<float> evidence = evidenceOf(input, model, field);
   field.edge_likelihood.reserve(evidence.size());
   for (const float e : evidence)
     field.edge_likelihood.push_back(
         std::isnan(e) ? std::numeric_limits<float>::quiet_NaN() : 0.0f);
 
-  const float spacing = median(field.spacings);
-  const PointGrid grid(input.points, 2.0f * spacing);
   const std::vector<Vote> votes = collectVotes(input, field, evidence, grid);
   markBands(countVotes(votes, spacing, input.threads), grid, field);
 }

@@ -55,14 +55,14 @@ bool
 isCorner(const ShapeField& edges, const PointGrid& creases, std::size_t i)
 {
   const Vector3f center = positionOf(edges.points, i);
-  const float fit = fitSpacings(edges.noise) * edges.spacings[i];
+  const float fit = fitSpacings(edges.noise_level) * edges.spacings[i];
   const float off = line_spacings * edges.spacings[i];
   const auto direction = [&](std::uint32_t k) {
     return Vector3f(Eigen::Map<const Vector3f>(edges.creases[k].direction.data()));
   };
   Directions near;
   creases.forEachWithin(center,
-                        near_fits * fitSpacings(edges.noise) * edges.spacings[i],
+                        near_fits * fitSpacings(edges.noise_level) * edges.spacings[i],
                         [&](std::uint32_t k, float) { near.push_back(direction(k)); });
   if (!differ(near))
     return false;
@@ -128,7 +128,7 @@ edgeTypes(const ShapeField& edges, double threshold, unsigned threads)
   const PointGrid grid(edges.points,
                        2.0f * near_spacings * medianSpacing(edges.spacings));
   const PointGrid creases(positionsOf(edges.creases),
-                          fitSpacings(edges.noise) * max_spacing);
+                          fitSpacings(edges.noise_level) * max_spacing);
   std::vector<EdgeType> types(edges.points.size, EdgeType::None);
   kernels::parallelForEach(types.size(), threads, [&](std::size_t i) {
     if (!kernels::isFinite(edges.points[i]) || std::isnan(edges.edge_likelihood[i]))

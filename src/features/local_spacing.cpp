@@ -4,15 +4,13 @@
 
 #include "features/local_spacing.h"
 
-#include "common/finite.h"
+#include "features/some_points.h"
 
 #include <pcl/features/impl/neighborhoods.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
-#include <numeric>
 
 namespace pcl::detail {
 namespace {
@@ -40,40 +38,6 @@ quantile(std::vector<float> values, double share)
                                            share * static_cast<double>(values.size()));
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
-}
-
-/** A number that is the same wherever the point stands in the cloud, and in units that
- * are a power of two times others: from the significands, and the exponents but for
- * what the coordinates have in common. */
-std::uint32_t
-hashOf(const float* point)
-{
-  int common = std::numeric_limits<int>::min();
-  for (int i = 0; i < 3; ++i)
-    if (point[i] != 0.0f)
-      common = std::max(common, std::ilogb(point[i]));
-  std::uint32_t hash = 0x811c9dc5U; // FNV-1a, a word at a time, then mixed
-  for (int i = 0; i < 3; ++i) {
-    const float free_of_unit = point[i] == 0.0f ? 0.0f : std::scalbn(point[i], -common);
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, &free_of_unit, sizeof bits);
-    hash = (hash ^ bits) * 0x01000193U;
-    hash ^= hash >> 15;
-  }
-  return hash * 0x85ebca6bU;
-}
-
-/** About as many points as are asked for, chosen by where they are. */
-pcl::Indices
-somePoints(const XYZView& points, std::size_t count)
-{
-  const double share = static_cast<double>(count) / static_cast<double>(points.size);
-  const auto below = static_cast<std::uint64_t>(std::min(1.0, share) * 4294967296.0);
-  pcl::Indices chosen;
-  for (std::size_t i = 0; i < points.size; ++i)
-    if (kernels::isFinite(points[i]) && hashOf(points[i]) < below)
-      chosen.push_back(static_cast<pcl::index_t>(i));
-  return chosen;
 }
 
 std::vector<float>
@@ -176,21 +140,6 @@ withNoise(INADParameters parameters, double noise)
   parameters.radius += parameters.radius_noise * noise;
   parameters.normal_radius_noise = parameters.radius_noise = 0.0;
   return parameters;
-}
-
-INADParameters
-withNoiseOfCloud(const INADParameters& parameters,
-                 const XYZView& cloud,
-                 unsigned threads)
-{
-  if (parameters.normal_radius_noise == 0.0 && parameters.radius_noise == 0.0)
-    return parameters;
-  pcl::Indices all(cloud.size);
-  std::iota(all.begin(), all.end(), 0);
-  const Neighborhoods neighborhoods(cloud, cloud, all, threads);
-  const std::vector<float> spacings =
-      adaptiveRadii(AdaptiveRadius::DENSITY, 1.0, neighborhoods, all);
-  return withNoise(parameters, noiseOf(neighborhoods, spacings));
 }
 
 } // namespace pcl::detail

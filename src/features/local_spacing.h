@@ -47,9 +47,4 @@ PCL_SHAPE_EXPORTS double noiseOf(const Neighborhoods& neighborhoods,
 /** \brief Parameters for this noise: the growth with noise is added to the radii. */
 INADParameters withNoise(INADParameters parameters, double noise);
 
-/** \brief Parameters for the noise of this cloud. */
-PCL_SHAPE_EXPORTS INADParameters withNoiseOfCloud(const INADParameters& parameters,
-                                                  const XYZView& cloud,
-                                                  unsigned threads);
-
 } // namespace pcl::detail

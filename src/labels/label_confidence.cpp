@@ -57,7 +57,7 @@ public:
   , grid_(input.field.points, 2.0f * medianSpacing(input.field.spacings))
   , creases_(positionsOf(input.field.creases),
              2.0f * medianSpacing(input.field.spacings))
-  , log_normal_radius_(logNormalRadius(input.field.noise))
+  , log_normal_radius_(logNormalRadius(input.field.noise_level))
   {
     for (std::size_t i = 0; i < input.field.points.size; ++i)
       labels_.push_back(labelAt(i));

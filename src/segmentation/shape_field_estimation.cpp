@@ -202,6 +202,7 @@ scattered(const ShapeField::ConstPtr& base, std::vector<std::int32_t> base_point
 {
   ShapeField field;
   field.noise = base->noise;
+  field.noise_level = base->noise_level;
   field.creases = base->creases;
   field.classes = base->classes;
   field.resolution = base->resolution;

@@ -23,7 +23,7 @@ using namespace segmentation;
 std::vector<float>
 evidenceOf(const FieldInput& input, const ShapeField& field, const ShapeModel& model)
 {
-  const INADParameters parameters = withNoise(model.parameters(), field.noise);
+  const INADParameters parameters = withNoise(model.parameters(), field.noise_level);
   const std::vector<float> inad =
       adaptiveINAD(input, field.spacings, parameters).mu_sigma;
   const ShapeEvidence densities(model);

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Radii that grow with depth or density, and the default models.
 
-#include "features/local_spacing.h"
+#include "features/noise_level.h"
 #include "support/clouds.h"
 #include "support/errors.h"
 
@@ -17,6 +17,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace {
 
@@ -146,6 +147,50 @@ TEST(AdaptiveRadius, NoiseIsMeasuredInSpacings)
   EXPECT_NEAR(1.55 * 0.0004 / d, noise(0.0004), 0.3 * 1.55 * 0.0004 / d);
   EXPECT_NEAR(2.0, noise(0.0008) / noise(0.0004), 0.2);
   EXPECT_EQ(0.3, noise(0.01));
+}
+
+/** The noise and the noise level of a cloud. */
+std::pair<double, double>
+noiseAndLevelOf(const Surface& surface)
+{
+  Indices all(surface.size());
+  std::iota(all.begin(), all.end(), 0);
+  const detail::Neighborhoods neighborhoods(surface.points(), surface.points(), all, 1);
+  const std::vector<float> spacings = detail::localSpacings(neighborhoods, all.size());
+  const segmentation::PointGrid grid(surface.points(), 0.012f);
+  const double noise = detail::noiseOf(neighborhoods, spacings);
+  return {noise, detail::noiseLevelOf(neighborhoods, spacings, noise, grid)};
+}
+
+TEST(AdaptiveRadius, WhiteNoiseNeedsSmallRadii)
+{
+  EXPECT_EQ(0.0, noiseAndLevelOf(noisyFold(0.0)).second);
+  const double d = 2.0 * std::sqrt(2.0 * 0.16 * 0.16 / 6000.0);
+  const auto [some, level_of_some] = noiseAndLevelOf(noisyFold(0.05 * d));
+  EXPECT_GT(some, 0.05);
+  EXPECT_LT(level_of_some, 0.25 * some);
+  const auto [more, level_of_more] = noiseAndLevelOf(noisyFold(0.16 * d));
+  EXPECT_GT(more, 0.2);
+  EXPECT_GT(level_of_more, 0.02);
+  EXPECT_LT(level_of_more, 0.5 * more);
+}
+
+TEST(AdaptiveRadius, NoiseThatNeighborsShareNeedsRadiiOfItsSize)
+{
+  // Waves of six spacings: they tilt small neighborhoods without becoming less.
+  Surface surface = noisyFold(0.0);
+  const double d = 2.0 * std::sqrt(2.0 * 0.16 * 0.16 / 6000.0);
+  for (std::size_t i = 0; i < surface.size(); ++i) {
+    const Eigen::Vector3d p = surface.position(i), n = surface.normal(i);
+    const double wave =
+        std::sin(p.x() * pi / (3.0 * d)) * std::sin(p.y() * pi / (3.0 * d));
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      surface.xyz[3 * i + axis] +=
+          static_cast<float>(0.5 * d * wave * n[static_cast<Eigen::Index>(axis)]);
+  }
+  const auto [noise, level] = noiseAndLevelOf(surface);
+  EXPECT_GT(noise, 0.05);
+  EXPECT_EQ(noise, level);
 }
 
 TEST(DefaultModels, AreThereAndSeparateTheirClasses)

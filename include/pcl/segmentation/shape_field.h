@@ -68,8 +68,9 @@ struct ShapeField {
   shared_ptr<const void> cloud; ///< the cloud that this is the field of
   XYZView points;               ///< of that cloud
 
-  std::vector<float> spacings;          ///< see AdaptiveRadius, meters; NaN unknown
-  double noise = 0.0;                   ///< of the cloud, in spacings, 0 to 0.3
+  std::vector<float> spacings; ///< see AdaptiveRadius, meters; NaN unknown
+  double noise = 0.0;          ///< of the cloud, in spacings, 0 to 0.3
+  double noise_level = 0.0; ///< that radii are chosen for: less where it averages out
   std::vector<Eigen::Vector3f> normals; ///< unit, towards the origin; NaN unknown
   std::vector<float> edge_likelihood;   ///< 0 to 1; NaN unknown
   std::vector<CreasePoint> creases;     ///< of the whole cloud

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// How far radii must grow for normals to be stable in the noise of a cloud.
+
+#include "features/noise_level.h"
+
+#include "common/statistics.h"
+#include "features/some_points.h"
+
+#include <pcl/features/impl/neighborhoods.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace pcl::detail {
+namespace {
+
+using namespace segmentation;
+using Eigen::Vector3f;
+
+// The radii of the default edge model, which has these factors, too.
+constexpr double normal_radius = 1.2, normal_radius_noise = 10.0;
+constexpr double inad_radius = 1.0, inad_radius_noise = 5.0;
+// From one to the next the angles between the normals of white noise fall by a third.
+constexpr std::array<double, 8> levels{0.0, 0.05, 0.075, 0.1, 0.15, 0.2, 0.25, 0.3};
+constexpr std::size_t some = 2000; // a tenth of them is known to 0.7 % of the points
+constexpr double flattest = 0.1;      // away from creases even where they are crowded
+constexpr float grid_spacings = 2.0f; // the cell, about the radii of queries
+
+// Radians, 2 degrees: a fifteenth of the least crease, and normals still tell its
+// sides.
+constexpr float stable = 0.035f;
+// What is left of the scatter at the second level. Of white noise it is (1.2 / 1.7)^2 =
+// 0.5; the noise of a depth camera, which neighbors share, leaves 0.65.
+constexpr float white_left = 0.52f, correlated_left = 0.62f;
+
+/** How sure it is that neighbors share their noise, 0 to 1. */
+float
+correlation(float left)
+{
+  return std::clamp((left - white_left) / (correlated_left - white_left), 0.0f, 1.0f);
+}
+
+/** Between two levels, the noise at whose radii normals are stable. */
+double
+crossing(double low, float at_low, double high, float at_high)
+{
+  const double share = std::log(at_low / stable) / std::log(at_low / at_high);
+  return low + share * (high - low);
+}
+
+/** Those that the INAD of some points needs the normals of. */
+pcl::Indices
+neighborsOf(const pcl::Indices& chosen,
+            const XYZView& points,
+            const std::vector<float>& radii,
+            const PointGrid& grid)
+{
+  std::vector<bool> is_near(points.size, false);
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    grid.forEachWithin(positionOf(points, static_cast<std::size_t>(chosen[k])),
+                       1.001f * radii[k], // no rounding decides here
+                       [&](std::uint32_t i, float) { is_near[i] = true; });
+  pcl::Indices found;
+  for (std::size_t i = 0; i < is_near.size(); ++i)
+    if (is_near[i])
+      found.push_back(static_cast<pcl::index_t>(i));
+  return found;
+}
+
+/** Measures how far normals differ on the flattest part of a cloud. */
+class NormalScatter {
+public:
+  NormalScatter(const Neighborhoods& neighborhoods,
+                const std::vector<float>& spacings,
+                const PointGrid& grid)
+  : neighborhoods_(neighborhoods)
+  , spacings_(spacings)
+  , grid_(grid)
+  , chosen_(somePoints(neighborhoods.input(), some))
+  {}
+
+  /** Radians, 0 if nothing is known; with the radii for a noise. */
+  float
+  operator()(double noise) const
+  {
+    const XYZView& points = neighborhoods_.input();
+    const std::vector<float> radii =
+        radiiOf(chosen_, inad_radius + inad_radius_noise * noise);
+    const pcl::Indices near = neighborsOf(chosen_, points, radii, grid_);
+    const std::vector<float> normal_radii =
+        radiiOf(near, normal_radius + normal_radius_noise * noise);
+    std::vector<float> of_near(4 * near.size());
+    neighborhoods_.among(near).computeNormals(
+        NeighborhoodSize::ofRadii(normal_radii.data()),
+        of_near.data(),
+        of_near.data() + 3,
+        4);
+    std::vector<float> normals(3 * points.size,
+                               std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t k = 0; k < near.size(); ++k)
+      std::copy_n(&of_near[4 * k], 3, &normals[3 * static_cast<std::size_t>(near[k])]);
+    std::vector<float> mu_sigma(2 * chosen_.size());
+    neighborhoods_.among(chosen_).computeINAD(NeighborhoodSize::ofRadii(radii.data()),
+                                              {normals.data(), 3, points.size},
+                                              0.0,
+                                              mu_sigma.data());
+    std::vector<float> mu;
+    for (std::size_t k = 0; k < chosen_.size(); ++k)
+      mu.push_back(mu_sigma[2 * k]);
+    mu = finiteOf(std::move(mu));
+    return mu.empty() ? 0.0f : quantile(std::move(mu), flattest);
+  }
+
+private:
+  std::vector<float>
+  radiiOf(const pcl::Indices& indices, double count) const
+  {
+    std::vector<float> radii;
+    radii.reserve(indices.size());
+    for (const pcl::index_t i : indices)
+      radii.push_back(static_cast<float>(count) *
+                      spacings_[static_cast<std::size_t>(i)]);
+    return radii;
+  }
+
+  const Neighborhoods& neighborhoods_;
+  const std::vector<float>& spacings_;
+  const PointGrid& grid_;
+  pcl::Indices chosen_;
+};
+
+} // namespace
+
+double
+noiseLevelOf(const Neighborhoods& neighborhoods,
+             const std::vector<float>& spacings,
+             double noise,
+             const PointGrid& grid)
+{
+  const NormalScatter scatter(neighborhoods, spacings, grid);
+  const float first = scatter(levels[0]);
+  if (first <= stable)
+    return 0.0;
+  float before = scatter(levels[1]);
+  const float share = correlation(before / first);
+  if (share == 1.0f)
+    return noise;
+  double white =
+      before <= stable ? crossing(levels[0], first, levels[1], before) : noise;
+  for (std::size_t i = 2; i < levels.size() && before > stable && levels[i - 1] < noise;
+       ++i) {
+    const float scattered = scatter(levels[i]);
+    if (scattered <= stable)
+      white = crossing(levels[i - 1], before, levels[i], scattered);
+    before = scattered;
+  }
+  white = std::min(white, noise);
+  return white + static_cast<double>(share) * (noise - white);
+}
+
+INADParameters
+withNoiseOfCloud(const INADParameters& parameters,
+                 const XYZView& cloud,
+                 unsigned threads)
+{
+  if (parameters.normal_radius_noise == 0.0 && parameters.radius_noise == 0.0)
+    return parameters;
+  pcl::Indices all(cloud.size);
+  std::iota(all.begin(), all.end(), 0);
+  const Neighborhoods neighborhoods(cloud, cloud, all, threads);
+  const std::vector<float> spacings =
+      adaptiveRadii(AdaptiveRadius::DENSITY, 1.0, neighborhoods, all);
+  const segmentation::PointGrid grid(cloud, grid_spacings * medianSpacing(spacings));
+  const double noise = noiseOf(neighborhoods, spacings);
+  return withNoise(parameters, noiseLevelOf(neighborhoods, spacings, noise, grid));
+}
+
+} // namespace pcl::detail

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// How far radii must grow for normals to be stable in the noise of a cloud.
+
+#pragma once
+
+#include "features/local_spacing.h"
+#include "geometry/point_grid.h"
+
+namespace pcl::detail {
+
+/** \brief The noise that the radii of edges are chosen for, in spacings, 0 to 0.3.
+ *
+ * What the thickness of neighborhoods says, if neighbors share their noise as those of
+ * depth cameras do. White noise averages out within few points, and where creases are
+ * crowded the thickness is that of the shape; then it is the least noise for whose
+ * radii normals agree on the flattest tenth of the cloud. See doc/method.md.
+ * \param[in] neighborhoods of all points of a cloud among themselves
+ * \param[in] spacings one for each point
+ * \param[in] noise see noiseOf()
+ * \param[in] grid of the points */
+PCL_SHAPE_EXPORTS double noiseLevelOf(const Neighborhoods& neighborhoods,
+                                      const std::vector<float>& spacings,
+                                      double noise,
+                                      const segmentation::PointGrid& grid);
+
+/** \brief Parameters for the noise of this cloud. */
+PCL_SHAPE_EXPORTS INADParameters withNoiseOfCloud(const INADParameters& parameters,
+                                                  const XYZView& cloud,
+                                                  unsigned threads);
+
+} // namespace pcl::detail

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Some points of a cloud that stand for all, whatever their order.
+
+#include "features/some_points.h"
+
+#include "common/finite.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace pcl::detail {
+namespace {
+
+/** A number that is the same wherever the point stands in the cloud, and in units that
+ * are a power of two times others: from the significands, and the exponents but for
+ * what the coordinates have in common. */
+std::uint32_t
+hashOf(const float* point)
+{
+  int common = std::numeric_limits<int>::min();
+  for (int i = 0; i < 3; ++i)
+    if (point[i] != 0.0f)
+      common = std::max(common, std::ilogb(point[i]));
+  std::uint32_t hash = 0x811c9dc5U; // FNV-1a, a word at a time, then mixed
+  for (int i = 0; i < 3; ++i) {
+    const float free_of_unit = point[i] == 0.0f ? 0.0f : std::scalbn(point[i], -common);
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &free_of_unit, sizeof bits);
+    hash = (hash ^ bits) * 0x01000193U;
+    hash ^= hash >> 15;
+  }
+  return hash * 0x85ebca6bU;
+}
+
+} // namespace
+
+pcl::Indices
+somePoints(const XYZView& points, std::size_t count)
+{
+  const double share = static_cast<double>(count) / static_cast<double>(points.size);
+  const auto below = static_cast<std::uint64_t>(std::min(1.0, share) * 4294967296.0);
+  pcl::Indices chosen;
+  for (std::size_t i = 0; i < points.size; ++i)
+    if (kernels::isFinite(points[i]) && hashOf(points[i]) < below)
+      chosen.push_back(static_cast<pcl::index_t>(i));
+  return chosen;
+}
+
+} // namespace pcl::detail
