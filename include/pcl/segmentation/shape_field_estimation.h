@@ -92,7 +92,8 @@ public:
   /** \brief Work as if no points were closer than this: the mean of the points in each
    * voxel of this size stands for them, and each point gets what the nearest mean gets.
    * It is much faster in dense clouds, and tolerates noise larger than the distances
-   * between points. \param[in] meters between points; 0 (default) for the cloud's own */
+   * between points.
+   * \param[in] meters between points; 0 (default) for the cloud's own */
   void
   setResolution(double meters)
   {
