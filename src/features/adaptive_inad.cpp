@@ -6,6 +6,8 @@
 
 #include <pcl/features/impl/neighborhoods.hpp>
 
+#include <numeric>
+
 namespace pcl::detail {
 namespace {
 
@@ -34,6 +36,40 @@ unitNormals(const XYZView& given)
   return normals;
 }
 
+std::vector<float>
+scaled(const std::vector<float>& spacings, double count)
+{
+  std::vector<float> radii;
+  radii.reserve(spacings.size());
+  for (const float spacing : spacings)
+    radii.push_back(static_cast<float>(count) * spacing);
+  return radii;
+}
+
+std::vector<Eigen::Vector3f>
+estimatedNormals(const Neighborhoods& neighborhoods, const std::vector<float>& radii)
+{
+  std::vector<Eigen::Vector3f> normals(radii.size());
+  std::vector<float> curvature(3 * radii.size());
+  neighborhoods.computeNormals(NeighborhoodSize::ofRadii(radii.data()),
+                               normals.data()->data(),
+                               curvature.data(),
+                               3);
+  return normals;
+}
+
+/** The values of some points. */
+template <typename T>
+std::vector<T>
+chosen(const std::vector<T>& values, const pcl::Indices& points)
+{
+  std::vector<T> some;
+  some.reserve(points.size());
+  for (const pcl::index_t i : points)
+    some.push_back(values[static_cast<std::size_t>(i)]);
+  return some;
+}
+
 } // namespace
 
 AdaptiveINAD
@@ -42,29 +78,50 @@ adaptiveINAD(const FieldInput& input,
              const INADParameters& parameters)
 {
   const std::size_t size = input.points.size;
-  std::vector<float> radii(size);
-  const auto ofSpacings = [&](double count) {
-    for (std::size_t i = 0; i < size; ++i)
-      radii[i] = static_cast<float>(count) * spacings[i];
-    return NeighborhoodSize::ofRadii(radii.data());
-  };
-  AdaptiveINAD result{{}, std::vector<float>(2 * size)};
-  if (input.normals.size > 0)
-    result.normals = unitNormals(input.normals);
-  else {
-    result.normals.resize(size);
-    std::vector<float> curvature(3 * size);
-    input.neighborhoods.computeNormals(ofSpacings(parameters.normal_radius),
-                                       result.normals.data()->data(),
-                                       curvature.data(),
-                                       3);
-  }
+  AdaptiveINAD result{
+      input.normals.size > 0
+          ? unitNormals(input.normals)
+          : estimatedNormals(input.neighborhoods,
+                             scaled(spacings, parameters.normal_radius)),
+      std::vector<float>(2 * size)};
   orient(input.points, result.normals);
-  input.neighborhoods.computeINAD(ofSpacings(parameters.radius),
+  const std::vector<float> radii = scaled(spacings, parameters.radius);
+  input.neighborhoods.computeINAD(NeighborhoodSize::ofRadii(radii.data()),
                                   {result.normals.data()->data(), 3, size},
                                   parameters.outlier_rate,
                                   result.mu_sigma.data());
   return result;
+}
+
+std::vector<float>
+adaptiveINADAmong(const pcl::Indices& points,
+                  const FieldInput& input,
+                  const std::vector<float>& spacings,
+                  const INADParameters& parameters)
+{
+  const std::vector<float> some = chosen(spacings, points);
+  std::vector<Eigen::Vector3f> normals =
+      input.normals.size > 0 ? chosen(unitNormals(input.normals), points)
+                             : estimatedNormals(input.neighborhoods.among(points),
+                                                scaled(some, parameters.normal_radius));
+  std::vector<Eigen::Vector3f> positions;
+  positions.reserve(points.size());
+  for (const pcl::index_t i : points)
+    positions.emplace_back(input.points[static_cast<std::size_t>(i)]);
+  std::vector<float> mu_sigma(2 * points.size());
+  if (points.empty())
+    return mu_sigma;
+  const XYZView cloud{positions.data()->data(), 3, positions.size()};
+  orient(cloud, normals);
+  pcl::Indices all(points.size());
+  std::iota(all.begin(), all.end(), 0);
+  const std::vector<float> radii = scaled(some, parameters.radius);
+  Neighborhoods(cloud, cloud, all, input.threads)
+      .computeINAD(NeighborhoodSize::ofRadii(radii.data()),
+                   {normals.data()->data(), 3, normals.size()},
+                   parameters.outlier_rate,
+                   mu_sigma.data());
+  return mu_sigma;
 }
 
 } // namespace pcl::detail

@@ -33,4 +33,12 @@ AdaptiveINAD adaptiveINAD(const FieldInput& input,
                           const std::vector<float>& spacings,
                           const INADParameters& parameters);
 
+/** \brief INAD of some points among themselves, with normals that all points make: a
+ * part of the neighbors has the same mean and deviation as all.
+ * \param[in] points ascending \return mu and sigma of each of them */
+std::vector<float> adaptiveINADAmong(const pcl::Indices& points,
+                                     const FieldInput& input,
+                                     const std::vector<float>& spacings,
+                                     const INADParameters& parameters);
+
 } // namespace pcl::detail

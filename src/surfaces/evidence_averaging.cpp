@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace pcl::segmentation {
 namespace {
@@ -33,9 +34,12 @@ struct Nodes {
   struct Node {
     Eigen::Vector3f position;
     std::uint32_t point;
+    std::size_t rank; ///< among all that stand for others
   };
 
-  Nodes(const FieldInput& input, const ShapeField& edges, std::vector<Node> nodes)
+  Nodes(const FieldInput& input,
+        const ShapeField& edges,
+        const std::vector<Node>& nodes)
   : grid(positionsOf(nodes), reach_spacings * median(edges.spacings))
   {
     for (const std::uint32_t k : grid.order()) {
@@ -55,18 +59,6 @@ struct Nodes {
   Floats weights;                           ///< of each, whatever its direction
   std::vector<Floats> values;               ///< of each, class by class
 };
-
-Nodes
-nodesOf(const FieldInput& input,
-        const ShapeField& edges,
-        const std::vector<std::uint32_t>& known)
-{
-  std::vector<Nodes::Node> nodes;
-  for (const std::uint32_t i :
-       centralPoints(input.points, known, node_spacings * median(edges.spacings)))
-    nodes.push_back({positionOf(input.points, i), i});
-  return {input, edges, std::move(nodes)};
-}
 
 /** What nodes from one on count at a point: nothing beyond its radius. */
 void
@@ -173,22 +165,47 @@ forEachMean(const FieldInput& input,
 
 } // namespace
 
-std::vector<float>
-averageEvidence(const FieldInput& input,
-                const ShapeField& edges,
-                std::vector<float> evidence,
-                std::size_t classes)
+std::vector<std::uint32_t>
+knownPoints(const FieldInput& input, const ShapeField& edges)
 {
   std::vector<std::uint32_t> known;
   for (std::uint32_t i = 0; i < input.points.size; ++i)
-    if (kernels::isFinite(input.points[i]) && !std::isnan(evidence[i * classes]) &&
+    if (kernels::isFinite(input.points[i]) &&
         kernels::isFinite(edges.normals[i].data()))
       known.push_back(i);
-  Nodes nodes = nodesOf(input, edges, known);
+  return known;
+}
+
+pcl::Indices
+evidencePoints(const FieldInput& input,
+               const ShapeField& edges,
+               const std::vector<std::uint32_t>& known)
+{
+  const std::vector<std::uint32_t> points =
+      centralPoints(input.points, known, node_spacings * median(edges.spacings));
+  pcl::Indices indices(points.begin(), points.end());
+  std::sort(indices.begin(), indices.end());
+  return indices;
+}
+
+std::vector<float>
+averageEvidence(const FieldInput& input,
+                const ShapeField& edges,
+                const pcl::Indices& points,
+                const std::vector<float>& evidence,
+                std::size_t classes,
+                const std::vector<std::uint32_t>& wanted)
+{
+  std::vector<Nodes::Node> chosen;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (const auto i = static_cast<std::uint32_t>(points[k]);
+        !std::isnan(evidence[k * classes]))
+      chosen.push_back({positionOf(input.points, i), i, k});
+  Nodes nodes(input, edges, chosen);
   nodes.values.resize(classes);
-  for (const std::uint32_t i : nodes.points)
+  for (const std::uint32_t k : nodes.grid.order())
     for (std::size_t c = 0; c < classes; ++c)
-      nodes.values[c].push_back(evidence[i * classes + c]);
+      nodes.values[c].push_back(evidence[chosen[k].rank * classes + c]);
   for (int round = 1; round < rounds; ++round) {
     std::vector<Floats> means = nodes.values;
     forEachMean(input, edges, nodes, nodes.points, [&](std::size_t k, const Floats& m) {
@@ -197,10 +214,12 @@ averageEvidence(const FieldInput& input,
     });
     nodes.values = std::move(means);
   }
-  forEachMean(input, edges, nodes, known, [&](std::size_t k, const Floats& mean) {
-    std::copy(mean.begin(), mean.end(), &evidence[known[k] * classes]);
+  std::vector<float> averages(input.points.size * classes,
+                              std::numeric_limits<float>::quiet_NaN());
+  forEachMean(input, edges, nodes, wanted, [&](std::size_t k, const Floats& mean) {
+    std::copy(mean.begin(), mean.end(), &averages[wanted[k] * classes]);
   });
-  return evidence;
+  return averages;
 }
 
 } // namespace pcl::segmentation

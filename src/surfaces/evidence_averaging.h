@@ -9,20 +9,35 @@
 #include <pcl/segmentation/shape_field.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace pcl::segmentation {
 
+/** \brief The points with a place and a direction. */
+std::vector<std::uint32_t> knownPoints(const detail::FieldInput& input,
+                                       const ShapeField& edges);
+
+/** \brief The points that stand for all: of the known ones in each cell of space the
+ * one nearest to its middle. Ascending. */
+pcl::Indices evidencePoints(const detail::FieldInput& input,
+                            const ShapeField& edges,
+                            const std::vector<std::uint32_t>& known);
+
 /** \brief Average the evidence of each class over neighborhoods, without crossing
  * edges.
  *
- * A few points stand for all: of the known ones in each cell of space the one nearest
- * to its middle. The averages of averages there reach further than one neighborhood
- * would: around corners of the surface, but not across its edges.
- * \param[in] evidence logarithms of densities, point by point; NaN stays NaN */
+ * The averages of averages at the points that stand for all reach further than one
+ * neighborhood would: around corners of the surface, but not across its edges.
+ * \param[in] points those of evidencePoints()
+ * \param[in] evidence logarithms of densities, class by class for each of these points;
+ * NaN unknown \param[in] wanted the points to average at
+ * \return the same for all points; NaN where it was not wanted */
 std::vector<float> averageEvidence(const detail::FieldInput& input,
                                    const ShapeField& edges,
-                                   std::vector<float> evidence,
-                                   std::size_t classes);
+                                   const pcl::Indices& points,
+                                   const std::vector<float>& evidence,
+                                   std::size_t classes,
+                                   const std::vector<std::uint32_t>& wanted);
 
 } // namespace pcl::segmentation

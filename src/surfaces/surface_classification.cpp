@@ -4,36 +4,98 @@
 
 #include "surfaces/surface_classification.h"
 
-#include "common/parallel.h"
 #include "common/statistics.h"
 #include "features/class_evidence.h"
 #include "surfaces/evidence_averaging.h"
+#include "surfaces/evidence_of_faces.h"
 
 #include <pcl/features/distinct_points.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl::detail {
 namespace {
 
 using namespace segmentation;
 
-/** The evidence of each class at each point: logarithms of densities, NaN unknown. */
+/** The evidence of each class at the points wanted, by their INAD and that of others on
+ * their faces: logarithms of densities, NaN unknown. */
 std::vector<float>
-evidenceOf(const FieldInput& input, const ShapeField& field, const ShapeModel& model)
+evidenceOfModel(const FieldInput& input,
+                const ShapeField& field,
+                const ShapeModel& model,
+                const std::vector<std::uint32_t>& known,
+                const std::vector<std::uint32_t>& wanted)
 {
-  const INADParameters parameters = withNoise(model.parameters(), field.noise_level);
-  const std::vector<float> inad =
-      adaptiveINAD(input, field.spacings, parameters).mu_sigma;
+  const pcl::Indices points = evidencePoints(input, field, known);
+  const std::vector<float> inad = adaptiveINADAmong(
+      points, input, field.spacings, withNoise(model.parameters(), field.noise_level));
   const ShapeEvidence densities(model);
-  std::vector<float> evidence(input.points.size * densities.classes());
-  kernels::parallelForRanges(
-      input.points.size, input.threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-          densities.logDensities(
-              inad[2 * i], inad[2 * i + 1], &evidence[i * densities.classes()]);
-      });
+  std::vector<float> evidence(points.size() * densities.classes());
+  for (std::size_t k = 0; k < points.size(); ++k)
+    densities.logDensities(
+        inad[2 * k], inad[2 * k + 1], &evidence[k * densities.classes()]);
+  return averageEvidence(input, field, points, evidence, densities.classes(), wanted);
+}
+
+/** Whether the classes are those that the bend of a face decides between. */
+bool
+arePlanarAndCurved(const ShapeModel& model)
+{
+  const auto& classes = model.classes();
+  return classes.size() == 2 && classes[0].name == "planar" &&
+         classes[1].name == "curved";
+}
+
+/** Each point's own, or for a point of a face the one that stands for its node. */
+std::vector<std::uint32_t>
+pointsOfNodes(const FacePyramid& faces, const std::vector<std::uint32_t>& known)
+{
+  std::vector<std::uint32_t> points = faces.point_of_node;
+  for (const std::uint32_t i : known)
+    if (faces.node_of_point[i] == FacePyramid::none)
+      points.push_back(i);
+  return points;
+}
+
+/** The evidence of planar and curved: that of the model, and of how faces bend. Where
+ * no face tells, the model's decides alone. */
+std::vector<float>
+evidenceWithFaces(const FieldInput& input,
+                  const ShapeField& field,
+                  const ShapeModel& model,
+                  const std::vector<std::uint32_t>& known)
+{
+  // Waves and near creases look curved to the model: it decides where the bend of a
+  // face is in doubt, and may not overrule clear evidence of it by itself. That it sees
+  // none says little: it looks no farther than 7 spacings.
+  constexpr float model_weight = 0.6f;
+  constexpr float least_of_model = -2.0f;
+  constexpr float most_of_model = 4.8f;
+  // Windows of the fifth level are 53 spacings in radius without noise.
+  constexpr std::size_t levels = 5;
+  const FacePyramid faces = facePyramid(input.points, field, levels);
+  if (faces.levels.empty())
+    return evidenceOfModel(input, field, model, known, known);
+  const std::vector<float> of_model =
+      evidenceOfModel(input, field, model, known, pointsOfNodes(faces, known));
+  const std::vector<float> of_faces = evidenceOfFaces(
+      input.points, faces, medianSpacing(field.spacings), input.threads);
+  std::vector<float> evidence(2 * input.points.size,
+                              std::numeric_limits<float>::quiet_NaN());
+  for (const std::uint32_t i : known) {
+    const std::uint32_t node = faces.node_of_point[i];
+    const std::size_t from = node == FacePyramid::none ? i : faces.point_of_node[node];
+    const float difference = of_model[2 * from + 1] - of_model[2 * from];
+    evidence[2 * i] = 0.0f * difference; // unknown where the model's is
+    evidence[2 * i + 1] =
+        std::isnan(of_faces[i])
+            ? difference
+            : of_faces[i] +
+                  std::clamp(model_weight * difference, least_of_model, most_of_model);
+  }
   return evidence;
 }
 
@@ -61,8 +123,10 @@ void
 classifySurfaces(const FieldInput& input, const ShapeModel& model, ShapeField& field)
 {
   const std::size_t classes = model.classes().size();
-  std::vector<float> values =
-      averageEvidence(input, field, evidenceOf(input, field, model), classes);
+  const std::vector<std::uint32_t> known = knownPoints(input, field);
+  std::vector<float> values = arePlanarAndCurved(model)
+                                  ? evidenceWithFaces(input, field, model, known)
+                                  : evidenceOfModel(input, field, model, known, known);
   toPosteriors(model, values);
   field.likelihoods.assign(classes, std::vector<float>(input.points.size));
   for (std::size_t c = 0; c < classes; ++c) {
@@ -77,7 +141,8 @@ classifySurfaces(const FieldInput& input, const ShapeModel& model, ShapeField& f
 float
 pcl::largestCurvedRadius(const ShapeField& field)
 {
-  constexpr float curved_spacings = 20.0f; // see doc/method.md
+  // Across the largest windows, 50 spacings in radius, 350 turns by 16 degrees.
+  constexpr float curved_spacings = 300.0f;
   std::vector<float> spacings = field.spacings;
   if (field.base) { // each place counts once
     const DistinctPoints distinct = distinctPoints(field.points);

@@ -95,7 +95,8 @@ struct ShapeField {
 };
 
 /** \brief The largest radius of curvature at which the default model tells surfaces
- * from planes: 20 local spacings (of a ball 25), where that is the median. See
+ * from planes: 300 local spacings, where that is the median; of a face less than 100
+ * spacings wide, three times its width. See
  * ShapeFieldEstimation::setResolution(). \return meters, 0 if no spacing is known
  * \ingroup segmentation */
 PCL_SHAPE_EXPORTS float largestCurvedRadius(const ShapeField& field);

@@ -91,11 +91,9 @@ public:
 
   /** \brief Work as if no points were closer than this: the mean of the points in each
    * voxel of this size stands for them, and each point gets what the nearest mean gets.
-   * Neighborhoods follow the density, and surfaces with a radius above 20 local
-   * spacings are planar: in dense clouds this sets what is curved, a radius of up to
-   * about 40 times the resolution. It is also much faster, and tolerates noise larger
-   * than the distances between points. \param[in] meters between points; 0 (default)
-   * for the cloud's own */
+   * It is much faster in dense clouds, and tolerates noise larger than the distances
+   * between points.
+   * \param[in] meters between points; 0 (default) for the cloud's own */
   void
   setResolution(double meters)
   {

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Whether a face bends by more than its noise explains, at any scale.
+
+#include "surfaces/face_evidence.h"
+
+#include "common/parallel.h"
+#include "surfaces/face_fit.h"
+#include "surfaces/face_noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl::segmentation {
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+// A window holds some 35 nodes, six times the coefficients of a quadric.
+constexpr float window_cells = 3.3f;
+constexpr float same_window = 0.5f; // cosine of 60 degrees: beyond, a quadric is steep
+// Rounding and the sampling of exact data, in spacings: less is never noise.
+constexpr float least_noise = 0.03f;
+
+// A window's quadric holds for its middle if the residual is noise, or a tenth of the
+// bulge: of a fold between two planes it is a sixth.
+constexpr float most_residual = 2.5f;
+constexpr float unexplained_share = 0.1f;
+constexpr float least_inliers = 0.7f;
+constexpr float most_offset = 4.0f; // in noise: what one node in 10,000 is off
+constexpr float offset_share = 0.2f;
+constexpr float least_cosine = 0.82f; // of 35 degrees, between node and quadric
+
+// Curved: the normal turns by 16 degrees, a ball's window of 1/7 of its radius; and the
+// bulge is five times what is not explained, since waves that a sensor makes bend
+// windows as wide as half a wave, and by three times their own deviation; and it is
+// four times its standard error, since there are many windows.
+constexpr float least_turn = 0.28f; // radians
+constexpr float least_bulge = 5.0f;
+constexpr float least_errors = 4.0f;
+constexpr float steepness = 3.0f; // of the evidence, for the logarithm of these ratios
+constexpr float most_evidence = 4.0f;
+// Noise that averages out is in the standard error. What does not is at the next
+// levels.
+constexpr std::size_t noise_levels = 2;
+constexpr float excess_residual = 1.5f; // squared, of the noise at the node's own level
+
+// What bends a large window must bend the small ones in it, where they can see it.
+constexpr float visible_bulge = 4.0f; // in noise
+constexpr float least_share = 0.3f;
+
+// Of averaging over a node and those linked to it: it reaches as far as a first window.
+constexpr int rounds = 5;
+
+struct LevelFits {
+  std::vector<std::optional<FaceFit>> fits;
+  std::vector<float> noise,
+      evidence; ///< of each node; NaN where its window is not used
+};
+
+std::vector<std::optional<FaceFit>>
+fitsOf(const FaceLevel& level, unsigned threads)
+{
+  std::vector<std::optional<FaceFit>> fits(level.nodes.size());
+  kernels::parallelForRanges(
+      fits.size(), threads, [&](std::size_t begin, std::size_t end) {
+        FaceWindow window(level);
+        for (std::size_t i = begin; i < end; ++i) {
+          const float radius =
+              window_cells * std::max(level.cell, level.nodes[i].spacing);
+          fits[i] = fitFace(
+              level, window.around(static_cast<std::uint32_t>(i), radius, same_window));
+        }
+      });
+  return fits;
+}
+
+bool
+holds(const FaceFit& fit, float noise)
+{
+  return (fit.residual <= most_residual * noise ||
+          fit.residual < unexplained_share * fit.bulge) &&
+         fit.inliers > least_inliers &&
+         fit.center_offset <= std::max(most_offset * noise, offset_share * fit.bulge) &&
+         fit.center_cosine > least_cosine;
+}
+
+/** \param[in] noise at the node's level \param[in] waves the noise at larger ones */
+float
+evidenceOf(const FaceFit& fit, float noise, float waves)
+{
+  const float excess = fit.residual * fit.residual - excess_residual * noise * noise;
+  const float unexplained = std::max(waves, std::sqrt(std::max(0.0f, excess)));
+  const float ratio = std::min({fit.turn() / least_turn,
+                                fit.bulge / (least_bulge * unexplained),
+                                fit.bulge / (least_errors * fit.bulge_error)});
+  // 0 for an exact plane: its logarithm is cut off like any other.
+  return std::clamp(steepness * std::log(ratio), -most_evidence, most_evidence);
+}
+
+/** The largest noise at the levels above a node. */
+float
+wavesAt(const FacePyramid& pyramid,
+        const std::vector<LevelFits>& levels,
+        std::size_t level,
+        std::uint32_t node)
+{
+  if (level + 1 == levels.size())
+    return levels[level].noise[node];
+  float most = 0.0f;
+  for (std::size_t up = 0; up < noise_levels && level + 1 < levels.size(); ++up) {
+    node = pyramid.levels[level++].parents[node];
+    most = std::max(most, levels[level].noise[node]);
+  }
+  return most;
+}
+
+void
+findEvidence(const FacePyramid& pyramid, std::vector<LevelFits>& levels, float spacing)
+{
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    LevelFits& level = levels[l];
+    level.evidence.assign(level.fits.size(), nan);
+    for (std::uint32_t i = 0; i < level.fits.size(); ++i)
+      if (const auto& fit = level.fits[i]; fit) {
+        const float least = least_noise * spacing;
+        const float noise = level.noise[i];
+        const float waves = std::max(least, wavesAt(pyramid, levels, l, i));
+        if (holds(*fit, std::max(noise, waves)))
+          level.evidence[i] = evidenceOf(*fit, noise, waves);
+      }
+  }
+}
+
+/** Whether a small window sees nothing of what a large one around it finds. */
+bool
+contradicts(const FaceFit& small, float noise, const FaceFit& large)
+{
+  const float scale = small.half_width / large.half_width;
+  const float expected = large.bulge * scale * scale;
+  const float visible =
+      visible_bulge * std::max({noise, small.residual, small.bulge_error});
+  return expected > visible && small.bulge < least_share * expected;
+}
+
+/** The most of the evidence at a node and those above it, of windows that agree. */
+float
+mostAt(const FacePyramid& pyramid,
+       const std::vector<LevelFits>& levels,
+       std::uint32_t node,
+       float spacing)
+{
+  float most = nan;
+  std::vector<std::pair<const FaceFit*, float>> smaller; // and the noise of each
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    const LevelFits& level = levels[l];
+    if (const float evidence = level.evidence[node]; !std::isnan(evidence)) {
+      const FaceFit& fit = *level.fits[node];
+      const bool agrees =
+          std::none_of(smaller.begin(), smaller.end(), [&fit](const auto& other) {
+            return contradicts(*other.first, other.second, fit);
+          });
+      if (agrees)
+        most = std::isnan(most) ? evidence : std::max(most, evidence);
+      smaller.emplace_back(&fit, std::max(level.noise[node], least_noise * spacing));
+    }
+    if (l + 1 < levels.size())
+      node = pyramid.levels[l].parents[node];
+  }
+  return most;
+}
+
+/** The mean of the known values of each node and those that follow it. */
+std::vector<float>
+averaged(const FaceLevel& level, const std::vector<float>& values, unsigned threads)
+{
+  std::vector<float> means(values.size(), nan);
+  kernels::parallelForEach(values.size(), threads, [&](std::size_t i) {
+    float sum = 0.0f, count = 0.0f;
+    const auto add = [&](float value) {
+      if (!std::isnan(value)) {
+        sum += value;
+        count += 1.0f;
+      }
+    };
+    add(values[i]);
+    for (std::uint32_t k = level.link_begins[i]; k < level.link_begins[i + 1]; ++k)
+      add(values[level.links[k]]);
+    if (count > 0.0f)
+      means[i] = sum / count;
+  });
+  return means;
+}
+
+} // namespace
+
+std::vector<float>
+faceEvidence(const FacePyramid& pyramid, float spacing, unsigned threads)
+{
+  std::vector<LevelFits> levels;
+  for (const FaceLevel& level : pyramid.levels) {
+    levels.push_back({fitsOf(level, threads), {}, {}});
+    levels.back().noise = faceNoise(level, levels.back().fits, spacing);
+  }
+  findEvidence(pyramid, levels, spacing);
+  const FaceLevel& first = pyramid.levels.front();
+  std::vector<float> evidence(first.nodes.size());
+  kernels::parallelForEach(evidence.size(), threads, [&](std::size_t i) {
+    evidence[i] = mostAt(pyramid, levels, static_cast<std::uint32_t>(i), spacing);
+  });
+  for (int round = 0; round < rounds; ++round)
+    evidence = averaged(first, evidence, threads);
+  return evidence;
+}
+
+} // namespace pcl::segmentation

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// How a window of a face bends: a quadric that outliers do not move.
+
+#include "surfaces/face_fit.h"
+
+#include "common/statistics.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::segmentation {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Matrix3f;
+using Eigen::Vector2d;
+using Eigen::Vector3f;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+
+constexpr std::size_t min_nodes = 8;     // two more than a quadric has coefficients
+constexpr double coefficients = 6.0;     // of a quadric
+constexpr int rounds = 3;                // of weights: a fourth moves little
+constexpr float biweight_reach = 4.685f; // 95 % efficient for normal noise
+constexpr float deviation_of_median = 1.4826f;
+// Least pivot of the normal equations, in cells: below it nodes are nearly on a curve.
+constexpr double least_pivot = 1e-4;
+// In cells: rounding of coordinates.
+constexpr float least_residual = 1e-6f;
+
+/** A window's nodes in the frame of its first node, in cells. */
+class Quadric {
+public:
+  Quadric(const FaceLevel& level, const std::vector<std::uint32_t>& window)
+  : cell_(level.cell)
+  , weights_(window.size(), 1.0f)
+  , residuals_(window.size())
+  {
+    const FaceNode& center = level.nodes[window.front()];
+    const Vector3f& z = center.normal;
+    const Vector3f side =
+        std::abs(z.x()) < 0.7f ? Vector3f::UnitX() : Vector3f::UnitY();
+    Matrix3f axes;
+    axes.row(0) = side.cross(z).normalized();
+    axes.row(1) = z.cross(axes.row(0).transpose());
+    axes.row(2) = z;
+    for (const std::uint32_t i : window) {
+      const Vector3f place = axes * (level.nodes[i].position - center.position) / cell_;
+      x_.push_back(place.x());
+      y_.push_back(place.y());
+      z_.push_back(place.z());
+    }
+  }
+
+  /** \return false where the nodes do not determine it */
+  bool
+  fit()
+  {
+    for (int round = 0; round < rounds; ++round) {
+      if (round > 0)
+        setWeights();
+      if (!solve())
+        return false;
+    }
+    return true;
+  }
+
+  FaceFit describe() const;
+
+private:
+  bool solve();
+  void setWeights();
+  Matrix2d spread() const;
+
+  float cell_;
+  std::vector<float> x_, y_, z_, weights_, residuals_; ///< of each node
+  Eigen::LDLT<Matrix6d> equations_;
+  Vector6d solution_;
+};
+
+/** The sums that make the normal equations: of weight * x^i * y^j up to the fourth
+ * order, and of the same times z up to the second. */
+struct Sums {
+  float s00 = 0, s10 = 0, s01 = 0, s20 = 0, s11 = 0, s02 = 0, s30 = 0, s21 = 0, s12 = 0,
+        s03 = 0, s40 = 0, s31 = 0, s22 = 0, s13 = 0, s04 = 0;
+  float z00 = 0, z10 = 0, z01 = 0, z20 = 0, z11 = 0, z02 = 0;
+};
+
+void
+addUp(std::size_t count,
+      const float* x,
+      const float* y,
+      const float* z,
+      const float* weights,
+      Sums& sums)
+{
+  float s00 = 0, s10 = 0, s01 = 0, s20 = 0, s11 = 0, s02 = 0, s30 = 0, s21 = 0, s12 = 0,
+        s03 = 0, s40 = 0, s31 = 0, s22 = 0, s13 = 0, s04 = 0;
+  float z00 = 0, z10 = 0, z01 = 0, z20 = 0, z11 = 0, z02 = 0;
+#pragma omp simd reduction(+ : s00, s10, s01, s20, s11, s02, s30, s21, s12, s03, s40)   \
+    reduction(+ : s31, s22, s13, s04, z00, z10, z01, z20, z11, z02)
+  for (std::size_t k = 0; k < count; ++k) {
+    const float w = weights[k], wx = w * x[k], wy = w * y[k];
+    const float xx = x[k] * x[k], xy = x[k] * y[k], yy = y[k] * y[k];
+    s00 += w;
+    s10 += wx;
+    s01 += wy;
+    s20 += w * xx;
+    s11 += w * xy;
+    s02 += w * yy;
+    s30 += wx * xx;
+    s21 += wx * xy;
+    s12 += wx * yy;
+    s03 += wy * yy;
+    s40 += w * xx * xx;
+    s31 += w * xx * xy;
+    s22 += w * xx * yy;
+    s13 += w * xy * yy;
+    s04 += w * yy * yy;
+    z00 += w * z[k];
+    z10 += wx * z[k];
+    z01 += wy * z[k];
+    z20 += w * xx * z[k];
+    z11 += w * xy * z[k];
+    z02 += w * yy * z[k];
+  }
+  sums = {s00, s10, s01, s20, s11, s02, s30, s21, s12, s03, s40,
+          s31, s22, s13, s04, z00, z10, z01, z20, z11, z02};
+}
+
+bool
+Quadric::solve()
+{
+  Sums s;
+  addUp(x_.size(), x_.data(), y_.data(), z_.data(), weights_.data(), s);
+  Eigen::Matrix<float, 6, 6> products;
+  products << s.s00, s.s10, s.s01, s.s20, s.s11, s.s02, //
+      s.s10, s.s20, s.s11, s.s30, s.s21, s.s12,         //
+      s.s01, s.s11, s.s02, s.s21, s.s12, s.s03,         //
+      s.s20, s.s30, s.s21, s.s40, s.s31, s.s22,         //
+      s.s11, s.s21, s.s12, s.s31, s.s22, s.s13,         //
+      s.s02, s.s12, s.s03, s.s22, s.s13, s.s04;
+  Vector6d heights;
+  heights << s.z00, s.z10, s.z01, s.z20, s.z11, s.z02;
+  equations_.compute(products.cast<double>());
+  if (!(equations_.vectorD().minCoeff() > least_pivot))
+    return false;
+  solution_ = equations_.solve(heights);
+  const Eigen::Matrix<float, 6, 1> c = solution_.cast<float>();
+  const float c0 = c[0], c1 = c[1], c2 = c[2], c3 = c[3], c4 = c[4], c5 = c[5];
+  const float *x = x_.data(), *y = y_.data(), *z = z_.data();
+  float* residuals = residuals_.data();
+  const std::size_t count = x_.size();
+#pragma omp simd
+  for (std::size_t k = 0; k < count; ++k)
+    residuals[k] =
+        z[k] - (c0 + x[k] * (c1 + c3 * x[k] + c4 * y[k]) + y[k] * (c2 + c5 * y[k]));
+  return true;
+}
+
+void
+Quadric::setWeights()
+{
+  std::vector<float> sizes;
+  sizes.reserve(residuals_.size());
+  for (const float r : residuals_)
+    sizes.push_back(std::abs(r));
+  const auto count = static_cast<double>(sizes.size());
+  const auto freedom =
+      static_cast<float>(std::sqrt(count / std::max(1.0, count - coefficients)));
+  const float deviation = deviation_of_median * freedom * median(std::move(sizes));
+  const float reach = biweight_reach * std::max(least_residual, deviation);
+  for (std::size_t k = 0; k < weights_.size(); ++k) {
+    const float off = residuals_[k] / reach;
+    const float near = std::max(0.0f, 1.0f - off * off);
+    weights_[k] = near * near;
+  }
+}
+
+/** The covariance of the places in the tangent plane. */
+Matrix2d
+Quadric::spread() const
+{
+  double weight = 0.0;
+  Vector2d mean = Vector2d::Zero();
+  Matrix2d products = Matrix2d::Zero();
+  for (std::size_t k = 0; k < weights_.size(); ++k) {
+    const Vector2d place(x_[k], y_[k]);
+    const double w = weights_[k];
+    weight += w;
+    mean += w * place;
+    products += w * place * place.transpose();
+  }
+  mean /= weight;
+  return products / weight - mean * mean.transpose();
+}
+
+FaceFit
+Quadric::describe() const
+{
+  constexpr float counts = 0.1f;      // the weight of an inlier
+  constexpr double half_widths = 2.0; // deviations of a disc
+  double weight = 0.0, squares = 0.0;
+  std::size_t inliers = 0;
+  for (std::size_t k = 0; k < weights_.size(); ++k) {
+    weight += weights_[k];
+    squares += static_cast<double>(weights_[k]) * residuals_[k] * residuals_[k];
+    inliers += weights_[k] > counts ? 1 : 0;
+  }
+  const Vector6d& c = solution_;
+  const double residual =
+      std::max(std::sqrt(squares / std::max(1.0, weight - coefficients)),
+               static_cast<double>(least_residual));
+
+  // In units of the spread along each direction the largest curvature is the largest
+  // bulge, so that a strip does not bulge most across itself, where nodes say little.
+  const Matrix2d root =
+      Eigen::SelfAdjointEigenSolver<Matrix2d>(spread()).operatorSqrt();
+  Matrix2d hessian;
+  hessian << 2.0 * c[3], c[4], c[4], 2.0 * c[5];
+  const Eigen::SelfAdjointEigenSolver<Matrix2d> bends(root * hessian * root);
+  const Vector2d& values = bends.eigenvalues();
+  const Eigen::Index most = std::abs(values[0]) > std::abs(values[1]) ? 0 : 1;
+  const Vector2d along = half_widths * root * bends.eigenvectors().col(most);
+
+  Vector6d gradient;
+  gradient << 0.0, 0.0, 0.0, along.x() * along.x(), along.x() * along.y(),
+      along.y() * along.y();
+  FaceFit fit;
+  fit.half_width = cell_ * static_cast<float>(along.norm());
+  fit.bulge = cell_ * static_cast<float>(std::abs(gradient.dot(c)));
+  fit.bulge_error =
+      cell_ * static_cast<float>(residual *
+                                 std::sqrt(gradient.dot(equations_.solve(gradient))));
+  fit.residual = cell_ * static_cast<float>(residual);
+  fit.inliers = static_cast<float>(inliers) / static_cast<float>(weights_.size());
+  fit.center_offset = cell_ * static_cast<float>(std::abs(c[0]));
+  fit.center_cosine =
+      static_cast<float>(1.0 / std::sqrt(1.0 + c[1] * c[1] + c[2] * c[2]));
+  return fit;
+}
+
+} // namespace
+
+std::optional<FaceFit>
+fitFace(const FaceLevel& level, const std::vector<std::uint32_t>& window)
+{
+  if (window.size() < min_nodes)
+    return std::nullopt;
+  Quadric quadric(level, window);
+  if (!quadric.fit())
+    return std::nullopt;
+  return quadric.describe();
+}
+
+} // namespace pcl::segmentation

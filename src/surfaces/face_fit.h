@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// How a window of a face bends: a quadric that outliers do not move.
+
+#pragma once
+
+#include "surfaces/face_pyramid.h"
+
+#include <optional>
+
+namespace pcl::segmentation {
+
+/** \brief How the nodes of a window lie about a quadric, in the direction in which it
+ * bulges most. Lengths in meters, angles in radians. */
+struct FaceFit {
+  float half_width = 0.0f;    ///< of the window in that direction
+  float bulge = 0.0f;         ///< of the quadric out of a plane there: its sagitta
+  float bulge_error = 0.0f;   ///< standard error, of noise that nodes do not share
+  float residual = 0.0f;      ///< of the nodes, r.m.s.
+  float inliers = 0.0f;       ///< share of nodes that count
+  float center_offset = 0.0f; ///< of the window's first node from the quadric
+  float center_cosine = 0.0f; ///< of the angle between their normals
+
+  /** \brief By which the normal turns across the window. */
+  float
+  turn() const
+  {
+    return 4.0f * bulge / half_width;
+  }
+};
+
+/** \brief Fit a quadric over the tangent plane of a window's first node, by least
+ * squares with biweights. \return nothing where nodes are too few, or nearly on a curve
+ */
+std::optional<FaceFit> fitFace(const FaceLevel& level,
+                               const std::vector<std::uint32_t>& window);
+
+} // namespace pcl::segmentation

@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// The faces of a cloud as linked means of cells, at several sizes of cells.
+
+#include "surfaces/face_pyramid.h"
+
+#include "common/disjoint_sets.h"
+#include "common/finite.h"
+#include "common/statistics.h"
+#include "geometry/point_grid.h"
+#include "geometry/principal_axes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace pcl::segmentation {
+namespace {
+
+using Eigen::Matrix3f;
+using Eigen::Vector3f;
+
+// A spacing is two mean distances: a cell of it holds some four points. With noise, as
+// much larger as the radius of INAD for edges, or its points are not on one sheet.
+constexpr float cell_spacings = 1.0f;
+constexpr float cell_per_noise = 5.0f;
+// The means of cells that share a corner are 1.4 cells apart on average. Bands of edge
+// points are at least 2 spacings wide, so that links do not cross them.
+constexpr float link_cells = 1.6f;
+constexpr float same_face = 0.7071f; // cosine of 45 degrees: of two normals
+// Sine of 37 degrees, from the tangent plane: above it is another sheet.
+constexpr float most_rise = 0.6f;
+
+using Cell = std::array<std::int32_t, 3>;
+using Link = std::pair<std::uint32_t, std::uint32_t>;
+
+Cell
+cellOf(const Vector3f& p, float size)
+{
+  constexpr float far = 1 << 30; // what lies farther shares the outermost cells
+  Cell cell;
+  for (int axis = 0; axis < 3; ++axis)
+    cell[static_cast<std::size_t>(axis)] =
+        static_cast<std::int32_t>(std::clamp(std::floor(p[axis] / size), -far, far));
+  return cell;
+}
+
+/** Of two normals of either sign the second, on the side of the first. */
+Vector3f
+aligned(const Vector3f& first, const Vector3f& second)
+{
+  return second.dot(first) < 0.0f ? Vector3f(-second) : second;
+}
+
+struct CellPoint {
+  Cell cell;
+  std::uint32_t point;
+};
+
+/** The points on faces, cell by cell, in an order given by their coordinates alone. */
+std::vector<CellPoint>
+facePoints(const XYZView& points, const ShapeField& field, float size)
+{
+  std::vector<CellPoint> chosen;
+  for (std::uint32_t i = 0; i < points.size; ++i)
+    if (kernels::isFinite(points[i]) && kernels::isFinite(field.normals[i].data()) &&
+        field.edge_likelihood[i] <= 0.5f)
+      chosen.push_back({cellOf(positionOf(points, i), size), i});
+  std::sort(chosen.begin(), chosen.end(), [&](const CellPoint& a, const CellPoint& b) {
+    if (a.cell != b.cell)
+      return a.cell < b.cell;
+    const float *p = points[a.point], *q = points[b.point];
+    return std::tie(p[0], p[1], p[2], a.point) < std::tie(q[0], q[1], q[2], b.point);
+  });
+  return chosen;
+}
+
+/** The mean of some points with similar normals. */
+void
+addNode(const XYZView& points,
+        const ShapeField& field,
+        const std::vector<std::uint32_t>& members,
+        FaceLevel& level)
+{
+  FaceNode node;
+  const Vector3f first = positionOf(points, members.front());
+  for (const std::uint32_t i : members) {
+    node.position += positionOf(points, i) - first;
+    node.normal += aligned(field.normals[members.front()], field.normals[i]);
+    node.spacing += field.spacings[i];
+  }
+  node.count = static_cast<float>(members.size());
+  node.position = first + node.position / node.count;
+  node.normal.normalize();
+  node.spacing /= node.count;
+  Matrix3f scatter = Matrix3f::Zero();
+  for (const std::uint32_t i : members) {
+    const Vector3f offset = positionOf(points, i) - node.position;
+    scatter += offset * offset.transpose();
+  }
+  level.nodes.push_back(node);
+  level.scatters.push_back(scatter);
+}
+
+/** Nodes of the first level: of the points in a cell, those with similar normals. */
+void
+collectNodes(const XYZView& points, const ShapeField& field, FacePyramid& pyramid)
+{
+  FaceLevel& level = pyramid.levels.front();
+  std::vector<CellPoint> left = facePoints(points, field, level.cell);
+  std::vector<std::uint32_t> members;
+  for (auto begin = left.begin(), end = begin; begin != left.end(); begin = end) {
+    end = std::find_if(
+        begin, left.end(), [&](const CellPoint& p) { return p.cell != begin->cell; });
+    for (auto rest = begin; rest != end;) {
+      const Vector3f& normal = field.normals[rest->point];
+      members.clear();
+      const auto is_of_node = [&](const CellPoint& p) {
+        return std::abs(field.normals[p.point].dot(normal)) > same_face;
+      };
+      const auto next = std::stable_partition(rest, end, is_of_node);
+      if (next == rest)
+        break; // a normal that is not of length 1
+      for (; rest != next; ++rest) {
+        members.push_back(rest->point);
+        pyramid.node_of_point[rest->point] =
+            static_cast<std::uint32_t>(level.nodes.size());
+      }
+      pyramid.point_of_node.push_back(members.front());
+      addNode(points, field, members, level);
+    }
+  }
+}
+
+/** Whether one node may follow the other on a face. */
+bool
+areOfOneFace(const FaceNode& a, const FaceNode& b)
+{
+  const Vector3f offset = b.position - a.position;
+  const float rise = most_rise * offset.norm();
+  return std::abs(a.normal.dot(b.normal)) > same_face &&
+         std::abs(offset.dot(a.normal)) < rise && std::abs(offset.dot(b.normal)) < rise;
+}
+
+void
+setLinks(std::vector<Link> links, FaceLevel& level)
+{
+  std::sort(links.begin(), links.end());
+  links.erase(std::unique(links.begin(), links.end()), links.end());
+  level.link_begins.assign(level.nodes.size() + 1, 0);
+  level.links.clear();
+  for (const Link& link : links) {
+    ++level.link_begins[link.first + 1];
+    level.links.push_back(link.second);
+  }
+  for (std::size_t i = 0; i < level.nodes.size(); ++i)
+    level.link_begins[i + 1] += level.link_begins[i];
+}
+
+template <typename Visit>
+void
+forEachLink(const FaceLevel& level, const Visit& visit)
+{
+  for (std::uint32_t i = 0; i < level.nodes.size(); ++i)
+    for (std::uint32_t k = level.link_begins[i]; k < level.link_begins[i + 1]; ++k)
+      visit(i, level.links[k]);
+}
+
+void
+linkFirst(FaceLevel& level)
+{
+  std::vector<Link> links;
+  const PointGrid grid(positionsOf(level.nodes), link_cells * level.cell);
+  for (std::uint32_t i = 0; i < level.nodes.size(); ++i) {
+    const FaceNode& node = level.nodes[i];
+    grid.forEachWithin(node.position,
+                       link_cells * std::max(level.cell, node.spacing),
+                       [&](std::uint32_t j, float) {
+                         if (j != i && areOfOneFace(node, level.nodes[j])) {
+                           links.emplace_back(i, j);
+                           links.emplace_back(j, i);
+                         }
+                       });
+  }
+  setLinks(std::move(links), level);
+}
+
+/** The normal of the points of a node and of those that follow it. */
+Vector3f
+normalAround(const FaceLevel& level, std::uint32_t i)
+{
+  const FaceNode& node = level.nodes[i];
+  const std::uint32_t begin = level.link_begins[i], end = level.link_begins[i + 1];
+  if (end - begin < 3)
+    return node.normal;
+  float count = node.count;
+  Vector3f sum = Vector3f::Zero();
+  Matrix3f scatter = level.scatters[i];
+  for (std::uint32_t k = begin; k < end; ++k) {
+    const FaceNode& other = level.nodes[level.links[k]];
+    const Vector3f offset = other.position - node.position;
+    count += other.count;
+    sum += other.count * offset;
+    scatter +=
+        level.scatters[level.links[k]] + other.count * offset * offset.transpose();
+  }
+  scatter -= sum * sum.transpose() / count;
+  Eigen::SelfAdjointEigenSolver<Matrix3f> solver;
+  solver.computeDirect(scatter);
+  const Vector3f& values = solver.eigenvalues();
+  const Vector3f normal = solver.eigenvectors().col(0);
+  // As thick as it is wide: no plane.
+  const bool is_plane = values[0] < 0.5f * values[1] && normal.allFinite();
+  return is_plane ? aligned(node.normal, normal) : node.normal;
+}
+
+void
+refineNormals(FaceLevel& level)
+{
+  std::vector<Vector3f> normals;
+  normals.reserve(level.nodes.size());
+  for (std::uint32_t i = 0; i < level.nodes.size(); ++i)
+    normals.push_back(normalAround(level, i));
+  for (std::uint32_t i = 0; i < level.nodes.size(); ++i)
+    level.nodes[i].normal = normals[i];
+}
+
+void
+cutLinks(FaceLevel& level)
+{
+  std::vector<Link> links;
+  forEachLink(level, [&](std::uint32_t i, std::uint32_t j) {
+    if (areOfOneFace(level.nodes[i], level.nodes[j]))
+      links.emplace_back(i, j);
+  });
+  setLinks(std::move(links), level);
+}
+
+/** Sets parents: linked nodes in one cell of twice the size have one. \return for each
+ * parent its first child */
+std::vector<std::uint32_t>
+findParents(FaceLevel& level)
+{
+  const std::size_t size = level.nodes.size();
+  std::vector<Cell> cells;
+  cells.reserve(size);
+  for (const FaceNode& node : level.nodes)
+    cells.push_back(cellOf(node.position, 2.0f * level.cell));
+  DisjointSets sets(size);
+  forEachLink(level, [&](std::uint32_t i, std::uint32_t j) {
+    if (cells[i] == cells[j])
+      sets.unite(i, j);
+  });
+  std::vector<std::uint32_t> firsts;
+  level.parents.resize(size);
+  for (std::uint32_t i = 0; i < size; ++i) { // roots come first
+    const std::uint32_t root = sets.find(i);
+    if (root == i) {
+      level.parents[i] = static_cast<std::uint32_t>(firsts.size());
+      firsts.push_back(i);
+    }
+    else
+      level.parents[i] = level.parents[root];
+  }
+  return firsts;
+}
+
+FaceLevel
+nextLevel(FaceLevel& level)
+{
+  FaceLevel next;
+  next.cell = 2.0f * level.cell;
+  const std::vector<std::uint32_t> firsts = findParents(level);
+  next.nodes.resize(firsts.size());
+  next.scatters.assign(firsts.size(), Matrix3f::Zero());
+  for (std::uint32_t i = 0; i < level.nodes.size(); ++i) {
+    const FaceNode& node = level.nodes[i];
+    const FaceNode& first = level.nodes[firsts[level.parents[i]]];
+    FaceNode& sum = next.nodes[level.parents[i]];
+    sum.position += node.count * (node.position - first.position);
+    sum.normal += node.count * aligned(first.normal, node.normal);
+    sum.spacing += node.count * node.spacing;
+    sum.count += node.count;
+  }
+  for (std::size_t k = 0; k < firsts.size(); ++k) {
+    FaceNode& node = next.nodes[k];
+    node.position = level.nodes[firsts[k]].position + node.position / node.count;
+    node.normal.normalize();
+    node.spacing /= node.count;
+  }
+  for (std::uint32_t i = 0; i < level.nodes.size(); ++i) {
+    const std::uint32_t parent = level.parents[i];
+    const Vector3f offset = level.nodes[i].position - next.nodes[parent].position;
+    next.scatters[parent] +=
+        level.scatters[i] + level.nodes[i].count * offset * offset.transpose();
+  }
+  std::vector<Link> links;
+  forEachLink(level, [&](std::uint32_t i, std::uint32_t j) {
+    if (level.parents[i] != level.parents[j])
+      links.emplace_back(level.parents[i], level.parents[j]);
+  });
+  setLinks(std::move(links), next);
+  return next;
+}
+
+} // namespace
+
+FacePyramid
+facePyramid(const XYZView& points, const ShapeField& field, std::size_t levels)
+{
+  FacePyramid pyramid;
+  pyramid.node_of_point.assign(points.size, FacePyramid::none);
+  pyramid.levels.resize(1);
+  FaceLevel& first = pyramid.levels.front();
+  first.cell = (cell_spacings + cell_per_noise * static_cast<float>(field.noise)) *
+               medianSpacing(field.spacings);
+  if (!(first.cell > 0.0f)) // half of the points share a place with 12 others
+    return {};
+  collectNodes(points, field, pyramid);
+  linkFirst(first);
+  refineNormals(first);
+  cutLinks(first);
+  refineNormals(first);
+  while (pyramid.levels.size() < levels) {
+    FaceLevel next = nextLevel(pyramid.levels.back());
+    refineNormals(next);
+    cutLinks(next);
+    pyramid.levels.push_back(std::move(next));
+  }
+  return pyramid;
+}
+
+const std::vector<std::uint32_t>&
+FaceWindow::around(std::uint32_t node, float radius, float least_cosine)
+{
+  ++search_;
+  found_.assign(1, node);
+  visits_[node] = search_;
+  const FaceNode& center = level_.nodes[node];
+  for (std::size_t at = 0; at < found_.size(); ++at) {
+    const std::uint32_t from = found_[at];
+    for (std::uint32_t k = level_.link_begins[from]; k < level_.link_begins[from + 1];
+         ++k) {
+      const std::uint32_t to = level_.links[k];
+      const FaceNode& other = level_.nodes[to];
+      if (visits_[to] == search_ ||
+          (other.position - center.position).squaredNorm() >= radius * radius ||
+          std::abs(other.normal.dot(center.normal)) <= least_cosine)
+        continue;
+      visits_[to] = search_;
+      found_.push_back(to);
+    }
+  }
+  return found_;
+}
+
+} // namespace pcl::segmentation

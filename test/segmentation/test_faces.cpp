@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Curved is what turns across its face by more than the noise: at any sampling, beside
+// other faces, and whatever waves a sensor makes.
+
+#include "support/bits.h"
+#include "support/random.h"
+#include "surfaces/face_fit.h"
+
+#include <pcl/point_types.h>
+#include <pcl/segmentation/shape_field_estimation.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace {
+
+using namespace pcl;
+using namespace pcl::test;
+using segmentation::FaceFit;
+using segmentation::FaceLevel;
+
+using Cloud = PointCloud<PointXYZ>;
+
+/** Points of a surface over a rectangle, jittered: place(u, v) for u and v from 0. */
+template <typename Place>
+Cloud::Ptr
+sampled(double width, double height, double spacing, double noise, const Place& place)
+{
+  Random random(77);
+  const auto cloud = make_shared<Cloud>();
+  for (double u = 0; u < width; u += spacing)
+    for (double v = 0; v < height; v += spacing) {
+      const double jitter = 0.3 * spacing;
+      Eigen::Vector3d p = place(u + random.uniform(-jitter, jitter),
+                                v + random.uniform(-jitter, jitter));
+      for (int axis = 0; axis < 3; ++axis)
+        p[axis] += noise * random.normal();
+      cloud->emplace_back(static_cast<float>(p.x()),
+                          static_cast<float>(p.y()),
+                          static_cast<float>(p.z()));
+    }
+  return cloud;
+}
+
+ShapeField
+fieldOf(const Cloud::Ptr& cloud, unsigned threads = 0)
+{
+  ShapeFieldEstimation<PointXYZ> estimation;
+  estimation.setInputCloud(cloud);
+  estimation.setNumberOfThreads(threads);
+  ShapeField field;
+  EXPECT_TRUE(estimation.compute(field));
+  return field;
+}
+
+double
+shareOfCurved(const ShapeField& field)
+{
+  const std::vector<float>& curved = field.likelihoods.at(1);
+  const auto is_curved = [](float likelihood) { return likelihood > 0.5f; };
+  return static_cast<double>(std::count_if(curved.begin(), curved.end(), is_curved)) /
+         static_cast<double>(curved.size());
+}
+
+Cloud::Ptr
+cylinder(double radius, double spacing)
+{
+  const double width = 2.0 * radius; // an arc of 115 degrees
+  return sampled(width, width, spacing, 0.0, [&](double u, double v) {
+    const double angle = u / radius;
+    return Eigen::Vector3d(radius * std::cos(angle), v, 1.0 + radius * std::sin(angle));
+  });
+}
+
+TEST(Faces, OneCylinderIsCurvedAtAnySampling)
+{
+  // 8 to 100 distances between points in radius: 4 to 50 spacings.
+  for (const double spacing : {0.006, 0.003, 0.001, 0.0005})
+    EXPECT_GE(shareOfCurved(fieldOf(cylinder(0.05, spacing))), 0.98) << spacing;
+}
+
+TEST(Faces, WavesOfASensorAreNotCurved)
+{
+  // Crests of 1 to 1.5 mm, 30 to 50 mm apart, as depth cameras of several kinds make.
+  const auto table = sampled(0.5, 0.4, 0.0025, 0.0003, [](double u, double v) {
+    constexpr double turn = 6.283185307179586;
+    const double wave = std::sin(turn * (u + 0.3 * v) / 0.05) +
+                        0.5 * std::sin(turn * (v - 0.4 * u) / 0.03);
+    return Eigen::Vector3d(u, v, 1.0 + 0.001 * wave);
+  });
+  EXPECT_LE(shareOfCurved(fieldOf(table)), 0.005);
+}
+
+TEST(Faces, StepsOfAStaircaseAreFlat)
+{
+  for (const double noise : {0.0, 0.15}) {
+    constexpr double step = 12.0; // distances between points: 6 spacings
+    const auto stairs =
+        sampled(10 * step, 8 * step, 1.0, noise, [](double u, double v) {
+          const double half = std::floor(u / step), rest = u - half * step;
+          const double up = std::ceil(half / 2) * step,
+                       along = std::floor(half / 2) * step;
+          const bool is_tread = std::fmod(half, 2.0) == 0.0;
+          return is_tread ? Eigen::Vector3d(along + rest, v, 200 + up)
+                          : Eigen::Vector3d(along + step, v, 200 + up - step + rest);
+        });
+    // With noise, some edge points between steps take a face that was found across one.
+    EXPECT_LE(shareOfCurved(fieldOf(stairs)), noise > 0.0 ? 0.04 : 0.005) << noise;
+  }
+}
+
+TEST(Faces, NeitherOrderNorThreadsMatter)
+{
+  const auto cloud = cylinder(0.05, 0.002);
+  std::vector<std::size_t> order(cloud->size());
+  std::iota(order.begin(), order.end(), 0);
+  Random random(5);
+  for (std::size_t i = order.size(); i > 1; --i)
+    std::swap(order[i - 1], order[random.index(i)]);
+  const auto other = make_shared<Cloud>();
+  for (const std::size_t i : order)
+    other->push_back((*cloud)[i]);
+  const ShapeField first = fieldOf(cloud, 1), second = fieldOf(other, 3);
+  std::vector<float> expected;
+  for (const std::size_t i : order)
+    expected.push_back(first.likelihoods[1][i]);
+  EXPECT_TRUE(sameBits(expected, second.likelihoods[1]));
+}
+
+/** Nodes of one window on a paraboloid whose curvature along x is 1 / radius. */
+FaceLevel
+paraboloid(float radius)
+{
+  FaceLevel level;
+  level.cell = 1.0f;
+  for (int x = -3; x <= 3; ++x)
+    for (int y = -3; y <= 3; ++y) {
+      segmentation::FaceNode node;
+      const auto u = static_cast<float>(x), v = static_cast<float>(y);
+      node.position = {u, v, 0.5f * u * u / radius};
+      node.normal = {-u / radius, 0.0f, 1.0f};
+      node.normal.normalize();
+      level.nodes.push_back(node);
+    }
+  std::swap(level.nodes.front(), level.nodes[24]); // the middle
+  return level;
+}
+
+std::optional<FaceFit>
+fitOf(const FaceLevel& level, std::size_t count)
+{
+  std::vector<std::uint32_t> window(count);
+  std::iota(window.begin(), window.end(), 0);
+  return segmentation::fitFace(level, window);
+}
+
+TEST(FaceFit, TurnAndBulgeOfAParaboloid)
+{
+  const auto fit = fitOf(paraboloid(10.0f), 49);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->half_width, 4.0f, 1e-4f); // twice the deviation of -3 to 3
+  EXPECT_NEAR(fit->bulge, 0.8f, 1e-4f);      // 4^2 / (2 * 10)
+  EXPECT_NEAR(fit->turn(), 0.8f, 1e-4f);     // 8 / 10
+  EXPECT_LT(fit->residual, 1e-5f);
+  EXPECT_EQ(fit->inliers, 1.0f);
+}
+
+TEST(FaceFit, OutliersDoNotMoveIt)
+{
+  FaceLevel level = paraboloid(10.0f);
+  for (const std::size_t i : {3, 17, 30, 44})
+    level.nodes[i].position.z() += 5.0f;
+  const auto fit = fitOf(level, 49);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->turn(), 0.8f, 0.05f);
+  EXPECT_NEAR(fit->inliers, 45.0f / 49.0f, 1e-6f);
+}
+
+TEST(FaceFit, NodesThatDoNotDetermineIt)
+{
+  EXPECT_FALSE(fitOf(paraboloid(10.0f), 7));
+  FaceLevel line = paraboloid(10.0f);
+  for (auto& node : line.nodes)
+    node.position.y() = 0.0f;
+  EXPECT_FALSE(fitOf(line, 49));
+}
+
+} // namespace
