@@ -157,7 +157,7 @@ TEST_P(InputFormats, EverythingIsKept)
   EXPECT_EQ(after.blob.width, 20u);
   EXPECT_EQ(after.blob.height, 20u);
   EXPECT_EQ(after.viewpoint, before.viewpoint);
-  expectSameFields(before, after, {"x", "y", "z", "rgb", "ring", "hist", "_"});
+  expectSameFields(before, after, {"x", "y", "z", "rgb", "ring", "hist"});
 
   Words names;
   for (const auto& field : after.blob.fields)
@@ -170,7 +170,6 @@ TEST_P(InputFormats, EverythingIsKept)
                    "ring",
                    "surface",
                    "hist",
-                   "_",
                    "normal_x",
                    "normal_y",
                    "normal_z",
