@@ -26,7 +26,7 @@ constexpr double normal_radius = 1.2, normal_radius_noise = 10.0;
 constexpr double inad_radius = 1.0, inad_radius_noise = 5.0;
 // From one to the next the angles between the normals of white noise fall by a third.
 constexpr std::array<double, 8> levels{0.0, 0.05, 0.075, 0.1, 0.15, 0.2, 0.25, 0.3};
-constexpr std::size_t some = 2000;    // a tenth of them is known to 0.7 % of the points
+constexpr std::size_t some = 500;     // a tenth of them is known to 1.4 % of the points
 constexpr double flattest = 0.1;      // away from creases even where they are crowded
 constexpr float grid_spacings = 2.0f; // the cell, about the radii of queries
 
