@@ -20,8 +20,8 @@ namespace pcl {
 /** \brief How the INAD of a surface is computed. Either both radii or k is positive.
  *
  * Radii are in meters or in local spacings, as radius_mode says. In DENSITY mode they
- * may grow with the cloud's noise (see ShapeField::noise_level): radius + radius_noise *
- * noise. */
+ * may grow with the cloud's noise (see ShapeField::noise_level): radius + radius_noise
+ * * noise. */
 struct INADParameters {
   double normal_radius = 0.025; ///< meters, neighborhood of the normals
   double radius = 0.025;        ///< meters, neighborhood of the angles
