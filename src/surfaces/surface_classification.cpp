@@ -86,8 +86,10 @@ evidenceWithFaces(const FieldInput& input,
   for (const std::uint32_t i : known) {
     const std::uint32_t node = faces.node_of_point[i];
     const std::size_t from = node == FacePyramid::none ? i : faces.point_of_node[node];
-    const float difference = of_model[2 * from + 1] - of_model[2 * from];
-    evidence[2 * i] = 0.0f * difference; // unknown where the model's is
+    // A sparse place has too few points that stand for others: no evidence.
+    const float of_inad = of_model[2 * from + 1] - of_model[2 * from];
+    const float difference = std::isnan(of_inad) ? 0.0f : of_inad;
+    evidence[2 * i] = 0.0f;
     evidence[2 * i + 1] =
         std::isnan(of_faces[i])
             ? difference
