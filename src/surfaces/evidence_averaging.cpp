@@ -184,6 +184,10 @@ evidencePoints(const FieldInput& input,
   const std::vector<std::uint32_t> points =
       centralPoints(input.points, known, node_spacings * median(edges.spacings));
   pcl::Indices indices(points.begin(), points.end());
+  for (std::uint32_t i = 0; i < input.points.size; ++i)
+    if (kernels::isFinite(input.points[i]) &&
+        !kernels::isFinite(edges.normals[i].data()))
+      indices.push_back(static_cast<pcl::index_t>(i));
   std::sort(indices.begin(), indices.end());
   return indices;
 }
@@ -196,11 +200,17 @@ averageEvidence(const FieldInput& input,
                 std::size_t classes,
                 const std::vector<std::uint32_t>& wanted)
 {
+  std::vector<float> averages(input.points.size * classes,
+                              std::numeric_limits<float>::quiet_NaN());
   std::vector<Nodes::Node> chosen;
-  for (std::size_t k = 0; k < points.size(); ++k)
-    if (const auto i = static_cast<std::uint32_t>(points[k]);
-        !std::isnan(evidence[k * classes]))
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto i = static_cast<std::uint32_t>(points[k]);
+    const float* own = &evidence[k * classes];
+    if (!kernels::isFinite(edges.normals[i].data()))
+      std::copy_n(own, classes, &averages[i * classes]);
+    else if (!std::isnan(*own))
       chosen.push_back({positionOf(input.points, i), i, k});
+  }
   Nodes nodes(input, edges, chosen);
   nodes.values.resize(classes);
   for (const std::uint32_t k : nodes.grid.order())
@@ -214,8 +224,6 @@ averageEvidence(const FieldInput& input,
     });
     nodes.values = std::move(means);
   }
-  std::vector<float> averages(input.points.size * classes,
-                              std::numeric_limits<float>::quiet_NaN());
   forEachMean(input, edges, nodes, wanted, [&](std::size_t k, const Floats& mean) {
     std::copy(mean.begin(), mean.end(), &averages[wanted[k] * classes]);
   });

@@ -19,7 +19,8 @@ std::vector<std::uint32_t> knownPoints(const detail::FieldInput& input,
                                        const ShapeField& edges);
 
 /** \brief The points that stand for all: of the known ones in each cell of space the
- * one nearest to its middle. Ascending. */
+ * one nearest to its middle; and those whose neighborhood was too small for the normals
+ * of edges: they speak for themselves. Ascending. */
 pcl::Indices evidencePoints(const detail::FieldInput& input,
                             const ShapeField& edges,
                             const std::vector<std::uint32_t>& known);

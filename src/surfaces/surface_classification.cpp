@@ -4,6 +4,7 @@
 
 #include "surfaces/surface_classification.h"
 
+#include "common/finite.h"
 #include "common/statistics.h"
 #include "features/class_evidence.h"
 #include "surfaces/evidence_averaging.h"
@@ -85,11 +86,16 @@ evidenceWithFaces(const FieldInput& input,
       input.points, faces, medianSpacing(field.spacings), input.threads);
   std::vector<float> evidence(2 * input.points.size,
                               std::numeric_limits<float>::quiet_NaN());
-  for (const std::uint32_t i : known) {
+  for (std::size_t i = 0; i < input.points.size; ++i) {
     const std::uint32_t node = faces.node_of_point[i];
     const std::size_t from = node == FacePyramid::none ? i : faces.point_of_node[node];
-    const float difference = of_model[2 * from + 1] - of_model[2 * from];
-    evidence[2 * i] = 0.0f * difference; // unknown where the model's is
+    float difference = of_model[2 * from + 1] - of_model[2 * from];
+    // In a sparse place too few points stand for others: no evidence.
+    if (std::isnan(difference) && kernels::isFinite(field.normals[i].data()))
+      difference = 0.0f;
+    if (std::isnan(difference))
+      continue;
+    evidence[2 * i] = 0.0f;
     evidence[2 * i + 1] =
         std::isnan(of_faces[i])
             ? difference
