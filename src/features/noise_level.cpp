@@ -143,14 +143,15 @@ noiseLevelOf(const Neighborhoods& neighborhoods,
 {
   const NormalScatter scatter(neighborhoods, spacings, grid);
   const float first = scatter(levels[0]);
-  if (first <= stable)
+  if (!(first > 0.0f) || noise == 0.0)
     return 0.0;
   float before = scatter(levels[1]);
   const float share = correlation(before / first);
   if (share == 1.0f)
     return noise;
-  double white =
-      before <= stable ? crossing(levels[0], first, levels[1], before) : noise;
+  double white = first <= stable    ? 0.0
+                 : before <= stable ? crossing(levels[0], first, levels[1], before)
+                                    : noise;
   for (std::size_t i = 2; i < levels.size() && before > stable && levels[i - 1] < noise;
        ++i) {
     const float scattered = scatter(levels[i]);
