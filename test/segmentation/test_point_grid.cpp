@@ -129,14 +129,20 @@ TEST_F(EvidenceAveraging, FourRoundsAreThoseInDouble)
     for (int c = 0; c < 2; ++c)
       evidence.push_back(is_known[i] ? static_cast<float>(random.normal())
                                      : std::numeric_limits<float>::quiet_NaN());
-  const std::vector<float> found = averageEvidence(input, edges, evidence, 2);
-
   std::vector<std::uint32_t> known;
   for (std::uint32_t i = 0; i < surface.size(); ++i)
     if (is_known[i])
       known.push_back(i);
-  const std::vector<std::uint32_t> nodes =
+  std::vector<std::uint32_t> nodes =
       centralPoints(input.points, known, 1.5f * median(edges.spacings));
+  std::sort(nodes.begin(), nodes.end());
+  const pcl::Indices points = evidencePoints(input, edges, known);
+  ASSERT_TRUE(std::equal(nodes.begin(), nodes.end(), points.begin(), points.end()));
+  std::vector<float> of_points;
+  for (const std::uint32_t node : nodes)
+    of_points.insert(of_points.end(), {evidence[2 * node], evidence[2 * node + 1]});
+  const std::vector<float> found =
+      averageEvidence(input, edges, points, of_points, 2, known);
   ASSERT_GT(nodes.size(), 100U);
   ASSERT_LT(nodes.size(), surface.size() / 4);
   std::size_t weighted = 0;
