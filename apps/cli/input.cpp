@@ -122,7 +122,7 @@ chooseOffset(const Arguments& arguments, CloudFile& cloud, Report& report)
             " is subtracted from the coordinates");
   if (given || has_doubles)
     report.setJson("parameters", "offset", cloud.offset);
-  if (!has_doubles)
+  if (!has_doubles || given)
     warnOfRounding(arguments, cloud);
 }
 

@@ -63,7 +63,10 @@ readFile(const std::string& path, const std::string& expected)
     throw bad(error ? error.message() : "no such file");
   if (fs::is_fifo(status)) {
     std::ifstream pipe(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(pipe), {}};
+    std::string contents{std::istreambuf_iterator<char>(pipe), {}};
+    if (!pipe.is_open() || pipe.bad())
+      throw bad("reading failed", "a readable pipe: ");
+    return contents;
   }
   if (!fs::is_regular_file(status))
     throw bad(fs::is_directory(status) ? "is a directory" : "is not a regular file");

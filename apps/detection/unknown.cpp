@@ -69,7 +69,7 @@ areMany(const pcl::XYZView& points, const std::vector<float>& values)
 void
 addReasons(const std::string& path, const pcl::UnknownPoints& points, Report& report)
 {
-  if (points.rounded < points.unknown) // else it was said when the file was read
+  if (points.rounded < points.unknown) // else chooseOffset() has said it
     logLine(path + ": warning: " + std::to_string(points.unknown) + " of " +
             std::to_string(points.finite) +
             " points got no answer: " + reasonsOf(points));

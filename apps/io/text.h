@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <optional>
 #include <string>
@@ -30,9 +31,8 @@ parseValue(std::string_view word)
   if (error == std::errc())
     return value;
   if constexpr (std::is_floating_point_v<T>) {
-    double wide = 0.0; // holds what is too small for a float
-    const bool fits = std::from_chars(word.data(), end, wide).ec == std::errc();
-    if (fits && std::abs(wide) < 1.0)
+    const long double wide = std::strtold(std::string(word).c_str(), nullptr);
+    if (std::abs(wide) < 1.0L) // too small for the type, not too large
       return T{0};
   }
   return std::nullopt;

@@ -4,6 +4,7 @@
 
 #include "features/even_sampling.h"
 
+#include "common/finite.h"
 #include "geometry/voxel_means.h"
 
 #include <algorithm>
@@ -107,11 +108,14 @@ std::vector<float>
 evenSampling(const XYZView& points, const std::vector<float>& spacings)
 {
   std::vector<int> levels(points.size);
-  std::transform(spacings.begin(), spacings.end(), levels.begin(), levelOf);
+  for (std::size_t i = 0; i < points.size; ++i)
+    levels[i] = kernels::isFinite(points[i]) ? levelOf(spacings[i]) : no_level;
   const std::vector<int> wanted = wantedLevels(points, levels);
   std::vector<float> even;
   std::map<int, std::vector<float>> too_dense;
   for (std::size_t i = 0; i < points.size; ++i) {
+    if (!kernels::isFinite(points[i]))
+      continue;
     std::vector<float>& to = wanted[i] == levels[i] ? even : too_dense[wanted[i]];
     to.insert(to.end(), points[i], points[i] + 3);
   }

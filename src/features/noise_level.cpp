@@ -87,6 +87,8 @@ public:
   float
   operator()(double noise) const
   {
+    if (chosen_.empty())
+      return 0.0f;
     const XYZView& points = neighborhoods_.input();
     const std::vector<float> radii =
         radiiOf(chosen_, inad_radius + inad_radius_noise * noise);
@@ -141,9 +143,11 @@ noiseLevelOf(const Neighborhoods& neighborhoods,
              double noise,
              const PointGrid& grid)
 {
+  if (noise == 0.0)
+    return 0.0;
   const NormalScatter scatter(neighborhoods, spacings, grid);
   const float first = scatter(levels[0]);
-  if (!(first > 0.0f) || noise == 0.0)
+  if (!(first > 0.0f))
     return 0.0;
   float before = scatter(levels[1]);
   const float share = correlation(before / first);

@@ -13,7 +13,7 @@
 namespace pcl::segmentation {
 namespace {
 
-// Between connected patches at most two cells may be no ground: a kerb, a pole.
+// Between connected patches at most two cells may be no ground: a curb, a pole.
 constexpr int max_hops = 3;
 // To the ground before and behind what hides it: an octave and a half of the range.
 constexpr int max_vote_hops = 24;

@@ -13,7 +13,7 @@ namespace {
 
 // Where the points above a foot are, in steps.
 constexpr float max_aside = 0.3f;  // 6 cm: straight above, but for noise
-constexpr float min_above = 1.0f;  // what is not as high is grass, or a kerb
+constexpr float min_above = 1.0f;  // what is not as high is grass, or a curb
 constexpr float max_above = 10.0f; // what is higher may hang over the ground
 
 /** A cell and those directly beside it in its line, from first to last. */

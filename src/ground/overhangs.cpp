@@ -79,7 +79,7 @@ markOverhangs(const Sector& sector, float max_step, std::vector<char>& hangs)
   for (std::size_t cell = sector.last; cell-- > sector.first;) {
     const float lowest = sector.lowestOf(cell);
     if (lowest_beyond < lowest) {
-      // Beside each other, in one sector, ground may be as different as a kerb is high.
+      // Beside each other, in one sector, ground may be as different as a curb is high.
       const Bottom bottom(sector.cells, cell, max_step);
       const float slope = lowest - plane_error - max_step / bottom.range;
       const std::size_t beneath = sector.countBelow(slope, cell + 1, sector.last);

@@ -103,10 +103,12 @@ refitTo(const Nodes& nodes, float min_offset, SupportPlane& support)
     const Nodes on = nodesOn(nodes, support);
     if (on.size() < min_nodes)
       return false;
+    const Vector3f origin = on.front().position;
     support.plane = fitPlane<float>([&](const auto& visit) {
       for (const SurfaceNode& node : on)
-        visit(node.position);
+        visit(Vector3f(node.position - origin));
     });
+    support.plane.center += origin;
     Vector3f facing = Vector3f::Zero();
     std::vector<float> offsets;
     for (const SurfaceNode& node : on) {

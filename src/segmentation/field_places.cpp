@@ -48,6 +48,7 @@ FieldPlaces::FieldPlaces(const ShapeField& field) : given_(field)
       positions_.push_back(field.points[i][axis] + 0.0f); // not -0
   of_places_.points = {positions_.data(), 3, from.size()};
   of_places_.noise = field.noise;
+  of_places_.noise_level = field.noise_level;
   of_places_.creases = field.creases;
   of_places_.classes = field.classes;
   of_places_.resolution = field.resolution;

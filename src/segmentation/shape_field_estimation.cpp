@@ -70,17 +70,21 @@ fieldOf(const FieldRequest& request,
   return field;
 }
 
-/** The share of the finite points that are unknown. */
-double
-unknownShare(const ShapeField& field)
+/** How many of the finite points are unknown that a field's points stand for. */
+std::size_t
+countUnknown(const XYZView& points, const ShapeField& field, unsigned threads)
 {
-  std::size_t finite = 0, unknown = 0;
-  for (std::size_t i = 0; i < field.points.size; ++i)
-    if (kernels::isFinite(field.points[i])) {
-      ++finite;
-      unknown += std::isnan(field.edge_likelihood[i]) ? 1 : 0;
-    }
-  return finite == 0 ? 0.0 : static_cast<double>(unknown) / static_cast<double>(finite);
+  std::vector<std::int32_t> stands_for;
+  if (points.first != field.points.first)
+    stands_for = representatives(points, field.points, field.spacings, threads);
+  std::size_t unknown = 0;
+  for (std::size_t i = 0; i < points.size; ++i) {
+    const auto at = stands_for.empty() ? static_cast<std::int32_t>(i) : stands_for[i];
+    const bool is_unknown =
+        at < 0 || std::isnan(field.edge_likelihood[static_cast<std::size_t>(at)]);
+    unknown += is_unknown && kernels::isFinite(points[i]) ? 1 : 0;
+  }
+  return unknown;
 }
 
 /** The distance to the 12th neighbor, as the spacing of even clouds is. */
@@ -95,7 +99,13 @@ plainSpacings(const FieldRequest& request, const NeighborFinder& finder)
   return localSpacings(neighborhoods, all.size(), true);
 }
 
-ShapeField
+/** A field, and whether it is of other points than the surface's places. */
+struct Base {
+  ShapeField field;
+  bool is_other = false;
+};
+
+Base
 baseOf(const FieldRequest& request)
 {
   const auto finderAmong = [&](const std::vector<float>& points) {
@@ -104,19 +114,25 @@ baseOf(const FieldRequest& request)
   if (request.resolution == 0.0) {
     ShapeField field =
         fieldOf(request, request.surface_owner, request.surface, finderAmong({}));
-    const double unknown = unknownShare(field);
-    if (unknown <= max_unknown || request.has_normals)
-      return field;
+    const std::size_t unknown = countUnknown(request.surface, field, request.threads);
+    if (static_cast<double>(unknown) <=
+            max_unknown * static_cast<double>(countFinite(request.surface)) ||
+        request.has_normals)
+      return {std::move(field), false};
     const auto even = std::make_shared<const std::vector<float>>(
         evenSampling(request.surface, plainSpacings(request, finderAmong({}))));
     ShapeField evened = fieldOf(
         request, even, {even->data(), 3, even->size() / 3}, finderAmong(*even), true);
-    return unknownShare(evened) < unknown ? evened : field;
+    if (countUnknown(request.surface, evened, request.threads) < unknown)
+      return {std::move(evened), true};
+    return {std::move(field), false};
   }
   const auto means = std::make_shared<const std::vector<float>>(
       voxelMeans(request.surface, request.resolution));
-  return fieldOf(
-      request, means, {means->data(), 3, means->size() / 3}, finderAmong(*means));
+  return {
+      fieldOf(
+          request, means, {means->data(), 3, means->size() / 3}, finderAmong(*means)),
+      true};
 }
 
 /** Three numbers of each place, those of its first point; zeros are positive. */
@@ -149,7 +165,7 @@ normalsOfPlaces(const XYZView& normals, const DistinctPoints& distinct)
 }
 
 /** The field of the surface as it is if no two of its points are equal. */
-ShapeField
+Base
 baseOf(const FieldRequest& request, const DistinctPoints& distinct)
 {
   if (!distinct.hasRepeats())
@@ -280,11 +296,11 @@ ShapeField
 estimateField(const FieldRequest& request)
 {
   const DistinctPoints distinct = distinctPoints(request.surface);
-  ShapeField field = baseOf(request, distinct);
+  Base base = baseOf(request, distinct);
+  ShapeField field = std::move(base.field);
   if (field.points.first != request.input.first) {
-    const bool is_of_input = request.surface.first == request.input.first &&
-                             request.resolution == 0.0 &&
-                             field.points.size == distinct.first.size();
+    const bool is_of_input =
+        request.surface.first == request.input.first && !base.is_other;
     std::vector<std::int32_t> base_points =
         is_of_input ? distinct.place : basePoints(request, field);
     field = scattered(pcl::make_shared<const ShapeField>(std::move(field)),

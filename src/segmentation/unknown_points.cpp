@@ -210,7 +210,8 @@ unknownPoints(const ShapeField& field, unsigned threads)
       has_classes ? field.likelihoods.front() : field.edge_likelihood;
   const ShapeModel& model =
       has_classes ? ShapeModel::defaultSurfaces() : ShapeModel::defaultEdges();
-  const INADParameters parameters = detail::withNoise(model.parameters(), field.noise);
+  const INADParameters parameters =
+      detail::withNoise(model.parameters(), field.noise_level);
   const auto spacings =
       static_cast<float>(std::min(parameters.normal_radius, parameters.radius));
   const float usual = medianSpacing(field.spacings);

@@ -121,8 +121,10 @@ collectNodes(const XYZView& points, const ShapeField& field, FacePyramid& pyrami
         return std::abs(field.normals[p.point].dot(normal)) > same_face;
       };
       const auto next = std::stable_partition(rest, end, is_of_node);
-      if (next == rest)
-        break; // a normal that is not of length 1
+      if (next == rest) { // a normal that is not of length 1
+        ++rest;
+        continue;
+      }
       for (; rest != next; ++rest) {
         members.push_back(rest->point);
         pyramid.node_of_point[rest->point] =

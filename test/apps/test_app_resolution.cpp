@@ -68,7 +68,7 @@ TEST_F(ResolutionOption, TheSummarySaysWhatIsCurved)
 {
   const Outcome outcome = runApp("pcl_shape_back_projection", {scene, path("out.pcd")});
   expectSuccess(outcome);
-  EXPECT_NE(outcome.out.find(", curved up to a radius of 0.0"), std::string::npos)
+  EXPECT_NE(outcome.out.find(", curved up to a radius of 0.7"), std::string::npos)
       << outcome.out;
   const Json paper =
       run("pcl_shape_back_projection", {scene, path("out.pcd"), "-mode", "paper"});

@@ -74,6 +74,7 @@ TEST(CoincidentPoints, EachPointGetsWhatItsPlaceGets)
   ASSERT_TRUE(field.base);
   EXPECT_EQ(once->size(), field.base->points.size);
   EXPECT_EQ(expected.noise, field.noise);
+  EXPECT_EQ(expected.noise_level, field.noise_level);
   EXPECT_EQ(expected.creases.size(), field.creases.size());
   ASSERT_FALSE(expected.creases.empty());
   ASSERT_EQ(expected.likelihoods.size(), field.likelihoods.size());
