@@ -200,7 +200,10 @@ collectVotes(const FieldInput& input,
   for (std::size_t i = 0; i < evidence.size(); ++i)
     if (evidence[i] > candidate_evidence)
       candidates.push_back(i);
-  const float reach = fitSpacings(edges.noise_level);
+  // A little wider than normals need: the planes are to give the angle, too.
+  constexpr double of_thickness = 0.25;
+  const float reach =
+      fitSpacings(edges.noise_level + of_thickness * (edges.noise - edges.noise_level));
   std::vector<Vote> votes(candidates.size());
   kernels::parallelForRanges(
       candidates.size(), input.threads, [&](std::size_t begin, std::size_t end) {
