@@ -651,10 +651,7 @@ appendAscii(const CloudFile& cloud, std::string& text)
         visitType(writtenType(field, PCDFormat::ascii), [&](auto value) {
           std::memcpy(&value, from, sizeof(value));
           from += sizeof(value);
-          if (value != value) // std::to_chars would keep a NaN's sign
-            text += "nan";
-          else
-            appendNumber(value, text);
+          appendFileNumber(value, text);
           text += ' ';
         });
     text.back() = '\n';

@@ -679,10 +679,7 @@ appendText(const CloudFile& cloud,
                     cloud.blob.data.data() + i * cloud.blob.point_step +
                         property.offset,
                     sizeof(value));
-        if (value != value) // std::to_chars would keep a NaN's sign
-          text += "nan";
-        else
-          appendNumber(value, text);
+        appendFileNumber(value, text);
         text += ' ';
       });
     text.back() = '\n';

@@ -61,6 +61,18 @@ appendNumber(T value, std::string& text)
   text.append(digits, std::to_chars(digits, digits + max_digits, value).ptr);
 }
 
+/** \brief The same for files of points: NaN is nan, without the sign that
+ * std::to_chars keeps. */
+template <typename T>
+void
+appendFileNumber(T value, std::string& text)
+{
+  if (value != value)
+    text += "nan";
+  else
+    appendNumber(value, text);
+}
+
 /** \brief A word of a file for a message: printable and short. */
 std::string inQuotes(std::string_view word);
 

@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include "scene/lidar.h"
+
 #include <pcl/segmentation/shape_ground_segmentation.h>
 
 #include <cstdint>
@@ -14,6 +16,15 @@ namespace pcl::test {
 
 using Cloud = PointCloud<PointXYZ>;
 using Ground = ShapeGroundSegmentation<PointXYZ>;
+
+inline Cloud::Ptr
+cloudOf(const scene::LidarScan& scan)
+{
+  const auto cloud = make_shared<Cloud>();
+  for (std::size_t i = 0; i < scan.xyz.size(); i += 3)
+    cloud->emplace_back(scan.xyz[i], scan.xyz[i + 1], scan.xyz[i + 2]);
+  return cloud;
+}
 
 inline std::vector<float>
 likelihoodsOf(const Cloud::ConstPtr& cloud, unsigned threads = 0)

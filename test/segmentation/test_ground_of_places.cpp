@@ -47,15 +47,6 @@ scanOf(StreetPlace place, const Sensor& sensor, std::uint64_t seed)
   return scene::scanStreet(options);
 }
 
-Cloud::Ptr
-cloudOf(const scene::LidarScan& scan)
-{
-  const auto cloud = make_shared<Cloud>();
-  for (std::size_t i = 0; i < scan.xyz.size(); i += 3)
-    cloud->emplace_back(scan.xyz[i], scan.xyz[i + 1], scan.xyz[i + 2]);
-  return cloud;
-}
-
 class GroundOfPlaces : public testing::TestWithParam<Place> {};
 
 TEST_P(GroundOfPlaces, IsFoundByAllScanners)

@@ -29,15 +29,6 @@ street(std::uint64_t seed, unsigned beams)
   return scene::scanStreet(options);
 }
 
-Cloud::Ptr
-cloudOf(const scene::LidarScan& scan)
-{
-  const auto cloud = make_shared<Cloud>();
-  for (std::size_t i = 0; i < scan.xyz.size(); i += 3)
-    cloud->emplace_back(scan.xyz[i], scan.xyz[i + 1], scan.xyz[i + 2]);
-  return cloud;
-}
-
 class Streets : public testing::TestWithParam<unsigned> {};
 
 TEST_P(Streets, GroundIsFound)
