@@ -5,9 +5,7 @@
 #include "edges/crease_votes.h"
 
 #include "common/parallel.h"
-#include "geometry/principal_axes.h"
-
-#include <Eigen/LU>
+#include "edges/crease_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +15,6 @@ namespace pcl::segmentation {
 namespace {
 
 using detail::FieldInput;
-using Eigen::Matrix3f;
 using Eigen::Vector3f;
 
 // Evidence is the logarithm of density(edge) / density(surface).
@@ -26,141 +23,129 @@ constexpr float max_evidence = 4.0f;       // 55 to 1: no point alone decides
 // Twice the radius of INAD: clean surface on both sides of the edge.
 constexpr float fit_spacings = 2.0f, fit_per_noise = 10.0f;
 constexpr std::size_t fit_points = 40; // more gave nothing
-constexpr int normal_rounds = 3;       // they only give the planes a start
-constexpr int plane_rounds = 5;        // few neighborhoods change after that
-constexpr int min_plane_points = 5;    // fewer are no plane, as for normals
-constexpr float parallel = 0.05f;      // sine, 3 degrees: the line is anywhere
+// Where creases are crowded, that holds more than two planes: then a little more than
+// normals need is tried.
+constexpr float short_fit_spacings = 1.4f, short_fit_per_noise = 5.0f;
+// Spacings, and multiples of the noise: two planes explain no more than a wedge.
+constexpr float clear_deviation = 0.1f, clear_noise = 1.3f;
+// The same beyond which two planes do not describe the points: as in two sheets.
+constexpr float max_plane_deviation = 1.0f / 6.0f, max_plane_noise = 2.0f;
+// That a wedge explains a patch better than a smooth surface counts by half, for
+// neighbors share points; less 2, which the choice among wedges gains by chance.
+constexpr float fit_weight = 0.5f, fit_chance = 2.0f;
+constexpr float max_fit_loss = 2.0f, max_fit_gain = 4.0f; // as much as INAD says
 // Radians. A surface that curves with twice the fit's radius looks like less.
 constexpr float min_angle = 0.5f;
 constexpr float vote_spacings = 0.6f; // the votes of a crease's band are on one line
-constexpr float half_turn = 3.14159265f;
 
-/** A neighborhood about its center in units of the spacing there. */
-struct Patch {
-  std::vector<Vector3f> points;
-  std::vector<Vector3f> normals; ///< unit, of either sign
+/** Finds where the crease next to a candidate runs. */
+class CandidateFit {
+public:
+  CandidateFit(const FieldInput& input,
+               const ShapeField& edges,
+               float whiteness,
+               const PointGrid& grid)
+  : input_(input)
+  , edges_(edges)
+  , whiteness_(whiteness)
+  , grid_(grid)
+  , reach_(reachOf(edges))
+  , short_reach_(short_fit_spacings +
+                 short_fit_per_noise * static_cast<float>(edges.noise_level))
+  {}
+
+  /** Without evidence where there is no crease. */
+  Vote
+  vote(std::size_t candidate, float evidence)
+  {
+    const std::optional<CreaseFit> crease = clearFit(candidate);
+    if (!crease || crease->angle < min_angle || crease->foot.norm() > reach_ ||
+        isNoPair(*crease))
+      return {};
+    const float spacing = edges_.spacings[candidate];
+    float weight = std::min(max_evidence, evidence);
+    if (whiteness_ > 0.0f)
+      weight +=
+          whiteness_ *
+          std::clamp(fit_weight * (wedgeOverQuadric(patch_, *crease) - fit_chance),
+                     -max_fit_loss,
+                     max_fit_gain);
+    return {positionOf(input_.points, candidate) + spacing * crease->foot,
+            crease->direction,
+            crease->turn,
+            std::max(0.0f, weight),
+            spacing};
+  }
+
+private:
+  /** Two sheets, or faces of several creases, that two planes do not describe. */
+  bool
+  isNoPair(const CreaseFit& crease) const
+  {
+    const float max_deviation = std::max(
+        max_plane_deviation, max_plane_noise * static_cast<float>(edges_.noise));
+    return whiteness_ > 0.0f && planeDeviation(patch_, crease) > max_deviation;
+  }
+
+  static float
+  reachOf(const ShapeField& edges)
+  {
+    // A little wider than normals need: the planes are to give the angle, too.
+    constexpr double of_thickness = 0.25;
+    return fitSpacings(edges.noise_level +
+                       of_thickness * (edges.noise - edges.noise_level));
+  }
+
+  /** Within the reach or, if that is no wedge and noise does not explain it, less. */
+  std::optional<CreaseFit>
+  clearFit(std::size_t candidate)
+  {
+    fillPatch(candidate, reach_);
+    std::optional<CreaseFit> crease = fitCrease(patch_);
+    const float clear =
+        std::max(clear_deviation, clear_noise * static_cast<float>(edges_.noise));
+    if (whiteness_ == 0.0f || (crease && wedgeDeviation(patch_, *crease) <= clear))
+      return crease;
+    const Patch wide = std::move(patch_);
+    fillPatch(candidate, short_reach_);
+    const std::optional<CreaseFit> near = fitCrease(patch_);
+    if (near &&
+        (!crease || wedgeDeviation(patch_, *near) < wedgeDeviation(wide, *crease)))
+      return near;
+    patch_ = wide;
+    return crease;
+  }
+
+  /** Some of the points around a candidate. */
+  void
+  fillPatch(std::size_t candidate, float reach)
+  {
+    patch_.points.clear();
+    patch_.normals.clear();
+    found_.clear();
+    const float spacing = edges_.spacings[candidate];
+    const Vector3f center = positionOf(input_.points, candidate);
+    grid_.forEachWithin(
+        center, reach * spacing, [&](std::uint32_t i, float) { found_.push_back(i); });
+    const std::size_t step = std::max<std::size_t>(1, found_.size() / fit_points);
+    for (std::size_t k = 0; k < found_.size(); k += step) {
+      const Vector3f normal = edges_.normals[found_[k]];
+      if (normal.allFinite()) {
+        patch_.points.emplace_back((positionOf(input_.points, found_[k]) - center) /
+                                   spacing);
+        patch_.normals.push_back(normal);
+      }
+    }
+  }
+
+  const FieldInput& input_;
+  const ShapeField& edges_;
+  float whiteness_;
+  const PointGrid& grid_;
+  float reach_, short_reach_; ///< spacings
+  std::vector<std::uint32_t> found_;
+  Patch patch_;
 };
-
-/** The line where the two planes of a patch meet. */
-struct CreaseFit {
-  Vector3f foot;      ///< the point nearest to the center
-  Vector3f direction; ///< unit
-  float angle = 0.0f; ///< between the planes' normals, 0 to pi/2
-  float turn = 0.0f;  ///< by which the surface turns there, 0 to pi
-};
-
-/** The normal that differs most from a direction. */
-Vector3f
-farthestFrom(const Vector3f& direction, const std::vector<Vector3f>& normals)
-{
-  return *std::min_element(
-      normals.begin(), normals.end(), [&](const Vector3f& a, const Vector3f& b) {
-        return std::abs(a.dot(direction)) < std::abs(b.dot(direction));
-      });
-}
-
-/** Which of two groups each normal is in; they start from the two that differ most. */
-std::vector<char>
-groupNormals(const std::vector<Vector3f>& normals)
-{
-  Matrix3f all = Matrix3f::Zero();
-  for (const Vector3f& n : normals)
-    all += n * n.transpose();
-  Vector3f first = farthestFrom(principalAxis(all, 2), normals);
-  Vector3f second = farthestFrom(first, normals);
-  std::vector<char> group(normals.size());
-  for (int round = 0; round < normal_rounds; ++round) {
-    Matrix3f of_first = Matrix3f::Zero(), of_second = Matrix3f::Zero();
-    for (std::size_t i = 0; i < normals.size(); ++i) {
-      group[i] = std::abs(normals[i].dot(second)) > std::abs(normals[i].dot(first));
-      (group[i] ? of_second : of_first) += normals[i] * normals[i].transpose();
-    }
-    first = principalAxis(of_first, 2);
-    second = principalAxis(of_second, 2);
-  }
-  return group;
-}
-
-Plane<float>
-planeOf(const std::vector<Vector3f>& points, const std::vector<char>& group, char which)
-{
-  return fitPlane<float>([&](const auto& visit) {
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (group[i] == which)
-        visit(points[i]);
-  });
-}
-
-std::optional<CreaseFit>
-intersection(const Plane<float>& a, const Plane<float>& b)
-{
-  CreaseFit crease;
-  crease.direction = a.normal.cross(b.normal);
-  const float sine = crease.direction.norm();
-  if (!(sine > parallel))
-    return std::nullopt;
-  crease.direction /= sine;
-  Matrix3f rows;
-  rows << a.normal.transpose(), b.normal.transpose(), crease.direction.transpose();
-  crease.foot =
-      rows.inverse() * Vector3f(a.normal.dot(a.center), b.normal.dot(b.center), 0.0f);
-  crease.angle = std::asin(std::min(1.0f, sine));
-  const Vector3f to_a = a.center - crease.foot, to_b = b.center - crease.foot;
-  const Vector3f& along = crease.direction;
-  const float same_side = to_a.dot(to_b) - to_a.dot(along) * to_b.dot(along);
-  crease.turn = same_side > 0.0f ? half_turn - crease.angle : crease.angle;
-  return crease;
-}
-
-/** Fit two planes by turns: each point to the nearer plane, each plane to its points
- * (k-planes, after Bradley and Mangasarian, "k-Plane Clustering", 2000). */
-std::optional<CreaseFit>
-fitCrease(const Patch& patch)
-{
-  const std::vector<Vector3f>& points = patch.points;
-  if (points.size() < 2 * min_plane_points)
-    return std::nullopt;
-  std::vector<char> group = groupNormals(patch.normals);
-  Plane<float> first, second;
-  for (int round = 0; round < plane_rounds; ++round) {
-    if (std::count(group.begin(), group.end(), 0) < min_plane_points ||
-        std::count(group.begin(), group.end(), 1) < min_plane_points)
-      return std::nullopt;
-    first = planeOf(points, group, 0);
-    second = planeOf(points, group, 1);
-    bool changed = false;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const char nearer = second.distance(points[i]) < first.distance(points[i]);
-      changed = changed || nearer != group[i];
-      group[i] = nearer;
-    }
-    if (!changed)
-      break;
-  }
-  return intersection(first, second);
-}
-
-/** Some of the points that were found around a candidate. */
-void
-fillPatch(const FieldInput& input,
-          const ShapeField& edges,
-          const std::vector<std::uint32_t>& found,
-          std::size_t center,
-          Patch& patch)
-{
-  patch.points.clear();
-  patch.normals.clear();
-  const std::size_t step = std::max<std::size_t>(1, found.size() / fit_points);
-  const Vector3f origin = positionOf(input.points, center);
-  for (std::size_t k = 0; k < found.size(); k += step) {
-    const Vector3f normal = edges.normals[found[k]];
-    if (normal.allFinite()) {
-      patch.points.emplace_back((positionOf(input.points, found[k]) - origin) /
-                                edges.spacings[center]);
-      patch.normals.push_back(normal);
-    }
-  }
-}
 
 Agreement
 agreementAround(const Vote& vote, const std::vector<Vote>& votes, const PointGrid& grid)
@@ -194,38 +179,19 @@ std::vector<Vote>
 collectVotes(const FieldInput& input,
              const ShapeField& edges,
              const std::vector<float>& evidence,
+             float whiteness,
              const PointGrid& grid)
 {
   std::vector<std::size_t> candidates;
   for (std::size_t i = 0; i < evidence.size(); ++i)
     if (evidence[i] > candidate_evidence)
       candidates.push_back(i);
-  // A little wider than normals need: the planes are to give the angle, too.
-  constexpr double of_thickness = 0.25;
-  const float reach =
-      fitSpacings(edges.noise_level + of_thickness * (edges.noise - edges.noise_level));
   std::vector<Vote> votes(candidates.size());
   kernels::parallelForRanges(
       candidates.size(), input.threads, [&](std::size_t begin, std::size_t end) {
-        std::vector<std::uint32_t> found;
-        Patch patch;
-        for (std::size_t v = begin; v < end; ++v) {
-          const std::size_t i = candidates[v];
-          const float spacing = edges.spacings[i];
-          const Vector3f center = positionOf(input.points, i);
-          found.clear();
-          grid.forEachWithin(center, reach * spacing, [&](std::uint32_t j, float) {
-            found.push_back(j);
-          });
-          fillPatch(input, edges, found, i, patch);
-          const auto crease = fitCrease(patch);
-          if (crease && crease->angle >= min_angle && crease->foot.norm() <= reach)
-            votes[v] = {center + spacing * crease->foot,
-                        crease->direction,
-                        crease->turn,
-                        std::min(max_evidence, evidence[i]),
-                        spacing};
-        }
+        CandidateFit fit(input, edges, whiteness, grid);
+        for (std::size_t v = begin; v < end; ++v)
+          votes[v] = fit.vote(candidates[v], evidence[candidates[v]]);
       });
   const auto is_none = [](const Vote& vote) { return vote.evidence == 0.0f; };
   votes.erase(std::remove_if(votes.begin(), votes.end(), is_none), votes.end());

@@ -36,10 +36,14 @@ float fitSpacings(double noise);
 /** \brief The votes of all points whose evidence speaks for an edge, and near which two
  * planes meet at an angle.
  * \param[in] edges with normals, spacings and noise
- * \param[in] evidence ln(density(edge) / density(rest)) at each point, NaN unknown */
+ * \param[in] evidence ln(density(edge) / density(rest)) at each point, NaN unknown
+ * \param[in] whiteness how sure it is that noise is of each point for itself, 0 to 1:
+ * so much counts what the fit of two planes says beside INAD. Steps that neighbors
+ * share look like wedges. */
 std::vector<Vote> collectVotes(const detail::FieldInput& input,
                                const ShapeField& edges,
                                const std::vector<float>& evidence,
+                               float whiteness,
                                const PointGrid& grid);
 
 /** \brief What the votes around each vote agree on.

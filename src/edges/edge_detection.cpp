@@ -12,6 +12,7 @@
 #include "features/noise_level.h"
 #include "geometry/point_grid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -25,6 +26,18 @@ using Eigen::Vector3f;
 // votes of some ten points; noise spreads chance votes, so that it takes more to agree.
 constexpr float needed_evidence = 20.0f;
 constexpr float needed_per_noise = 5.0f;
+// Where the fits of two planes are judged, too, crowded creases can share their voters.
+constexpr float needed_less_if_fits_count = 4.0f;
+
+/** How much the fits of two planes count. At the limit of the noise that is measured,
+ * it is not known how much of a fit's deviation the noise explains. */
+float
+whitenessOf(const NoiseLevel& level, double noise)
+{
+  constexpr double known = 0.25, unknown = 0.3;
+  const double trust = std::clamp((unknown - noise) / (unknown - known), 0.0, 1.0);
+  return static_cast<float>((1.0 - level.correlation) * trust);
+}
 
 /** Sets normals, and gives the evidence at each point. */
 std::vector<float>
@@ -49,12 +62,14 @@ evidenceOf(const FieldInput& input, const ShapeModel& model, ShapeField& field)
 /** Points near an agreement take its likelihood, evidence / (evidence + needed). */
 void
 markBands(const std::vector<Agreement>& agreements,
+          float whiteness,
           const PointGrid& grid,
           ShapeField& field)
 {
   const auto noise = static_cast<float>(field.noise_level);
   const float band = edgeBand(field.noise_level);
-  const float needed = needed_evidence * (1.0f + needed_per_noise * noise);
+  const float needed = (needed_evidence - needed_less_if_fits_count * whiteness) *
+                       (1.0f + needed_per_noise * noise);
   for (const Agreement& agreement : agreements) {
     const Vector3f center = Eigen::Map<const Vector3f>(agreement.point.position.data());
     const float likelihood = agreement.evidence / (agreement.evidence + needed);
@@ -77,18 +92,21 @@ findEdges(const FieldInput& input, const ShapeModel& model, ShapeField& field)
   field.noise = noiseOf(input.neighborhoods, field.spacings);
   const float spacing = median(field.spacings);
   const PointGrid grid(input.points, 2.0f * spacing);
-  field.noise_level =
+  // Of normals of one's own it is not known which noise is left in them.
+  const NoiseLevel noise =
       input.normals.size > 0
-          ? field.noise
+          ? NoiseLevel{field.noise, 1.0}
           : noiseLevelOf(input.neighborhoods, field.spacings, field.noise, grid);
+  field.noise_level = noise.level;
   const std::vector<float> evidence = evidenceOf(input, model, field);
   field.edge_likelihood.reserve(evidence.size());
   for (const float e : evidence)
     field.edge_likelihood.push_back(
         std::isnan(e) ? std::numeric_limits<float>::quiet_NaN() : 0.0f);
 
-  const std::vector<Vote> votes = collectVotes(input, field, evidence, grid);
-  markBands(countVotes(votes, spacing, input.threads), grid, field);
+  const float whiteness = whitenessOf(noise, field.noise);
+  const std::vector<Vote> votes = collectVotes(input, field, evidence, whiteness, grid);
+  markBands(countVotes(votes, spacing, input.threads), whiteness, grid, field);
 }
 
 } // namespace pcl::detail

@@ -135,24 +135,54 @@ private:
   pcl::Indices chosen_;
 };
 
+/** How sure it is that the shape keeps the scatter from falling, 0 to 1. White noise
+ * falls with the area that normals see, a curved surface turns by more within a larger
+ * radius: squares of both add up, which two levels give. A third then shows less than
+ * that, about 0.6 of it, if neighbors share noise. */
+float
+curvatureShare(float first, float second, const NormalScatter& scatter)
+{
+  const auto square = [](double x) { return x * x; };
+  const auto noise_left = [&](double level) { // of its square
+    return square(
+        square(normal_radius / (normal_radius + normal_radius_noise * level)));
+  };
+  const auto turn_grown = [&](double level) {
+    return square((inad_radius + inad_radius_noise * level) / inad_radius);
+  };
+  const double left = noise_left(levels[1]), grown = turn_grown(levels[1]);
+  const double turn = (square(second) - left * square(first)) / (grown - left);
+  if (turn <= 0.0)
+    return 0.0f;
+  constexpr double third = 0.15;
+  const double noise = std::max(0.0, square(first) - turn);
+  const double expected =
+      std::sqrt(noise_left(third) * noise + turn_grown(third) * turn);
+  constexpr double shared = 0.75, curved = 0.85; // of what is expected
+  return static_cast<float>(
+      std::clamp((scatter(third) / expected - shared) / (curved - shared), 0.0, 1.0));
+}
+
 } // namespace
 
-double
+NoiseLevel
 noiseLevelOf(const Neighborhoods& neighborhoods,
              const std::vector<float>& spacings,
              double noise,
              const PointGrid& grid)
 {
   if (noise == 0.0)
-    return 0.0;
+    return {};
   const NormalScatter scatter(neighborhoods, spacings, grid);
   const float first = scatter(levels[0]);
   if (!(first > 0.0f))
-    return 0.0;
+    return {};
   float before = scatter(levels[1]);
-  const float share = correlation(before / first);
+  float share = correlation(before / first);
+  if (share > 0.0f)
+    share *= 1.0f - curvatureShare(first, before, scatter);
   if (share == 1.0f)
-    return noise;
+    return {noise, 1.0};
   double white = first <= stable    ? 0.0
                  : before <= stable ? crossing(levels[0], first, levels[1], before)
                                     : noise;
@@ -164,7 +194,8 @@ noiseLevelOf(const Neighborhoods& neighborhoods,
     before = scattered;
   }
   white = std::min(white, noise);
-  return white + static_cast<double>(share) * (noise - white);
+  return {white + static_cast<double>(share) * (noise - white),
+          static_cast<double>(share)};
 }
 
 INADParameters
@@ -181,7 +212,8 @@ withNoiseOfCloud(const INADParameters& parameters,
       adaptiveRadii(AdaptiveRadius::DENSITY, 1.0, neighborhoods, all);
   const segmentation::PointGrid grid(cloud, grid_spacings * medianSpacing(spacings));
   const double noise = noiseOf(neighborhoods, spacings);
-  return withNoise(parameters, noiseLevelOf(neighborhoods, spacings, noise, grid));
+  return withNoise(parameters,
+                   noiseLevelOf(neighborhoods, spacings, noise, grid).level);
 }
 
 } // namespace pcl::detail

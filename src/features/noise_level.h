@@ -9,7 +9,13 @@
 
 namespace pcl::detail {
 
-/** \brief The noise that the radii of edges are chosen for, in spacings, 0 to 0.3.
+/** \brief The noise that the radii of edges are chosen for. */
+struct NoiseLevel {
+  double level = 0.0;       ///< spacings, 0 to 0.3
+  double correlation = 0.0; ///< how sure it is that neighbors share noise, 0 to 1
+};
+
+/** \brief The level of noise for edges, and its color.
  *
  * What the thickness of neighborhoods says, if neighbors share their noise as those of
  * depth cameras do. White noise averages out within few points, and where creases are
@@ -19,10 +25,10 @@ namespace pcl::detail {
  * \param[in] spacings one for each point
  * \param[in] noise see noiseOf()
  * \param[in] grid of the points */
-PCL_SHAPE_EXPORTS double noiseLevelOf(const Neighborhoods& neighborhoods,
-                                      const std::vector<float>& spacings,
-                                      double noise,
-                                      const segmentation::PointGrid& grid);
+PCL_SHAPE_EXPORTS NoiseLevel noiseLevelOf(const Neighborhoods& neighborhoods,
+                                          const std::vector<float>& spacings,
+                                          double noise,
+                                          const segmentation::PointGrid& grid);
 
 /** \brief Parameters for the noise of this cloud. */
 PCL_SHAPE_EXPORTS INADParameters withNoiseOfCloud(const INADParameters& parameters,

@@ -149,9 +149,9 @@ TEST(AdaptiveRadius, NoiseIsMeasuredInSpacings)
   EXPECT_EQ(0.3, noise(0.01));
 }
 
-/** The noise and the noise level of a cloud. */
-std::pair<double, double>
-noiseAndLevelOf(const Surface& surface)
+/** The noise of a cloud, and its level and color. */
+std::pair<double, detail::NoiseLevel>
+noiseOfCloud(const Surface& surface)
 {
   Indices all(surface.size());
   std::iota(all.begin(), all.end(), 0);
@@ -160,6 +160,14 @@ noiseAndLevelOf(const Surface& surface)
   const segmentation::PointGrid grid(surface.points(), 0.012f);
   const double noise = detail::noiseOf(neighborhoods, spacings);
   return {noise, detail::noiseLevelOf(neighborhoods, spacings, noise, grid)};
+}
+
+/** The noise and the noise level of a cloud. */
+std::pair<double, double>
+noiseAndLevelOf(const Surface& surface)
+{
+  const auto [noise, level] = noiseOfCloud(surface);
+  return {noise, level.level};
 }
 
 TEST(AdaptiveRadius, WhiteNoiseNeedsSmallRadii)
@@ -173,6 +181,22 @@ TEST(AdaptiveRadius, WhiteNoiseNeedsSmallRadii)
   EXPECT_GT(more, 0.2);
   EXPECT_GT(level_of_more, 0.02);
   EXPECT_LT(level_of_more, 0.5 * more);
+}
+
+TEST(AdaptiveRadius, CurvatureIsNotTakenForNoiseThatNeighborsShare)
+{
+  // A sphere of 35 spacings: its normals differ by more within larger radii.
+  Random random(43);
+  Surface surface = sampled(60000, random, [](Random& any) {
+    const Eigen::Vector3d n =
+        Eigen::Vector3d(any.normal(), any.normal(), any.normal()).normalized();
+    return SurfacePoint{0.1 * n, n};
+  });
+  const double d = 2.0 * std::sqrt(4.0 * pi * 0.01 / 60000.0);
+  surface.addNoise(0.07 * d, random);
+  const auto [noise, level] = noiseOfCloud(surface);
+  EXPECT_EQ(0.0, level.correlation);
+  EXPECT_LT(level.level, noise);
 }
 
 TEST(AdaptiveRadius, NoiseThatNeighborsShareNeedsRadiiOfItsSize)

@@ -136,6 +136,54 @@ TEST(CloseCreases, AreTwoLines)
   }
 }
 
+/** \brief Bars that are as wide as the gaps between them, up to 12 * width along y. */
+Strips
+ribs(double width)
+{
+  std::vector<Eigen::Vector2d> corners{{-0.1, 0.0}};
+  for (int rib = 0; rib < 6; ++rib) {
+    const double y = 2 * rib * width;
+    corners.insert(corners.end(),
+                   {{y, 0.0}, {y, width}, {y + width, width}, {y + width, 0.0}});
+  }
+  corners.emplace_back(12 * width, 0.0);
+  return Strips(std::move(corners));
+}
+
+TEST(CloseCreases, OfRibsAreFoundInWhiteNoise)
+{
+  const double width = 4 * d;
+  for (const double noise : {0.0, 0.07 * d, 0.15 * d}) {
+    SCOPED_TRACE("noise in d: " + std::to_string(noise / d));
+    const Strips strips = ribs(width);
+    Random random(92);
+    Surface surface = sampled(strips.points(), random, strips);
+    const Surface exact = surface;
+    surface.addNoise(noise, random);
+    const std::vector<float> likelihood = edgesOf(toCloud<PointXYZ>(surface));
+    double on = 0, found = 0, off = 0, false_alarms = 0;
+    for (std::size_t i = 0; i < surface.size(); ++i) {
+      const Eigen::Vector3d p = exact.position(i);
+      const double across = std::abs(std::remainder(p.y(), width));
+      const double up = std::min(p.z(), width - p.z());
+      const bool is_rib = p.y() > -0.5 * d && p.y() < 11.5 * width;
+      const bool is_on = is_rib && up < 0.5 * d && across < 0.5 * d;
+      const bool is_off = is_rib && std::max(up, across) > 1.5 * d;
+      const bool is_edge = likelihood[i] > 0.5f;
+      on += is_on ? 1 : 0;
+      found += is_on && is_edge ? 1 : 0;
+      off += is_off ? 1 : 0;
+      false_alarms += is_off && is_edge ? 1 : 0;
+    }
+    ASSERT_GT(on, 1000);
+    ASSERT_GT(off, 1000);
+    EXPECT_GE(found, 0.98 * on);
+    if (noise == 0.0) { // with noise, bands are half as wide as the ribs
+      EXPECT_LE(false_alarms, 0.01 * off);
+    }
+  }
+}
+
 TEST(CloseCreases, AreTwoBandsOfEdges)
 {
   for (const Pair& pair : pairs(5 * d)) {
