@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=${1:-build/test}
 
-scripts/install_packages.sh
+scripts/install_packages.sh --site
 scripts/check_includes.py
 options=(-DCMAKE_BUILD_TYPE=Release -DPCL_SHAPE_WERROR=ON
          "-DPCL_SHAPE_TEST_DATA=${PCL_SHAPE_TEST_DATA:-}")

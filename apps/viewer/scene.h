@@ -34,8 +34,9 @@ struct Scene {
   Camera camera;
   int width = 0; ///< of all views together, pixels
   int height = 0;
-  int point_size = 1; ///< pixels
-  bool keys = false;  ///< show what the keys do
+  int point_size = 1;          ///< pixels
+  bool has_point_size = false; ///< whether the user has chosen it
+  bool keys = false;           ///< show what the keys do
 };
 
 /** \brief How many views are beside each other. */
