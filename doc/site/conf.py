@@ -16,12 +16,13 @@ source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 root_doc = "README"
 include_patterns = ["*.md", "doc/*.md", "doc/tutorials/content/*.rst", "reference/*.rst"]
 nitpicky = False
-pygments_style = "sphinx"
 
-html_theme = "furo"
+html_theme = "sphinx_rtd_theme"
+html_theme_options = {"collapse_navigation": False, "navigation_depth": 3}
 html_title = f"pcl_shape {release}"
 html_static_path = ["static"]
 html_css_files = ["site.css"]
+html_favicon = "static/icon.svg"
 html_show_sourcelink = False
 html_copy_source = False
 

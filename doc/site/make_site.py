@@ -3,9 +3,9 @@
 # SPDX-FileCopyrightText: 2026 pcl_shape contributors
 """Make the documentation site: the repository's pages, the tutorials, and the reference of the headers.
 
-Usage: doc/site/make_site.py -o DIRECTORY -v VERSION -d DOXYFILE -x XML [-b APPLICATIONS]
-The sources are laid out as links in DIRECTORY/source, as Sphinx's are, and the site is DIRECTORY/html. Doxygen writes
-the directory XML. With the directory of the applications, some pictures of tutorials are pages of pcl_shape_viewer as
+Usage: doc/site/make_site.py -o DIRECTORY -v VERSION -d DOXYFILE [-s SPHINX_BUILD] [-b APPLICATIONS]
+The sources are laid out as links in DIRECTORY/source, and the site is DIRECTORY/html. Doxygen writes DIRECTORY/xml.
+With the directory of the applications, some pictures of tutorials are pages of pcl_shape_viewer as
 well. Any warning of Doxygen or Sphinx is an error.
 """
 import argparse
@@ -14,6 +14,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+from xml.etree import ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"]
@@ -60,24 +61,45 @@ def make_pictures(applications, directory):
         run_application(lines[-1], *VIEW.split(), "-html", pages / f"{name}.html")
 
 
+def heading(text, underline):
+    return f"{text}\n{underline * len(text)}\n\n"
+
+
+def declarations_of(xml):
+    """The directives of Breathe for what each header declares, by header: classes first, then the rest."""
+    declarations = {}
+    namespace = ElementTree.parse(xml / "namespacepcl.xml").getroot().find("compounddef")
+    for inner in namespace.findall("innerclass"):
+        compound = ElementTree.parse(xml / f"{inner.get('refid')}.xml").getroot().find("compounddef")
+        name = inner.text
+        if name.count("::") == 1 and "<" not in name:  # those inside of classes come with them
+            declarations.setdefault(compound.find("location").get("file"), []).append(
+                (name.split("::")[1], f".. doxygen{compound.get('kind')}:: {name}\n   :members:\n   :undoc-members:\n"))
+    for member in namespace.iter("memberdef"):
+        name, kind = member.findtext("name"), member.get("kind")
+        if not name.startswith("operator"):
+            arguments = member.findtext("argsstring") or ""
+            declarations.setdefault(member.find("location").get("file"), []).append(
+                (name + ("()" if kind == "function" else ""), f".. doxygen{kind}:: pcl::{name}{arguments}\n"))
+    return declarations
+
+
 def write_reference(source, xml):
     """A page for each public header, and one that lists them."""
     reference = source / "reference"
     reference.mkdir()
-    headers = sorted((ROOT / "include").glob("pcl/*/*.h"))
-    for header in headers:
-        name = header.relative_to(ROOT / "include").as_posix()
-        (reference / f"{header.stem}.rst").write_text(
-            f"{name}\n{'=' * len(name)}\n\n::\n\n  #include <{name}>\n\n"
-            f".. doxygenfile:: {header.name}\n   :project: pcl_shape\n   :sections: innerclass innernamespace "
-            "briefdescription detaileddescription enum func typedef public-attrib public-func public-slot "
-            "public-static-attrib public-static-func public-type define var\n")
-    entries = "\n".join(f"   {header.stem}" for header in headers)
-    title = "Reference"
+    entries = []
+    for header, declarations in sorted(declarations_of(xml).items()):
+        stem = pathlib.PurePath(header).stem
+        text = heading(stem + ".h", "=") + f"::\n\n  #include <{header}>\n\n"
+        for name in dict.fromkeys(name for name, _ in declarations):
+            text += heading(name, "-") + "\n".join(what for other, what in declarations if other == name) + "\n"
+        (reference / f"{stem}.rst").write_text(text)
+        entries.append(f"   {stem}")
     (reference / "index.rst").write_text(
-        f"{title}\n{'=' * len(title)}\n\nThe public headers and what they declare. Lengths are in the unit of the "
-        f"cloud, which is meters in PCL, and angles in radians, unless a description says otherwise.\n\n"
-        f".. toctree::\n   :maxdepth: 1\n\n{entries}\n")
+        heading("Reference", "=") + "The public headers and what they declare. Lengths are in the unit of the cloud, "
+        "which is meters in PCL, and angles in radians, unless a description says otherwise.\n\n"
+        ".. toctree::\n   :maxdepth: 2\n\n" + "\n".join(entries) + "\n")
 
 
 def lay_out(directory):
@@ -91,12 +113,12 @@ def lay_out(directory):
     return source
 
 
-def run_sphinx(directory, source, xml, version):
+def run_sphinx(sphinx, directory, source, version):
     html = directory / "html"
     shutil.rmtree(html, ignore_errors=True)
-    os.environ.update(PCL_SHAPE_SITE_VERSION=version, PCL_SHAPE_SITE_XML=str(xml),
+    os.environ.update(PCL_SHAPE_SITE_VERSION=version, PCL_SHAPE_SITE_XML=str(directory / "xml"),
                       PCL_SHAPE_SITE_PICTURES=str(directory / "pictures"))
-    run(["sphinx-build", "-q", "-W", "--keep-going", "-j", "auto", "-c", ROOT / "doc" / "site",
+    run([sphinx, "-q", "-W", "--keep-going", "-j", "auto", "-c", ROOT / "doc" / "site",
          "-d", directory / "doctrees", source, html], directory)
     # The first page has the name of its source.
     (html / "index.html").write_text('<!DOCTYPE html>\n<html lang="en">\n<meta charset="utf-8">\n'
@@ -111,7 +133,7 @@ def main():
     parser.add_argument("-o", dest="output", type=pathlib.Path, required=True)
     parser.add_argument("-v", dest="version", required=True)
     parser.add_argument("-d", dest="doxyfile", type=pathlib.Path, required=True)
-    parser.add_argument("-x", dest="xml", type=pathlib.Path, required=True)
+    parser.add_argument("-s", dest="sphinx", default="sphinx-build")
     parser.add_argument("-b", dest="applications", type=pathlib.Path)
     arguments = parser.parse_args()
     directory = arguments.output.resolve()
@@ -121,8 +143,8 @@ def main():
     if arguments.applications:
         make_pictures(arguments.applications.resolve(), directory)
     source = lay_out(directory)
-    write_reference(source, arguments.xml)
-    run_sphinx(directory, source, arguments.xml.resolve(), arguments.version)
+    write_reference(source, directory / "xml")
+    run_sphinx(arguments.sphinx, directory, source, arguments.version)
     print(f"{directory / 'html' / 'index.html'}")
 
 
