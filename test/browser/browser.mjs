@@ -4,6 +4,8 @@
 
 import { chromium } from "playwright-core";
 
+const PATIENCE = 120000; // milliseconds: the machine may have other things to do
+
 /** Chromium without a screen, and without a graphics card: SwiftShader draws what WebGL asks for. */
 export function startBrowser() {
   return chromium.launch({
@@ -15,13 +17,17 @@ export function startBrowser() {
 /** A page, and the list of all that its console, its scripts and its requests complain of. */
 export async function openPage(browser, options) {
   const page = await browser.newPage(options);
+  page.setDefaultTimeout(PATIENCE);
   const problems = [];
   page.on("console", (message) => {
     if (["error", "warning"].includes(message.type()) && !isOfDriver(message.text()))
       problems.push(`${page.url()}: ${message.text()}`);
   });
   page.on("pageerror", (error) => problems.push(`${page.url()}: ${error.message}`));
-  page.on("requestfailed", (request) => problems.push(`${request.url()}: ${request.failure().errorText}`));
+  page.on("requestfailed", (request) => {
+    if (request.failure().errorText !== "net::ERR_ABORTED") // the test has gone on to another page
+      problems.push(`${request.url()}: ${request.failure().errorText}`);
+  });
   page.on("response", (response) => {
     if (response.status() >= 400)
       problems.push(`${response.url()}: status ${response.status()}`);

@@ -10,6 +10,7 @@ const VERTEX = `
 attribute vec4 tint;
 attribute float shade;
 uniform float spacing;       // meters, times the user's factor
+uniform float growth;        // larger where only some of the points are drawn
 uniform float pixels;        // of a length 1 at distance 1
 uniform float fixedSize;     // pixels, or 0
 uniform float ratio;         // pixels of the screen in one of the page
@@ -18,8 +19,8 @@ varying vec3 color;
 void main() {
   vec4 seen = modelViewMatrix * vec4(position, 1.0);
   gl_Position = tint.a > 0.5 ? projectionMatrix * seen : vec4(2.0, 2.0, 2.0, 1.0);
-  float size = fixedSize > 0.0 ? fixedSize * ratio : clamp(1.4 * spacing * pixels / -seen.z, 1.5 * ratio, 20.0 * ratio);
-  gl_PointSize = size;
+  float touching = 1.4 * growth * spacing * pixels / -seen.z;
+  gl_PointSize = fixedSize > 0.0 ? fixedSize * ratio : clamp(touching, 1.5 * ratio, 20.0 * ratio);
   color = shaded ? tint.rgb * shade : tint.rgb;
 }`;
 
@@ -39,8 +40,8 @@ export function makePoints(cloud) {
   const material = new ShaderMaterial({
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
-    uniforms: { spacing: { value: cloud.spacing }, pixels: { value: 1 }, fixedSize: { value: cloud.point_size ?? 0 },
-                ratio: { value: 1 }, shaded: { value: false } },
+    uniforms: { spacing: { value: cloud.spacing }, growth: { value: 1 }, pixels: { value: 1 }, ratio: { value: 1 },
+                fixedSize: { value: cloud.point_size ?? 0 }, shaded: { value: false } },
   });
   const points = new Points(geometry, material);
   points.frustumCulled = false;

@@ -92,6 +92,7 @@ export class View {
 
   render(points) {
     this.points.geometry.setDrawRange(0, points);
+    this.points.material.uniforms.growth.value = Math.sqrt(this.cloud.points / points);
     const distance = this.camera.position.distanceTo(this.controls.target);
     const { radius } = this.cloud;
     this.camera.near = Math.max(1e-3 * distance, 1e-6 * radius);
