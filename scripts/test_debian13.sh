@@ -3,7 +3,8 @@
 # 19, with warnings as errors. Makes the tree with debootstrap if it is not there; needs
 # root. Real scenes are tested if PCL_SHAPE_TEST_DATA names their directory.
 # Usage: scripts/test_debian13.sh TREE [gcc|clang] [TARGET...]
-# With targets only these are built, and no test is run. JOBS: how many at a time.
+# With targets only these are built, and no test is run. JOBS: how many at a time;
+# OPTIONS: more of CMake's, such as -DPCL_SHAPE_BUILD_BENCHMARKS=OFF.
 set -euo pipefail
 tree=$(realpath -m "${1:?usage: scripts/test_debian13.sh TREE [gcc|clang] [TARGET...]}")
 compiler=${2:-gcc}
@@ -29,10 +30,11 @@ copy_sources "$tree/src"
 in_tree "$tree" 'cd /src && scripts/install_packages.sh &&
   DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends install ccache "$@"' "${more[@]}"
 jobs=${JOBS:-$(nproc)}
+read -ra options <<<"${OPTIONS:-}"
 in_tree "$tree" 'cmake -S /src -B "$1" -G Ninja -DCMAKE_BUILD_TYPE=Release -DPCL_SHAPE_WERROR=ON \
   -DCMAKE_C_COMPILER="$2" -DCMAKE_CXX_COMPILER="$3" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
-  -DPCL_SHAPE_BUILD_PYTHON=ON -DPCL_SHAPE_TEST_DATA="$4"' \
-  "/build-$compiler" "${compilers[@]}" "${PCL_SHAPE_TEST_DATA:-}"
+  -DPCL_SHAPE_BUILD_PYTHON=ON -DPCL_SHAPE_TEST_DATA="$4" "${@:5}"' \
+  "/build-$compiler" "${compilers[@]}" "${PCL_SHAPE_TEST_DATA:-}" "${options[@]}"
 if [[ ${#targets[@]} -gt 0 ]]; then
   in_tree "$tree" 'cmake --build "$1" --parallel "$2" --target "${@:3}" -- -k 0' "/build-$compiler" "$jobs" "${targets[@]}"
   exit
