@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Build what the demonstration needs (Debian 12), make a table scene, find its planar,
+# Build what the demonstration needs (Debian or Ubuntu), make a table scene, find its planar,
 # curved and edge points, and compare them with the scene's truth.
 # Usage: scripts/demo.sh [seed]
 set -euo pipefail
@@ -18,7 +18,7 @@ progress() {
 }
 
 mkdir -p $build
-scripts/install_packages.sh $build/packages.log
+scripts/install_packages.sh --without-tests $build/packages.log
 echo "Building (log: $build/build.log)"
 if ! {
   cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DPCL_SHAPE_BUILD_TESTS=OFF \
