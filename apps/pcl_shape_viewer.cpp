@@ -12,6 +12,7 @@
 
 #include <iostream>
 #include <sstream>
+#include <utility>
 
 namespace {
 
@@ -194,14 +195,17 @@ checkPageOptions(const Arguments& arguments)
 void
 writePage(const Arguments& arguments,
           const CloudFile& cloud,
-          const Scene& scene,
+          Scene seen,
           Report& report)
 {
   AtomicFile page(arguments.text("html"));
+  const Eigen::Vector3f origin = centerOf(*seen.points);
+  const Scene scene = moved(std::move(seen), -origin);
   const PageContents contents{
       cloud,
       scene,
       choosePoints(cloud, *scene.points, maxPointsOf(arguments)),
+      origin,
       arguments.has("shade")};
   const std::string html = report.time("draw", [&] { return drawPage(contents); });
   page.write(html);
@@ -228,10 +232,10 @@ run(const Arguments& arguments)
   report.setText("", "input", input);
   const CloudFile cloud =
       report.time("read", [&] { return readInput(arguments, input, report); });
-  const Scene scene = report.time("prepare", [&] { return sceneOf(arguments, cloud); });
+  Scene scene = report.time("prepare", [&] { return sceneOf(arguments, cloud); });
   reportScene(scene, report);
   if (arguments.has("html")) {
-    writePage(arguments, cloud, scene, report);
+    writePage(arguments, cloud, std::move(scene), report);
     return 0;
   }
   requireDisplay();

@@ -11,6 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -297,6 +298,17 @@ addShades(const PageContents& contents, Json& header, Arrays& arrays)
   header["shades"] = arrays.add(pick<std::uint8_t>(shades, contents.points), "uint8");
 }
 
+/** From the page's coordinates to the file's. */
+std::array<double, 3>
+offsetOf(const PageContents& contents)
+{
+  std::array<double, 3> offset = contents.cloud.offset;
+  for (std::size_t axis = 0; axis < offset.size(); ++axis)
+    offset[axis] +=
+        static_cast<double>(contents.origin[static_cast<Eigen::Index>(axis)]);
+  return offset;
+}
+
 Json
 headerOf(const PageContents& contents, Arrays& arrays)
 {
@@ -309,7 +321,7 @@ headerOf(const PageContents& contents, Arrays& arrays)
                ". Nothing is loaded from, "
                "or sent to, any network."},
               {"points", shown},
-              {"offset", contents.cloud.offset},
+              {"offset", offsetOf(contents)},
               {"camera", cameraToJson(scene)},
               {"viridis", viridisToJson()}};
   if (scene.has_point_size)

@@ -22,9 +22,12 @@ void requirePage();
 /** \brief What a page shows. */
 struct PageContents {
   const CloudFile& cloud;
-  const Scene& scene; ///< its views are the fields, the first of which is shown first
+  /** \brief Around the origin, where floats are finest. Its views are the fields, the
+   * first of which is shown first. */
+  const Scene& scene;
   std::vector<std::size_t> points; ///< those of the cloud that are shown, in this order
-  bool shaded;                     ///< at first, if the cloud has normals
+  Eigen::Vector3f origin; ///< of the scene, in the cloud without its offset, meters
+  bool shaded;            ///< at first, if the cloud has normals
 };
 
 /** \brief The page. \throws InputError if this application cannot make pages */

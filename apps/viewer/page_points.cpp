@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 
 namespace pcl::app {
@@ -32,6 +33,25 @@ hashOf(const std::uint8_t* bytes, std::size_t size)
   for (std::size_t i = 0; i < size; ++i)
     hash = mix(hash + golden_ratio + bytes[i]);
   return hash;
+}
+
+/** The points without those at the place of another. */
+pcl::PointCloud<pcl::PointXYZ>::Ptr
+placesOf(const pcl::PointCloud<pcl::PointXYZ>& points)
+{
+  const auto placeOf = [](const pcl::PointXYZ& point) {
+    return std::tie(point.x, point.y, point.z);
+  };
+  auto places = points.makeShared();
+  std::sort(places->begin(), places->end(), [&](const auto& a, const auto& b) {
+    return placeOf(a) < placeOf(b);
+  });
+  const auto end =
+      std::unique(places->begin(), places->end(), [&](const auto& a, const auto& b) {
+        return placeOf(a) == placeOf(b);
+      });
+  places->resize(static_cast<std::size_t>(end - places->begin()));
+  return places;
 }
 
 } // namespace
@@ -61,10 +81,11 @@ float
 spacingOf(const pcl::PointCloud<pcl::PointXYZ>& points)
 {
   constexpr std::size_t max_samples = 400; // enough for a median
-  if (points.size() < 2)
+  const auto places = placesOf(points);
+  if (places->size() < 2)
     return 1.0f;
   pcl::search::KdTree<pcl::PointXYZ> tree(false);
-  tree.setInputCloud(points.makeShared());
+  tree.setInputCloud(places);
   std::vector<float> distances;
   pcl::Indices nearest;
   std::vector<float> squared;

@@ -19,8 +19,8 @@ std::vector<std::size_t> choosePoints(const CloudFile& cloud,
                                       const pcl::PointCloud<pcl::PointXYZ>& points,
                                       std::size_t max_points);
 
-/** \brief The median distance from some of the points to their nearest neighbor,
- * meters; of fewer than two points 1. */
+/** \brief The median distance from some of the points to their nearest neighbor at
+ * another place, meters; 1 if there is only one place. */
 float spacingOf(const pcl::PointCloud<pcl::PointXYZ>& points);
 
 } // namespace pcl::app

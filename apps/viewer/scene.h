@@ -39,6 +39,12 @@ struct Scene {
   bool keys = false;           ///< show what the keys do
 };
 
+/** \brief The middle of the box around the points. */
+Eigen::Vector3f centerOf(const pcl::PointCloud<pcl::PointXYZ>& points);
+
+/** \brief The scene with all places moved by so much. */
+Scene moved(Scene scene, const Eigen::Vector3f& offset);
+
 /** \brief How many views are beside each other. */
 int columnsOf(std::size_t views);
 

@@ -68,17 +68,19 @@ def link_living_pictures(app, document, docname):
         if not page.is_file() or isinstance(image.parent, nodes.reference):
             continue
         target = f"{up}pictures/{page.name}"
-        image.parent.replace(image, nodes.reference("", "", image, refuri=target, internal=False))
-        add_invitation(document, target, page.stem)
+        parent = image.parent
+        wrapped = nodes.reference("", "", image, refuri=target, internal=False)
+        parent.replace(image, wrapped)
+        invite(parent, wrapped, nodes.reference("", "Turn it in your browser", refuri=target, internal=False))
 
 
-def add_invitation(document, target, name):
-    link = nodes.reference("", "Turn it in your browser", refuri=target, internal=False)
-    for figure in document.findall(nodes.figure):
-        if any(image["uri"].endswith(f"/{name}.png") for image in figure.findall(nodes.image)):
-            caption = next(iter(figure.findall(nodes.caption)), None)
-            if caption is not None:
-                caption += [nodes.Text(" "), link, nodes.Text(".")]
+def invite(parent, picture, link):
+    """Say that the picture can be turned: in its caption, or below it."""
+    caption = next(iter(parent.findall(nodes.caption)), None) if isinstance(parent, nodes.figure) else None
+    if caption is not None:
+        caption += [nodes.Text(" "), link, nodes.Text(".")]
+    else:
+        parent.insert(parent.index(picture) + 1, nodes.paragraph("", "", link, nodes.Text(".")))
 
 
 def on_read(app, document):

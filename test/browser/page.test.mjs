@@ -201,6 +201,18 @@ test("a narrow window hides the panel and shows the whole cloud", async () => {
   await page.close();
 });
 
+test("a single point is seen, wherever it is", async () => {
+  const path = join(directory, "point.pcd");
+  writeFileSync(path, ["VERSION 0.7", "FIELDS x y z surface", "SIZE 4 4 4 4", "TYPE F F F U", "COUNT 1 1 1 1", "WIDTH 1",
+    "HEIGHT 1", "VIEWPOINT 0 0 0 1 0 0 0", "POINTS 1", "DATA ascii", "1000 2000 3000 1", ""].join("\n"));
+  const { page, problems } = await open(makePage(path));
+  assert.ok(shareOf(await pixelsOf(page), BLUE) > 0.0005, "20 x 20 pixels of 700 x 620");
+  await page.mouse.click(500, 350);
+  assert.match(await page.locator("#picked").innerText(), /1000\.0000, 2000\.0000, 3000\.0000 m/);
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
 test("the page names the licenses of what it is made of", () => {
   const html = readFileSync(makePage(writeSquare("square.pcd")), "utf8");
   assert.match(html, /three\.js [0-9.]+, which draws the page:\s+The MIT License/);

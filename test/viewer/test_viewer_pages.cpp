@@ -126,6 +126,25 @@ TEST_F(ViewerPages, LeaveOutPointsWithoutCoordinates)
   EXPECT_EQ(header["points"], 99);
 }
 
+TEST_F(ViewerPages, KnowTheDistanceBetweenPlacesWherePointsAreRepeated)
+{
+  Words twice = rows();
+  const Words once = rows();
+  twice.insert(twice.end(), once.begin(), once.end());
+  const Json header = headerOf(
+      pageOf({file("cloud.pcd", asciiCloud("x y z surface", "F F F U", twice))}));
+  EXPECT_NEAR(header["spacing"], 0.01, 1e-6);
+}
+
+TEST_F(ViewerPages, ShowASinglePoint)
+{
+  const Json header =
+      headerOf(pageOf({file("cloud.pcd", asciiCloud("x y z", "F F F", {"1 2 3"}))}));
+  EXPECT_EQ(header["note"], "1 point");
+  EXPECT_EQ(header["spacing"], 1.0);
+  EXPECT_EQ(header["offset"], (Json{1.0, 2.0, 3.0}));
+}
+
 TEST_F(ViewerPages, LoadNothing)
 {
   const std::string page = pageOf({square("surface", "U", {"1", "2"})});
