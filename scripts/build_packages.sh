@@ -26,7 +26,7 @@ copy_sources "$out/pcl-shape"
 if command -v ccache >/dev/null; then
   export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 fi
-(cd "$out/pcl-shape" && DEB_BUILD_OPTIONS="parallel=${JOBS:-$(nproc)} nocheck ${DEB_BUILD_OPTIONS:-}" \
+(cd "$out/pcl-shape" && DEB_BUILD_OPTIONS="parallel=${JOBS:-$(nproc)} nocheck noautodbgsym ${DEB_BUILD_OPTIONS:-}" \
   dpkg-buildpackage --build=binary --unsigned-changes --unsigned-source) >"$out/build.log" 2>&1 ||
   { tail -n 30 "$out/build.log" >&2; exit 1; }
 ls -1 "$out"/*.deb
