@@ -118,7 +118,7 @@ def run_sphinx(sphinx, directory, source, version):
     shutil.rmtree(html, ignore_errors=True)
     os.environ.update(PCL_SHAPE_SITE_VERSION=version, PCL_SHAPE_SITE_XML=str(directory / "xml"),
                       PCL_SHAPE_SITE_PICTURES=str(directory / "pictures"))
-    run([sphinx, "-q", "-W", "--keep-going", "-j", "auto", "-c", ROOT / "doc" / "site",
+    run([sphinx, "-q", "-E", "-W", "--keep-going", "-j", "auto", "-c", ROOT / "doc" / "site",
          "-d", directory / "doctrees", source, html], directory)
     # The first page has the name of its source.
     (html / "index.html").write_text('<!DOCTYPE html>\n<html lang="en">\n<meta charset="utf-8">\n'
