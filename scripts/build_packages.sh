@@ -2,14 +2,15 @@
 # Build the Debian packages, check them with lintian, install them in a clean tree of Debian
 # and try them there: a scene, its edges and surfaces beside the truth, a picture, Python, and
 # a CMake project outside. Needs root; makes the tree with debootstrap if it is not there.
-# Usage: scripts/build_packages.sh OUT TREE [SUITE]
-# The packages go to OUT. SUITE of the tree: this system's, unless it is named.
+# Usage: scripts/build_packages.sh OUT TREE
+# The packages go to OUT; they are for the release of Debian that this system has, and TREE has
+# the same.
 set -euo pipefail
-usage='usage: scripts/build_packages.sh OUT TREE [SUITE]'
+usage='usage: scripts/build_packages.sh OUT TREE'
 out=$(realpath -m "${1:?$usage}")
 tree=$(realpath -m "${2:?$usage}")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-suite=${3:-$(. /etc/os-release && echo "$VERSION_CODENAME")}
+suite=$(. /etc/os-release && echo "$VERSION_CODENAME")
 
 source scripts/packages.sh
 require_packages debhelper debootstrap dh-python dpkg-dev lintian
