@@ -6,10 +6,13 @@
 #include "cli/atomic_file.h"
 #include "cli/errors.h"
 #include "cli/filter_app.h"
+#include "viewer/page.h"
+#include "viewer/page_points.h"
 #include "viewer/window.h"
 
 #include <iostream>
 #include <sstream>
+#include <utility>
 
 namespace {
 
@@ -56,6 +59,14 @@ sizeOf(const Arguments& arguments, std::size_t views)
   return {static_cast<int>(*width), static_cast<int>(*height)};
 }
 
+std::size_t
+maxPointsOf(const Arguments& arguments)
+{
+  constexpr std::uint64_t usual = 2000000; // a laptop draws 30 times a second
+  constexpr std::uint64_t most = 20000000; // a browser still loads
+  return arguments.integer("max_points", 1, most).value_or(usual);
+}
+
 /** What is drawn over the cloud. */
 void
 readOverlays(const Arguments& arguments, const CloudFile& cloud, Scene& scene)
@@ -70,18 +81,24 @@ readOverlays(const Arguments& arguments, const CloudFile& cloud, Scene& scene)
     scene.normals = normalsOf(cloud);
 }
 
+std::vector<std::string>
+fieldsOf(const Arguments& arguments, const CloudFile& cloud)
+{
+  if (arguments.has("field"))
+    return splitNames(arguments, "field");
+  if (arguments.has("html"))
+    return fieldsOfPage(cloud);
+  const bool draws_more = arguments.has("lines") || arguments.has("grasps");
+  return {draws_more ? "plain" : defaultField(cloud)};
+}
+
 void
 makeViews(const Arguments& arguments, const CloudFile& cloud, Scene& scene)
 {
-  const bool draws_more = arguments.has("lines") || arguments.has("grasps");
-  const std::vector<std::string> fields =
-      arguments.has("field")
-          ? splitNames(arguments, "field")
-          : std::vector<std::string>{draws_more ? "plain" : defaultField(cloud)};
   const auto names = parseLabelNames(arguments.text("names"));
-  for (const std::string& field : fields) {
+  for (const std::string& field : fieldsOf(arguments, cloud)) {
     scene.views.push_back(viewOf(cloud, field, names));
-    if (arguments.has("shade"))
+    if (arguments.has("shade") && !arguments.has("html"))
       shade(cloud, scene.views.back());
   }
 }
@@ -96,11 +113,12 @@ sceneOf(const Arguments& arguments, const CloudFile& cloud)
   makeViews(arguments, cloud, scene);
   readOverlays(arguments, cloud, scene);
 
-  const Size size = sizeOf(arguments, scene.views.size());
+  const std::size_t pictures = arguments.has("html") ? 1 : scene.views.size();
+  const Size size = sizeOf(arguments, pictures);
   scene.width = size.width;
   scene.height = size.height;
-  const int columns = columnsOf(scene.views.size());
-  const int rows = rowsOf(scene.views.size());
+  const int columns = columnsOf(pictures);
+  const int rows = rowsOf(pictures);
   const float aspect =
       static_cast<float>(size.width * rows) / static_cast<float>(size.height * columns);
   const std::size_t strays = arguments.has("camera") ? 0 : hideStrays(*scene.points);
@@ -111,6 +129,7 @@ sceneOf(const Arguments& arguments, const CloudFile& cloud)
   scene.camera = arguments.has("camera") ? parseCamera(arguments.text("camera"))
                                          : defaultCamera(*scene.points, aspect);
   const auto point_size = arguments.integer("point_size", 1, 50);
+  scene.has_point_size = point_size.has_value();
   scene.point_size = point_size
                          ? static_cast<int>(*point_size)
                          : pointSize(*scene.points, scene.camera, scene.height / rows);
@@ -152,10 +171,53 @@ checkFiles(const Arguments& arguments, const std::string& input)
   for (const char* const option : {"lines", "instances", "grasps"})
     if (arguments.has(option))
       others.push_back(arguments.text(option));
-  checkOutputPath(arguments, "screenshot", others);
-  if (arguments.has("screenshot"))
-    others.push_back(arguments.text("screenshot"));
+  for (const char* const option : {"screenshot", "html"}) {
+    checkOutputPath(arguments, option, others);
+    if (arguments.has(option))
+      others.push_back(arguments.text(option));
+  }
   checkJsonPath(arguments, others);
+}
+
+void
+checkPageOptions(const Arguments& arguments)
+{
+  arguments.exclude("html", "screenshot");
+  if (arguments.has("max_points") && !arguments.has("html"))
+    throw UsageError("-max_points is of pages: expected -html with it");
+  if (arguments.has("keys") && arguments.has("html"))
+    throw UsageError("-keys is of windows and pictures: expected no -html with it");
+  maxPointsOf(arguments);
+  if (arguments.has("html"))
+    requirePage();
+}
+
+void
+writePage(const Arguments& arguments,
+          const CloudFile& cloud,
+          Scene seen,
+          Report& report)
+{
+  AtomicFile page(arguments.text("html"));
+  const Eigen::Vector3f origin = centerOf(*seen.points);
+  const Scene scene = moved(std::move(seen), -origin);
+  const PageContents contents{
+      cloud,
+      scene,
+      choosePoints(cloud, *scene.points, maxPointsOf(arguments)),
+      origin,
+      arguments.has("shade")};
+  const std::string html = report.time("draw", [&] { return drawPage(contents); });
+  page.write(html);
+  report.setCount("", "points_shown", contents.points.size());
+  commitWithJson(arguments, toJson(arguments.app(), report), page);
+  constexpr double bytes_per_megabyte = 1e6;
+  std::printf("%s: %zu of %zu points, %zu fields, %.1f MB\n",
+              arguments.text("html").c_str(),
+              contents.points.size(),
+              countFinite(*scene.points),
+              scene.views.size(),
+              static_cast<double>(html.size()) / bytes_per_megabyte);
 }
 
 int
@@ -163,14 +225,19 @@ run(const Arguments& arguments)
 {
   const std::string input = arguments.operands(1)[0];
   arguments.threads();
+  checkPageOptions(arguments);
   checkInputOptions(arguments);
   checkFiles(arguments, input);
   Report report;
   report.setText("", "input", input);
   const CloudFile cloud =
       report.time("read", [&] { return readInput(arguments, input, report); });
-  const Scene scene = report.time("prepare", [&] { return sceneOf(arguments, cloud); });
+  Scene scene = report.time("prepare", [&] { return sceneOf(arguments, cloud); });
   reportScene(scene, report);
+  if (arguments.has("html")) {
+    writePage(arguments, cloud, std::move(scene), report);
+    return 0;
+  }
   requireDisplay();
   if (!arguments.has("screenshot")) {
     writeJson(arguments, toJson(arguments.app(), report));
@@ -193,7 +260,8 @@ main(int argc, char** argv)
   CommandLine command_line("pcl_shape_viewer",
                            "in.pcd",
                            "Show a cloud in a window, colored by its fields; or write "
-                           "a picture of it with -screenshot.\nWithout a screen: "
+                           "a picture of it with -screenshot, or a page for any "
+                           "browser with -html.\nA picture without a screen: "
                            "xvfb-run -a pcl_shape_viewer in.pcd -screenshot out.png");
   command_line
       .option("field",
@@ -208,6 +276,11 @@ main(int argc, char** argv)
       .option("grasps", "F", "draw the grasps of pcl_shape_grasp -json F")
       .option(
           "screenshot", "F", "write the picture F (PNG) instead of showing a window")
+      .option("html",
+              "F",
+              "write the page F instead: the cloud with all fields, or those of "
+              "-field, for any browser, without a network or a screen")
+      .option("max_points", "N", "of a page (2000000); of more, an even choice")
       .option(
           "size", "WxH", "of all views together, pixels (640x480 each, 960x720 one)")
       .option("camera",

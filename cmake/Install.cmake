@@ -30,3 +30,7 @@ if(PCL_SHAPE_BUILD_APPS AND BUILD_SHARED_LIBS)
     set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN/${pcl_shape_lib_from_bin}")
   endforeach()
 endif()
+
+include(cmake/PkgConfig.cmake)
+# Where ROS looks for the description of a package.
+install(FILES package.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/pcl_shape)

@@ -19,11 +19,12 @@ ORDER = [["common"], ["geometry"], ["sweep"], ["features"], ["edges"], ["surface
          ["instances", "grasps", "ground", "labels"], ["segmentation"]]
 RANK = {room: rank for rank, rooms in enumerate(ORDER) for room in rooms}
 # A public header counts as the room that implements it; others as the folder that they are in.
-PUBLIC = {"xyz_view": "common", "neighborhood_sweep": "sweep", "sweep_index": "sweep", "shape_field": "edges",
+PUBLIC = {"xyz_view": "common", "cancellation": "common", "neighborhood_sweep": "sweep", "sweep_index": "sweep",
+          "shape_field": "edges",
           "shape_instance_segmentation": "instances", "suction_grasp_estimation": "grasps",
           "shape_labeling": "labels", "shape_ground_segmentation": "ground", "ground_likelihoods": "ground"}
 # What folders outside of src may include besides themselves; tests may include everything.
-KNOWS = {"include": [], "tools": ["include", "src/labels/"], "apps": ["include", "tools"],
+KNOWS = {"include": [], "python": ["include"], "tools": ["include", "src/labels/"], "apps": ["include", "tools"],
          "doc": ["include", "benchmarks/keypoints/align.h"],
          "benchmarks": ["include", "tools", "apps", "test/support", "src/sweep/portable/targets.h"]}
 FROM_ROOT = {"src": ["src"], "tools": ["tools", "src"], "apps": ["apps", "tools"]}
@@ -118,7 +119,7 @@ def main():
         print("\n".join([*sorted(inside), *(f"<{header}>" for header in sorted(outside))]))
         return
     problems = []
-    for name in filter(is_code, listed("src", "include", "apps", "tools", "test", "benchmarks", "doc")):
+    for name in filter(is_code, listed("src", "include", "python", "apps", "tools", "test", "benchmarks", "doc")):
         problems += wrong_includes(name)
         if not name.startswith(("include/", "doc/")) and not HEADER.match((ROOT / name).read_text()):
             problems.append(f"{name}: begins without the license's two lines and one that says what it is for")

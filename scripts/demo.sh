@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Build what the demonstration needs (Debian 12), make a table scene, find its planar,
+# Build what the demonstration needs (Debian or Ubuntu), make a table scene, find its planar,
 # curved and edge points, and compare them with the scene's truth.
 # Usage: scripts/demo.sh [seed]
 set -euo pipefail
@@ -18,12 +18,12 @@ progress() {
 }
 
 mkdir -p $build
-scripts/install_packages.sh $build/packages.log
+scripts/install_packages.sh --without-tests $build/packages.log
 echo "Building (log: $build/build.log)"
 if ! {
   cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DPCL_SHAPE_BUILD_TESTS=OFF \
     -DPCL_SHAPE_BUILD_BENCHMARKS=OFF -DPCL_SHAPE_BUILD_EXAMPLES=OFF \
-    -DPCL_SHAPE_WITH_VISUALIZATION=OFF &&
+    -DPCL_SHAPE_WITH_VISUALIZATION=OFF -DPCL_SHAPE_WITH_HTML=OFF &&
     NINJA_STATUS='[%f/%t] ' cmake --build $build --target "${programs[@]/#/pcl_shape_}"
 } 2>&1 | tee $build/build.log | progress; then
   grep -A 20 -m 1 -E '^FAILED|CMake Error' $build/build.log >&2 || tail -n 20 $build/build.log >&2

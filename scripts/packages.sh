@@ -24,3 +24,25 @@ require_packages() {
     exit 2
   fi
 }
+
+# version_of PACKAGE: what is installed, or would be.
+version_of() {
+  local version
+  version=$(dpkg-query --show --showformat='${Version}' "$1" 2>/dev/null || true)
+  [[ -n $version ]] || version=$(apt-cache policy "$1" | sed -n 's/^ *Candidate: \([^(]\)/\1/p')
+  echo "$version"
+}
+
+# require_versions [PACKAGE VERSION]...: fail if this distribution's packages are older.
+require_versions() {
+  local version
+  while [[ $# -gt 0 ]]; do
+    version=$(version_of "$1")
+    if dpkg --compare-versions "$version" lt "$2"; then
+      echo "$1 is ${version:-not known here}: $2 or newer is needed; use Debian 12 or 13, Ubuntu 24.04," \
+        "or a newer one" >&2
+      return 1
+    fi
+    shift 2
+  done
+}

@@ -138,7 +138,9 @@ Camera
 defaultCamera(const Cloud& points, float aspect)
 {
   const Eigen::AlignedBox3f box = boxOf(points);
-  const float size = std::max(box.diagonal().norm(), 1e-6f);
+  // Of a point alone, so large that float tells the camera from it.
+  const float min_size = std::max(1e-4f * box.center().norm(), 1e-6f);
+  const float size = std::max(box.diagonal().norm(), min_size);
   Camera camera{points.sensor_origin_.head<3>(), box.center(), {}, usual_angle};
   if (isInFront(points, box))
     camera.up = points.sensor_orientation_ * -Eigen::Vector3f::UnitY();

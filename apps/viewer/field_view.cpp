@@ -78,7 +78,9 @@ numberView(const std::string& field, std::vector<double> values)
   view.range = quantity.range ? *quantity.range : rangeOf(values);
   const double width = view.range->max - view.range->min;
   view.colors.reserve(values.size());
+  view.numbers.reserve(values.size());
   for (const double value : values) {
+    view.numbers.push_back(static_cast<float>(value));
     const bool known = !std::isnan(value);
     view.unknown += !known;
     view.colors.push_back(known ? viridis((value - view.range->min) / width)
@@ -219,6 +221,17 @@ hasLabels(const CloudFile& cloud,
   return different.size() <= max_labels;
 }
 
+/** Where 0 is in the legend, if it says that there is nothing at the point. */
+std::optional<std::size_t>
+placeOfNothing(const std::string& field,
+               const std::map<std::int64_t, std::size_t>& places)
+{
+  const auto place = places.find(0);
+  if (field == "outcome" || knownStyles().count(field) == 0 || place == places.end())
+    return {};
+  return place->second;
+}
+
 /** Throws an InputError if a value is not a whole number. */
 FieldView
 labelView(const CloudFile& cloud,
@@ -245,9 +258,16 @@ labelView(const CloudFile& cloud,
     view.colors.push_back(entry->second.color);
     entry->second.points += pcl::isXYZFinite((*points)[i]);
   }
-  for (const auto& entry : entries)
-    if (entry.second.points > 0)
-      view.legend.push_back(entry.second);
+  std::map<std::int64_t, std::size_t> places;
+  for (const auto& [label, entry] : entries)
+    if (entry.points > 0) {
+      places[label] = view.legend.size();
+      view.legend.push_back(entry);
+    }
+  view.nothing = placeOfNothing(field, places);
+  view.labels.reserve(values.size());
+  for (const double value : values)
+    view.labels.push_back(places[static_cast<std::int64_t>(value)]);
   return view;
 }
 
@@ -330,24 +350,41 @@ defaultField(const CloudFile& cloud)
   return "z";
 }
 
-void
-shade(const CloudFile& cloud, FieldView& view)
+bool
+hasNormals(const CloudFile& cloud)
+{
+  return findField(cloud, "normal_x") && findField(cloud, "normal_y") &&
+         findField(cloud, "normal_z");
+}
+
+std::vector<float>
+brightnessOf(const CloudFile& cloud)
 {
   constexpr float min_light = 0.3f, unknown_light = 0.6f;
   const auto normals = normalsOf(cloud);
   const auto& v = cloud.viewpoint;
   const Eigen::Vector3f light = Eigen::Quaternionf(v[3], v[4], v[5], v[6]) *
                                 Eigen::Vector3f(-0.3f, -0.46f, -0.84f); // unit
-  for (std::size_t i = 0; i < view.colors.size(); ++i) {
-    const float cosine = std::abs(light.dot((*normals)[i].getNormalVector3fMap()));
-    const float brightness =
-        std::isfinite(cosine) ? min_light + (1.0f - min_light) * std::min(1.0f, cosine)
-                              : unknown_light;
+  std::vector<float> brightness;
+  brightness.reserve(normals->size());
+  for (const pcl::Normal& normal : *normals) {
+    const float cosine = std::abs(light.dot(normal.getNormalVector3fMap()));
+    brightness.push_back(std::isfinite(cosine)
+                             ? min_light + (1.0f - min_light) * std::min(1.0f, cosine)
+                             : unknown_light);
+  }
+  return brightness;
+}
+
+void
+shade(const CloudFile& cloud, FieldView& view)
+{
+  const std::vector<float> brightness = brightnessOf(cloud);
+  for (std::size_t i = 0; i < view.colors.size(); ++i)
     for (std::uint8_t* const channel :
          {&view.colors[i].r, &view.colors[i].g, &view.colors[i].b})
       *channel = static_cast<std::uint8_t>(
-          std::lround(brightness * static_cast<float>(*channel)));
-  }
+          std::lround(brightness[i] * static_cast<float>(*channel)));
 }
 
 } // namespace pcl::app

@@ -32,9 +32,13 @@ struct FieldView {
   std::string field;
   std::string title;               ///< with the unit, if it is known
   std::vector<Color> colors;       ///< of each point
+  std::vector<float> numbers;      ///< of each point, in the unit; empty for labels
+  std::vector<std::size_t> labels; ///< of each point, places in the legend
   std::optional<ValueRange> range; ///< of numbers, for the scale bar
   std::vector<LegendEntry> legend; ///< of labels, by value
-  std::size_t unknown = 0;         ///< points that are NaN there
+  std::optional<std::size_t>
+      nothing;             ///< the place of the label for no edge, no instance
+  std::size_t unknown = 0; ///< points that are NaN there
 };
 
 /** \brief The view of one field: colors as they are (rgb, rgba), labels, or numbers;
@@ -52,8 +56,16 @@ std::map<std::int64_t, std::string> parseLabelNames(const std::string& text);
 /** \brief The field that says most about the cloud. */
 std::string defaultField(const CloudFile& cloud);
 
-/** \brief Make the colors darker where the surface turns away from a light above the
- * left shoulder of who looks from the viewpoint.
+/** \brief Whether shade() can be used. */
+bool hasNormals(const CloudFile& cloud);
+
+/** \brief How bright the points are, from 0 to 1, with a light above the left shoulder
+ * of who looks from the viewpoint; without a normal, a value between. \throws
+ * InputError if the cloud has no normals */
+std::vector<float> brightnessOf(const CloudFile& cloud);
+
+/** \brief Make the colors darker by brightnessOf(): where the surface turns away from
+ * the light.
  * \throws InputError if the cloud has no normals */
 void shade(const CloudFile& cloud, FieldView& view);
 

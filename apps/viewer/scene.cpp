@@ -35,7 +35,43 @@ toVector(const Eigen::Vector3f& vector)
   return {vector.x(), vector.y(), vector.z()};
 }
 
+void
+move(Vector& place, const Eigen::Vector3f& offset)
+{
+  for (std::size_t axis = 0; axis < place.size(); ++axis)
+    place[axis] += offset[static_cast<Eigen::Index>(axis)];
+}
+
 } // namespace
+
+Eigen::Vector3f
+centerOf(const pcl::PointCloud<pcl::PointXYZ>& points)
+{
+  Eigen::AlignedBox3f box;
+  for (const pcl::PointXYZ& point : points)
+    if (pcl::isXYZFinite(point))
+      box.extend(point.getVector3fMap());
+  return box.center();
+}
+
+Scene
+moved(Scene scene, const Eigen::Vector3f& offset)
+{
+  for (pcl::PointXYZ& point : *scene.points)
+    point.getVector3fMap() += offset;
+  scene.camera.position += offset;
+  scene.camera.focus += offset;
+  for (Line& line : scene.lines)
+    for (Vector& point : line.points)
+      move(point, offset);
+  for (InstanceBox& instance : scene.instances) {
+    move(instance.min, offset);
+    move(instance.max, offset);
+  }
+  for (Grasp& grasp : scene.grasps.grasps)
+    move(grasp.position, offset);
+  return scene;
+}
 
 int
 columnsOf(std::size_t views)

@@ -34,9 +34,16 @@ struct Scene {
   Camera camera;
   int width = 0; ///< of all views together, pixels
   int height = 0;
-  int point_size = 1; ///< pixels
-  bool keys = false;  ///< show what the keys do
+  int point_size = 1;          ///< pixels
+  bool has_point_size = false; ///< whether the user has chosen it
+  bool keys = false;           ///< show what the keys do
 };
+
+/** \brief The middle of the box around the points. */
+Eigen::Vector3f centerOf(const pcl::PointCloud<pcl::PointXYZ>& points);
+
+/** \brief The scene with all places moved by so much. */
+Scene moved(Scene scene, const Eigen::Vector3f& offset);
 
 /** \brief How many views are beside each other. */
 int columnsOf(std::size_t views);

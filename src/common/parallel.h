@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include <pcl/features/cancellation.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <exception>
@@ -19,16 +21,24 @@ threadCount(unsigned threads)
 }
 
 /** \brief body(i) for i in [0, count) on `threads` threads (0: all cores). The first
- * exception is thrown again after the loop: none may leave a parallel region. */
+ * exception is thrown again after the loop: none may leave a parallel region. If the
+ * scope of the calling thread is canceled, the rest is left out, and Canceled thrown.
+ */
 template <typename Body>
 void
 parallelFor(std::size_t count, unsigned threads, const Body& body)
 {
   std::exception_ptr error;
+  const std::atomic<bool>* const flag = cancellationFlag();
+  const auto isCanceled = [flag] {
+    return flag && flag->load(std::memory_order_relaxed);
+  };
   // A team for a few tasks would cost more than they do.
   const std::size_t team = std::clamp<std::size_t>(count, 1, threadCount(threads));
 #pragma omp parallel for schedule(dynamic) num_threads(static_cast <int>(team))
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i) {
+    if (isCanceled())
+      continue;
     try {
       body(static_cast<std::size_t>(i));
     }
@@ -40,6 +50,8 @@ parallelFor(std::size_t count, unsigned threads, const Body& body)
   }
   if (error)
     std::rethrow_exception(error);
+  if (isCanceled())
+    throw Canceled();
 }
 
 /** \brief body(begin, end) for consecutive parts of [0, count). */

@@ -25,7 +25,7 @@ run(${CMAKE_COMMAND} --install ${BUILD_DIR} --config "${CONFIG}" --prefix ${WORK
 file(RENAME ${WORK_DIR}/installed ${WORK_DIR}/moved)
 
 file(GLOB_RECURSE package_files ${WORK_DIR}/moved/*.cmake ${WORK_DIR}/moved/*.h
-     ${WORK_DIR}/moved/*.hpp)
+     ${WORK_DIR}/moved/*.hpp ${WORK_DIR}/moved/*.pc)
 if(NOT package_files)
   message(FATAL_ERROR "nothing was installed in ${WORK_DIR}/moved")
 endif()
@@ -42,6 +42,39 @@ run(${CMAKE_COMMAND} -S ${CONSUMER_DIR} -B ${WORK_DIR}/consumer -G ${GENERATOR}
     -DCMAKE_CXX_FLAGS=${CXX_FLAGS} -DCMAKE_FIND_PACKAGE_NO_PACKAGE_REGISTRY=ON)
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/consumer)
 run(${CMAKE_COMMAND} -E chdir ${WORK_DIR}/consumer ./consumer model.json)
+
+# A project without CMake: pkg-config alone says how to compile and to link.
+find_program(PKG_CONFIG pkg-config)
+if(PKG_CONFIG)
+  file(GLOB_RECURSE pc_file ${WORK_DIR}/moved/*/pcl_shape.pc)
+  get_filename_component(pc_directory "${pc_file}" DIRECTORY)
+  set(ENV{PKG_CONFIG_PATH} ${pc_directory})
+  execute_process(COMMAND ${PKG_CONFIG} --modversion pcl_shape OUTPUT_VARIABLE version
+    OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(NOT version STREQUAL VERSION)
+    message(FATAL_ERROR "pkg-config says that pcl_shape has version '${version}', expected ${VERSION}")
+  endif()
+  execute_process(COMMAND ${PKG_CONFIG} --cflags --libs pcl_shape OUTPUT_VARIABLE flags
+    OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  separate_arguments(flags UNIX_COMMAND "${flags} ${CXX_FLAGS}")
+  execute_process(COMMAND ${PKG_CONFIG} --variable=libdir pcl_shape OUTPUT_VARIABLE libdir
+    OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  run(${CXX_COMPILER} -std=c++17 ${CONSUMER_DIR}/consumer.cpp -o ${WORK_DIR}/without_cmake ${flags}
+      -Wl,-rpath,${libdir})
+  run(${CMAKE_COMMAND} -E chdir ${WORK_DIR} ./without_cmake model.json)
+else()
+  message(STATUS "pkg-config was not found: pcl_shape.pc is not tested")
+endif()
+
+# ROS finds the package by its description, which has the same version.
+file(STRINGS ${WORK_DIR}/moved/share/pcl_shape/package.xml described REGEX "<version>${VERSION}</version>")
+if(NOT described)
+  message(FATAL_ERROR "package.xml is not of version ${VERSION}")
+endif()
+file(STRINGS ${SOURCE_DIR}/CITATION.cff cited REGEX "^version: ${VERSION}$")
+if(NOT cited)
+  message(FATAL_ERROR "CITATION.cff is not of version ${VERSION}")
+endif()
 
 # Flags that change how Eigen aligns are refused, with a message that says what to do.
 if(CMAKE_HOST_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CXX_FLAGS MATCHES "-mavx|-march")

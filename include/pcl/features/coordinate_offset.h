@@ -34,7 +34,8 @@ struct CoordinateScale {
 };
 
 /** \brief Measure the finite points; all zero if there is none. It does not depend on
- * their order. \param[in] of_points how many there are, if these are a sample of them
+ * their order. \param[in] points some may be NaN or infinite
+ * \param[in] of_points how many there are, if these are a sample of them
  */
 inline CoordinateScale
 coordinateScale(const DoubleXYZ& points, std::size_t of_points = 0)

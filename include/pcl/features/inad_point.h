@@ -23,8 +23,8 @@ namespace pcl {
  * \ingroup features
  */
 struct INAD {
-  float mu = 0.0f;
-  float sigma = 0.0f;
+  float mu = 0.0f;    ///< mean, radians
+  float sigma = 0.0f; ///< standard deviation, radians
 };
 
 inline std::ostream&

@@ -26,18 +26,21 @@ struct NeighborhoodSize {
   const float* radii = nullptr; ///< meters, one for every query
   std::size_t k = 0;            ///< nearest points, the query's own point included
 
+  /** \brief One radius for every query. \param[in] radius meters, above 0 */
   static NeighborhoodSize
   ofRadius(double radius)
   {
     return {radius, nullptr, 0};
   }
 
+  /** \brief A radius for each query. \param[in] radii meters, above 0; not copied */
   static NeighborhoodSize
   ofRadii(const float* radii)
   {
     return {0.0, radii, 0};
   }
 
+  /** \brief So many nearest points. \param[in] k the query's own point included */
   static NeighborhoodSize
   ofNearest(std::size_t k)
   {
@@ -95,7 +98,8 @@ public:
   /** \brief Ask about some points of the query cloud only (of the surface, if no
    * queries are set).
    * \param[in] indices of the points, in the order of the results; not copied and not
-   * checked: the caller sees to it that each is a point's */
+   * checked: the caller sees to it that each is a point's
+   * \param[in] size how many there are */
   void
   setQueryIndices(const std::int32_t* indices, std::size_t size)
   {
@@ -130,8 +134,10 @@ public:
 
   /** \brief Normals by principal component analysis of the neighbors and the point
    * itself.
+   * \param[in] neighborhood of each query
    * \param[out] normals unit vectors of either sign, three floats every `stride` floats
    * \param[out] curvature surface variation l0 / (l0 + l1 + l2), one every `stride`
+   * \param[in] stride floats from one result to the next
    * \return whether all results are finite */
   bool computeNormals(const NeighborhoodSize& neighborhood,
                       float* normals,
@@ -146,6 +152,7 @@ public:
    * 1e-5). Neighbors without a finite normal do not count. If the queries are not
    * points of the surface, n_i is the normal of the nearest surface point in the
    * neighborhood.
+   * \param[in] neighborhood of each query
    * \param[in] normals one for each surface point, of any length but 0
    * \param[in] outlier_rate c, 0 for no rejection
    * \param[out] mu_sigma two floats for each query
@@ -156,12 +163,14 @@ public:
                    float* mu_sigma) const;
 
   /** \brief The number of neighbors of each query, its own point not counted.
+   * \param[in] neighborhood of each query
    * \param[out] counts one for each query, 0 for a query that is not finite */
   void countNeighbors(const NeighborhoodSize& neighborhood,
                       std::uint32_t* counts) const;
 
   /** \brief The distance from each query to the k-th nearest surface point, its own
    * point counted as the first.
+   * \param[in] k 1 or more
    * \param[out] distances one for each query, NaN for a query that is not finite */
   void computeDistanceToNearest(std::size_t k, float* distances) const;
 

@@ -86,6 +86,7 @@ public:
     z = point.z();
   }
 
+  /** \brief Flip the normals towards the cloud's sensor origin again, the default. */
   void
   useSensorOriginAsViewPoint()
   {

@@ -46,6 +46,7 @@ public:
   void add(const INAD& inad);
 
   /** \brief Count all pairs of a cloud.
+   * \param[in] cloud its pairs count as with add() of one
    * \param[in] threads 0 for all cores */
   void add(const PointCloud<INAD>& cloud, unsigned threads = 1);
 
@@ -62,6 +63,7 @@ public:
   float likelihood(const INAD& inad) const;
 
   /** \brief The likelihood of each pair of a cloud: its back-projection.
+   * \param[in] cloud pairs that are NaN give NaN
    * \param[in] threads 0 for all cores */
   std::vector<float> backProject(const PointCloud<INAD>& cloud,
                                  unsigned threads = 1) const;
@@ -70,6 +72,7 @@ public:
    * empty histogram, NaN for NaN. */
   double density(const INAD& inad) const;
 
+  /** \brief Whether the other one has as many bins over the same ranges. */
   bool sameBins(const ShapeHistogram& other) const;
 
   /** \brief How many pairs are in a bin. \param[in] mu_bin, sigma_bin below muBins()
@@ -80,24 +83,28 @@ public:
     return counts_[mu_bin * sigma_bins_ + sigma_bin];
   }
 
+  /** \brief The number of bins along mu. */
   std::size_t
   muBins() const
   {
     return mu_bins_;
   }
 
+  /** \brief The number of bins along sigma. */
   std::size_t
   sigmaBins() const
   {
     return sigma_bins_;
   }
 
+  /** \brief The first mu beyond the last bin, radians. */
   double
   muRange() const
   {
     return mu_range_;
   }
 
+  /** \brief The first sigma beyond the last bin, radians. */
   double
   sigmaRange() const
   {

@@ -27,7 +27,8 @@ struct INADParameters {
   double radius = 0.025;        ///< meters, neighborhood of the angles
   int k = 0;                    ///< nearest points, for normals and angles alike
   double outlier_rate = 2.0;    ///< c, 0 for no rejection
-  AdaptiveRadius::RadiusMode radius_mode = AdaptiveRadius::FIXED;
+  AdaptiveRadius::RadiusMode radius_mode =
+      AdaptiveRadius::FIXED;        ///< what the radii are measured in
   double normal_radius_noise = 0.0; ///< spacings for a noise of one spacing
   double radius_noise = 0.0;        ///< likewise
 
@@ -57,10 +58,11 @@ struct INADParameters {
  */
 class PCL_SHAPE_EXPORTS ShapeModel {
 public:
+  /** \brief A kind of surface. */
   struct Class {
-    std::string name;
-    ShapeHistogram histogram;
-    double prior = 1.0; ///< positive; only the ratios count
+    std::string name;         ///< not empty, no other class has it
+    ShapeHistogram histogram; ///< of its INAD
+    double prior = 1.0;       ///< positive; only the ratios count
   };
 
   /** \brief A model without classes. \throws pcl::BadArgumentException for bad
@@ -91,6 +93,7 @@ public:
   void save(const std::string& file_name) const;
 
   /** \brief Read a model from the text of a model file.
+   * \param[in] text the file's contents
    * \param[in] name of the text, for messages \throws pcl::IOException as load() */
   static ShapeModel parse(const std::string& text, const std::string& name);
 
@@ -105,7 +108,8 @@ public:
 
   /** \brief One value a class: the likelihood (one class) or the posteriors (several).
    * NaN where the pair is NaN or, with several classes, where every density is below
-   * floor(). \param[out] values classes().size() floats
+   * floor(). \param[in] inad the pair
+   * \param[out] values classes().size() floats
    */
   void evaluate(const INAD& inad, float* values) const;
 
@@ -114,12 +118,14 @@ public:
    */
   std::string disagreement(const INADParameters& parameters) const;
 
+  /** \brief The classes, in the order in which they were added. */
   const std::vector<Class>&
   classes() const
   {
     return classes_;
   }
 
+  /** \brief How the INAD of its histograms was computed. */
   const INADParameters&
   parameters() const
   {

@@ -17,10 +17,11 @@ namespace pcl {
  * stride`. The view does not own them.
  */
 struct XYZView {
-  const float* first = nullptr;
-  std::size_t stride = 3; ///< in floats
-  std::size_t size = 0;
+  const float* first = nullptr; ///< x of the first item
+  std::size_t stride = 3;       ///< in floats
+  std::size_t size = 0;         ///< how many items there are
 
+  /** \brief x, y and z of an item. \param[in] i below size: not checked */
   const float*
   operator[](std::size_t i) const
   {

@@ -33,6 +33,7 @@ public:
    * changes. A setting of the other method is an error. */
   enum Mode { PAPER, DEFAULT };
 
+  /** \brief Choose the method; DEFAULT unless it is called. */
   void
   setMode(Mode mode)
   {

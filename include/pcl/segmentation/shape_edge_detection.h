@@ -15,9 +15,9 @@ namespace pcl {
 
 /** \brief All that is known about the edges of a cloud. \ingroup segmentation */
 struct Edges {
-  std::vector<float> likelihood; ///< one for each index, NaN unknown
-  std::vector<EdgeType> types;   ///< one for each index
-  std::vector<CreasePoint> creases;
+  std::vector<float> likelihood;    ///< one for each index, NaN unknown
+  std::vector<EdgeType> types;      ///< one for each index
+  std::vector<CreasePoint> creases; ///< of the whole cloud
 };
 
 /** \brief Find the edges (creases: lines of high curvature) of an unorganized cloud.

@@ -46,9 +46,9 @@ struct ShapeInstance {
 
 /** \brief What counts as an instance. */
 struct InstanceLimits {
-  double high = 0.6; ///< likelihood of a quarter of an instance's points
-  double low = 0.5;  ///< likelihood of each of them
-  std::size_t min_points = 100;
+  double high = 0.6;            ///< likelihood of a quarter of an instance's points
+  double low = 0.5;             ///< likelihood of each of them
+  std::size_t min_points = 100; ///< fewer are no instance
 };
 
 /** \brief All instances of a kind of surface in one go, without saying how many there

@@ -55,15 +55,16 @@ struct SuctionGrasp {
   float sag = 0.0f;               ///< by which the lip has to bend
   float sag_allowed = 0.0f;       ///< the cup's compliance, and what noise may add
   float residual = 0.0f;          ///< r.m.s. distance of the points from the surface
-  float residual_allowed = 0.0f;
-  float margin = 0.0f; ///< how far around the cup must be free as well
+  float residual_allowed = 0.0f;  ///< what the noise explains
+  float margin = 0.0f;            ///< how far around the cup must be free as well
 
   std::uint32_t starts = 0;     ///< of the mean shift that ended here
   std::uint32_t iterations = 0; ///< of it
-  bool converged = false;
-  float bandwidth = 0.0f;
-  float moved = 0.0f; ///< from the mode to where the cup fits
+  bool converged = false;       ///< the mean shift, before it had no iterations left
+  float bandwidth = 0.0f;       ///< of the mean shift
+  float moved = 0.0f;           ///< from the mode to where the cup fits
 
+  /** \brief Whether the cup seals there: nothing speaks against it. */
   bool
   seals() const
   {
@@ -99,6 +100,7 @@ public:
   /** \brief The surface to look for. ANY: both, each on its own, ranked together. */
   enum Surface { ANY, PLANAR, CURVED };
 
+  /** \brief Choose the surface; ANY unless it is called. */
   void
   setSurface(Surface surface)
   {

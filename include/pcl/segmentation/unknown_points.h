@@ -47,6 +47,7 @@ struct UnknownPoints {
 };
 
 /** \brief Find out why points have no value.
+ * \param[in] points what the values are of
  * \param[in] values one for each point, NaN unknown
  * \param[in] size of the neighborhoods that the values are of; radii are one for each
  * point. Values of NeighborhoodSweep count points at one place more than once: here
@@ -59,15 +60,19 @@ PCL_SHAPE_EXPORTS UnknownPoints unknownPoints(const XYZView& points,
                                               const NeighborhoodSize& size,
                                               unsigned threads = 0);
 
-/** \brief The same for INAD, or what was made of it. \param[in] parameters for the
- * noise of the cloud; the smaller of the two radii counts */
+/** \brief The same for INAD, or what was made of it.
+ * \param[in] points what the values are of
+ * \param[in] values one for each point, NaN unknown
+ * \param[in] parameters for the noise of the cloud; the smaller of the two radii counts
+ * \param[in] threads 0 for all cores */
 PCL_SHAPE_EXPORTS UnknownPoints unknownPoints(const XYZView& points,
                                               const std::vector<float>& values,
                                               const INADParameters& parameters,
                                               unsigned threads = 0);
 
 /** \brief Find out why points of a field have no value: its likelihoods, if it has any,
- * else its edge likelihood. \param[in] threads 0 for all cores */
+ * else its edge likelihood. \param[in] field as it was computed
+ * \param[in] threads 0 for all cores */
 PCL_SHAPE_EXPORTS UnknownPoints unknownPoints(const ShapeField& field,
                                               unsigned threads = 0);
 

@@ -38,7 +38,7 @@ ShapeDetection<PointT, PointNT>::computeINAD(pcl::PointCloud<INAD>& inad) const
     inad.clear();
     inad.reserve(this->indices_->size());
     for (const index_t index : *this->indices_)
-      inad.push_back((*inad_)[index]);
+      inad.push_back((*inad_)[static_cast<std::size_t>(index)]);
     return;
   }
   const unsigned threads = this->getNumberOfThreads();
