@@ -6,6 +6,7 @@
 
 #include <pcl/features/cancellation.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -69,35 +70,53 @@ private:
   std::exception_ptr error_;
 };
 
-/** Threads of canceled computations, until they end. */
-class Canceled {
+/** Canceled computations, until they end. */
+class CanceledJobs {
 public:
   void
-  add(std::thread thread)
+  add(std::shared_ptr<Job> job, std::thread thread)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    threads_.push_back(std::move(thread));
+    joinThose(
+        [](Job& other) { return other.isDoneWithin(std::chrono::milliseconds(0)); });
+    left_.push_back({std::move(job), std::move(thread)});
   }
 
   void
   join()
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    for (std::thread& thread : threads_)
-      thread.join();
-    threads_.clear();
+    joinThose([](Job&) { return true; });
   }
 
 private:
+  struct Left {
+    std::shared_ptr<Job> job;
+    std::thread thread;
+  };
+
+  template <typename Test>
+  void
+  joinThose(const Test& test)
+  {
+    const auto joined = std::remove_if(left_.begin(), left_.end(), [&](Left& left) {
+      const bool is_wanted = test(*left.job);
+      if (is_wanted)
+        left.thread.join();
+      return is_wanted;
+    });
+    left_.erase(joined, left_.end());
+  }
+
   std::mutex mutex_;
-  std::vector<std::thread> threads_;
+  std::vector<Left> left_;
 };
 
-Canceled&
+CanceledJobs&
 canceled()
 {
-  static Canceled threads;
-  return threads;
+  static CanceledJobs jobs;
+  return jobs;
 }
 
 bool
@@ -130,7 +149,7 @@ runInterruptibly(std::function<void()> computation)
   while (waitsInVain())
     if (PyErr_CheckSignals() != 0) {
       job->cancel();
-      canceled().add(std::move(thread));
+      canceled().add(job, std::move(thread));
       throw py::error_already_set();
     }
   thread.join();
