@@ -190,6 +190,20 @@ fitSpacings(double noise)
   return fit_spacings + fit_per_noise * static_cast<float>(noise);
 }
 
+float
+patchSpacings(double noise, double noise_level)
+{
+  // A little wider than normals need: the planes are to give the angle, too.
+  constexpr double of_thickness = 0.25;
+  return fitSpacings(noise_level + of_thickness * (noise - noise_level));
+}
+
+float
+agreementSpacings()
+{
+  return vote_spacings;
+}
+
 std::vector<Vote>
 collectVotes(const FieldInput& input,
              const ShapeField& edges,
@@ -200,10 +214,7 @@ collectVotes(const FieldInput& input,
   for (std::size_t i = 0; i < evidence.size(); ++i)
     if (evidence[i] > candidate_evidence)
       candidates.push_back(i);
-  // A little wider than normals need: the planes are to give the angle, too.
-  constexpr double of_thickness = 0.25;
-  const float reach =
-      fitSpacings(edges.noise_level + of_thickness * (edges.noise - edges.noise_level));
+  const float reach = patchSpacings(edges.noise, edges.noise_level);
   std::vector<Vote> votes(candidates.size());
   kernels::parallelForRanges(
       candidates.size(), input.threads, [&](std::size_t begin, std::size_t end) {
@@ -233,10 +244,13 @@ collectVotes(const FieldInput& input,
 }
 
 std::vector<Agreement>
-countVotes(const std::vector<Vote>& votes, float spacing, unsigned threads)
+countVotes(const std::vector<Vote>& votes,
+           float spacing,
+           const Bounds& bounds,
+           unsigned threads)
 {
   std::vector<Agreement> agreements(votes.size());
-  const PointGrid grid(positionsOf(votes), vote_spacings * spacing);
+  const PointGrid grid(positionsOf(votes), vote_spacings * spacing, bounds);
   kernels::parallelForEach(votes.size(), threads, [&](std::size_t i) {
     agreements[i] = agreementAround(votes[i], votes, grid);
   });

@@ -68,17 +68,32 @@ markBands(const std::vector<Agreement>& agreements,
   }
 }
 
+Bounds
+boundsOf(const FieldInput& input)
+{
+  if (!input.of_cloud)
+    return Bounds::of(input.points);
+  return {Eigen::Map<const Eigen::Array3f>(input.of_cloud->low.data()),
+          Eigen::Map<const Eigen::Array3f>(input.of_cloud->high.data())};
+}
+
 } // namespace
 
 void
 findEdges(const FieldInput& input, const ShapeModel& model, ShapeField& field)
 {
-  field.spacings = localSpacings(input.neighborhoods, input.points.size, input.is_even);
-  field.noise = noiseOf(input.neighborhoods, field.spacings);
-  const float spacing = median(field.spacings);
-  const PointGrid grid(input.points, 2.0f * spacing);
+  const CloudNumbers* const of_cloud = input.of_cloud;
+  field.spacings =
+      of_cloud ? localSpacings(input.neighborhoods, input.points.size, *of_cloud)
+               : localSpacings(input.neighborhoods, input.points.size, input.is_even);
+  const Bounds bounds = boundsOf(input);
+  const float spacing = of_cloud ? of_cloud->spacing : median(field.spacings);
+  const PointGrid grid(input.points, 2.0f * spacing, bounds);
+  field.noise =
+      of_cloud ? of_cloud->noise : noiseOf(input.neighborhoods, field.spacings);
   field.noise_level =
-      input.normals.size > 0
+      of_cloud ? of_cloud->noise_level
+      : input.normals.size > 0
           ? field.noise
           : noiseLevelOf(input.neighborhoods, field.spacings, field.noise, grid);
   const std::vector<float> evidence = evidenceOf(input, model, field);
@@ -88,7 +103,7 @@ findEdges(const FieldInput& input, const ShapeModel& model, ShapeField& field)
         std::isnan(e) ? std::numeric_limits<float>::quiet_NaN() : 0.0f);
 
   const std::vector<Vote> votes = collectVotes(input, field, evidence, grid);
-  markBands(countVotes(votes, spacing, input.threads), grid, field);
+  markBands(countVotes(votes, spacing, bounds, input.threads), grid, field);
 }
 
 } // namespace pcl::detail

@@ -71,24 +71,25 @@ neighborsOf(const pcl::Indices& chosen,
   return found;
 }
 
-/** Measures how far normals differ on the flattest part of a cloud. */
+/** Measures how far normals differ around some points. */
 class NormalScatter {
 public:
   NormalScatter(const Neighborhoods& neighborhoods,
                 const std::vector<float>& spacings,
-                const PointGrid& grid)
+                const PointGrid& grid,
+                pcl::Indices chosen)
   : neighborhoods_(neighborhoods)
   , spacings_(spacings)
   , grid_(grid)
-  , chosen_(somePoints(neighborhoods.input(), some))
+  , chosen_(std::move(chosen))
   {}
 
-  /** Radians, 0 if nothing is known; with the radii for a noise. */
-  float
+  /** Radians, with the radii for a noise. */
+  std::vector<float>
   operator()(double noise) const
   {
     if (chosen_.empty())
-      return 0.0f;
+      return {};
     const XYZView& points = neighborhoods_.input();
     const std::vector<float> radii =
         radiiOf(chosen_, inad_radius + inad_radius_noise * noise);
@@ -113,8 +114,7 @@ public:
     std::vector<float> mu;
     for (std::size_t k = 0; k < chosen_.size(); ++k)
       mu.push_back(mu_sigma[2 * k]);
-    mu = finiteOf(std::move(mu));
-    return mu.empty() ? 0.0f : quantile(std::move(mu), flattest);
+    return finiteOf(std::move(mu));
   }
 
 private:
@@ -135,21 +135,24 @@ private:
   pcl::Indices chosen_;
 };
 
-} // namespace
+/** Those on the flattest part of a cloud, 0 if nothing is known. */
+float
+flattestOf(std::vector<float> angles)
+{
+  return angles.empty() ? 0.0f : quantile(std::move(angles), flattest);
+}
 
+/** \param[in] scatter how far normals differ at a level, radians */
+template <typename Scatter>
 double
-noiseLevelOf(const Neighborhoods& neighborhoods,
-             const std::vector<float>& spacings,
-             double noise,
-             const PointGrid& grid)
+levelOf(double noise, const Scatter& scatter)
 {
   if (noise == 0.0)
     return 0.0;
-  const NormalScatter scatter(neighborhoods, spacings, grid);
-  const float first = scatter(levels[0]);
+  const float first = scatter(0);
   if (!(first > 0.0f))
     return 0.0;
-  float before = scatter(levels[1]);
+  float before = scatter(1);
   const float share = correlation(before / first);
   if (share == 1.0f)
     return noise;
@@ -158,13 +161,59 @@ noiseLevelOf(const Neighborhoods& neighborhoods,
                                     : noise;
   for (std::size_t i = 2; i < levels.size() && before > stable && levels[i - 1] < noise;
        ++i) {
-    const float scattered = scatter(levels[i]);
+    const float scattered = scatter(i);
     if (scattered <= stable)
       white = crossing(levels[i - 1], before, levels[i], scattered);
     before = scattered;
   }
   white = std::min(white, noise);
   return white + static_cast<double>(share) * (noise - white);
+}
+
+} // namespace
+
+double
+noiseLevelOf(const Neighborhoods& neighborhoods,
+             const std::vector<float>& spacings,
+             double noise,
+             const PointGrid& grid)
+{
+  const NormalScatter scatter(
+      neighborhoods, spacings, grid, somePoints(neighborhoods.input(), some));
+  return levelOf(noise,
+                 [&](std::size_t level) { return flattestOf(scatter(levels[level])); });
+}
+
+NormalAngles
+normalAngles(const Neighborhoods& neighborhoods,
+             const std::vector<float>& spacings,
+             const PointGrid& grid,
+             std::uint64_t of_points,
+             const std::vector<bool>& is_wanted)
+{
+  pcl::Indices chosen;
+  for (const pcl::index_t i : somePoints(neighborhoods.input(), some, of_points))
+    if (is_wanted[static_cast<std::size_t>(i)])
+      chosen.push_back(i);
+  const NormalScatter scatter(neighborhoods, spacings, grid, std::move(chosen));
+  NormalAngles angles;
+  for (std::size_t level = 0; level < levels.size(); ++level)
+    angles[level] = scatter(levels[level]);
+  return angles;
+}
+
+double
+noiseReach()
+{
+  // Wider than the surface variation of noiseOf(), which looks 1.5 spacings far.
+  return inad_radius + inad_radius_noise * levels.back() + normal_radius +
+         normal_radius_noise * levels.back();
+}
+
+double
+noiseLevelOf(double noise, const NormalAngles& angles)
+{
+  return levelOf(noise, [&](std::size_t level) { return flattestOf(angles[level]); });
 }
 
 INADParameters

@@ -7,6 +7,8 @@
 #include "features/local_spacing.h"
 #include "geometry/point_grid.h"
 
+#include <array>
+
 namespace pcl::detail {
 
 /** \brief The noise that the radii of edges are chosen for, in spacings, 0 to 0.3.
@@ -23,6 +25,24 @@ PCL_SHAPE_EXPORTS double noiseLevelOf(const Neighborhoods& neighborhoods,
                                       const std::vector<float>& spacings,
                                       double noise,
                                       const segmentation::PointGrid& grid);
+
+/** \brief What noiseLevelOf() measures of a part of a cloud: at each of its levels the
+ * angles between the normals around some points, radians. */
+using NormalAngles = std::array<std::vector<float>, 8>;
+
+/** \param[in] of_points how many points the whole cloud has
+ * \param[in] is_wanted of each point of the part, whether it is to be measured */
+NormalAngles normalAngles(const Neighborhoods& neighborhoods,
+                          const std::vector<float>& spacings,
+                          const segmentation::PointGrid& grid,
+                          std::uint64_t of_points,
+                          const std::vector<bool>& is_wanted);
+
+/** \brief How far both measures of noise look, in the largest local spacing. */
+double noiseReach();
+
+/** \brief noiseLevelOf() of a cloud whose parts have these angles. */
+double noiseLevelOf(double noise, const NormalAngles& angles);
 
 /** \brief Parameters for the noise of this cloud. */
 PCL_SHAPE_EXPORTS INADParameters withNoiseOfCloud(const INADParameters& parameters,

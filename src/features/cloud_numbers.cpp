@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// What a cloud's parts measure of it: distances, noise, normals.
+
+#include "common/finite.h"
+#include "features/local_spacing.h"
+#include "features/noise_level.h"
+
+#include <pcl/features/cloud_numbers.h>
+#include <pcl/features/impl/neighborhoods.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace pcl {
+namespace {
+
+using namespace detail;
+
+pcl::Indices
+allOf(const XYZView& points)
+{
+  pcl::Indices all(points.size);
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+void
+append(const std::vector<float>& from, std::vector<float>& to)
+{
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+} // namespace
+
+void
+NoiseMeasures::add(const NoiseMeasures& other)
+{
+  append(other.variations, variations);
+  for (std::size_t level = 0; level < angles.size(); ++level)
+    append(other.angles[level], angles[level]);
+}
+
+void
+setNoise(const NoiseMeasures& of_all_parts, CloudNumbers& numbers)
+{
+  numbers.noise = of_all_parts.variations.empty()
+                      ? 0.0
+                      : noiseOfVariations(of_all_parts.variations);
+  numbers.noise_level = noiseLevelOf(numbers.noise, of_all_parts.angles);
+}
+
+float
+spacingAt(float middle, double distance)
+{
+  return spacingOf(middle, distance);
+}
+
+PartOfCloud::PartOfCloud(const XYZView& places,
+                         const std::vector<bool>& is_measured,
+                         unsigned threads)
+: places_(places)
+, is_measured_(is_measured)
+, threads_(threads)
+{}
+
+std::vector<float>
+PartOfCloud::measureDistances(double reach) const
+{
+  pcl::Indices measured;
+  for (std::size_t i = 0; i < places_.size; ++i)
+    if (is_measured_[i])
+      measured.push_back(static_cast<pcl::index_t>(i));
+  constexpr float unknown = std::numeric_limits<float>::infinity();
+  constexpr std::size_t nearest = 13; // with fewer points each is the 12th of none
+  if (measured.empty() || countFinite(places_) < nearest)
+    return std::vector<float>(measured.size(), unknown);
+  std::vector<float> distances = distancesToTwelfth(
+      Neighborhoods(places_, places_, measured, threads_), measured.size());
+  for (float& d : distances)
+    if (!(d <= reach))
+      d = unknown;
+  return distances;
+}
+
+NoiseMeasures
+PartOfCloud::measureNoise(const CloudNumbers& numbers, std::uint64_t places) const
+{
+  const pcl::Indices all = allOf(places_);
+  const Neighborhoods neighborhoods(places_, places_, all, threads_);
+  const std::vector<float> spacings = localSpacings(neighborhoods, all.size(), numbers);
+  pcl::Indices chosen;
+  for (const pcl::index_t i : noisePoints(places_, places))
+    if (is_measured_[static_cast<std::size_t>(i)])
+      chosen.push_back(i);
+  const segmentation::PointGrid grid(places_, 2.0f * numbers.spacing);
+  return {variationsAt(chosen, neighborhoods, spacings),
+          normalAngles(neighborhoods, spacings, grid, places, is_measured_)};
+}
+
+std::vector<float>
+PartOfCloud::normals(const CloudNumbers& numbers, double radius) const
+{
+  const pcl::Indices all = allOf(places_);
+  const Neighborhoods neighborhoods(places_, places_, all, threads_);
+  std::vector<float> radii = localSpacings(neighborhoods, all.size(), numbers);
+  using Limits = std::numeric_limits<float>;
+  for (float& r : radii)
+    r = std::clamp(r * static_cast<float>(radius), Limits::min(), Limits::max());
+  std::vector<float> normals(4 * places_.size);
+  neighborhoods.computeNormals(
+      NeighborhoodSize::ofRadii(radii.data()), normals.data(), normals.data() + 3, 4);
+  return normals;
+}
+
+} // namespace pcl
