@@ -167,6 +167,12 @@ noisePoints(const XYZView& points, std::uint64_t of_points)
   return somePoints(points, noise_points, of_points);
 }
 
+double
+variationReach()
+{
+  return noise_spacings;
+}
+
 std::vector<float>
 variationsAt(const pcl::Indices& chosen,
              const Neighborhoods& neighborhoods,

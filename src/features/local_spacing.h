@@ -67,6 +67,9 @@ PCL_SHAPE_EXPORTS double noiseOf(const Neighborhoods& neighborhoods,
 /** \brief The points that noiseOf() looks at, of a cloud of so many points. */
 pcl::Indices noisePoints(const XYZView& points, std::uint64_t of_points);
 
+/** \brief How far it looks from a point, in the largest local spacing. */
+double variationReach();
+
 /** \brief The surface variation around some of them. */
 std::vector<float> variationsAt(const pcl::Indices& chosen,
                                 const Neighborhoods& neighborhoods,

@@ -184,18 +184,19 @@ noiseLevelOf(const Neighborhoods& neighborhoods,
                  [&](std::size_t level) { return flattestOf(scatter(levels[level])); });
 }
 
-NormalAngles
-normalAngles(const Neighborhoods& neighborhoods,
-             const std::vector<float>& spacings,
-             const PointGrid& grid,
-             std::uint64_t of_points,
-             const std::vector<bool>& is_wanted)
+pcl::Indices
+anglePoints(const XYZView& points, std::uint64_t of_points)
 {
-  pcl::Indices chosen;
-  for (const pcl::index_t i : somePoints(neighborhoods.input(), some, of_points))
-    if (is_wanted[static_cast<std::size_t>(i)])
-      chosen.push_back(i);
-  const NormalScatter scatter(neighborhoods, spacings, grid, std::move(chosen));
+  return somePoints(points, some, of_points);
+}
+
+NormalAngles
+normalAngles(const pcl::Indices& chosen,
+             const Neighborhoods& neighborhoods,
+             const std::vector<float>& spacings,
+             const PointGrid& grid)
+{
+  const NormalScatter scatter(neighborhoods, spacings, grid, chosen);
   NormalAngles angles;
   for (std::size_t level = 0; level < levels.size(); ++level)
     angles[level] = scatter(levels[level]);
@@ -203,9 +204,8 @@ normalAngles(const Neighborhoods& neighborhoods,
 }
 
 double
-noiseReach()
+angleReach()
 {
-  // Wider than the surface variation of noiseOf(), which looks 1.5 spacings far.
   return inad_radius + inad_radius_noise * levels.back() + normal_radius +
          normal_radius_noise * levels.back();
 }

@@ -30,16 +30,17 @@ PCL_SHAPE_EXPORTS double noiseLevelOf(const Neighborhoods& neighborhoods,
  * angles between the normals around some points, radians. */
 using NormalAngles = std::array<std::vector<float>, 8>;
 
-/** \param[in] of_points how many points the whole cloud has
- * \param[in] is_wanted of each point of the part, whether it is to be measured */
-NormalAngles normalAngles(const Neighborhoods& neighborhoods,
-                          const std::vector<float>& spacings,
-                          const segmentation::PointGrid& grid,
-                          std::uint64_t of_points,
-                          const std::vector<bool>& is_wanted);
+/** \brief The points that it looks at, of a cloud of so many points. */
+pcl::Indices anglePoints(const XYZView& points, std::uint64_t of_points);
 
-/** \brief How far both measures of noise look, in the largest local spacing. */
-double noiseReach();
+/** \param[in] chosen some of the part's points */
+NormalAngles normalAngles(const pcl::Indices& chosen,
+                          const Neighborhoods& neighborhoods,
+                          const std::vector<float>& spacings,
+                          const segmentation::PointGrid& grid);
+
+/** \brief How far it looks from a point, in the largest local spacing. */
+double angleReach();
 
 /** \brief noiseLevelOf() of a cloud whose parts have these angles. */
 double noiseLevelOf(double noise, const NormalAngles& angles);

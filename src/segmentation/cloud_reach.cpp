@@ -29,7 +29,7 @@ reachOf(const CloudNumbers& numbers, const ShapeModel& edge_model)
   const INADParameters radii = withNoise(edge_model.parameters(), numbers.noise_level);
   CloudReach reach;
   reach.spacing = rounding * spacingReach(numbers.distance);
-  reach.noise = reach.spacing + noiseReach() * most;
+  reach.noise = reach.spacing + std::max(variationReach(), angleReach()) * most;
   const double normal = std::max(radii.normal_radius * most, reach.spacing);
   reach.normals = normal;
   const double inad = radii.radius * most + normal;

@@ -6,13 +6,12 @@
 
 #include <pcl/tiling/point_source.h>
 
-#include <boost/crc.hpp>
-
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <sys/stat.h>
 
@@ -100,9 +99,8 @@ private:
 std::uint32_t
 checksumOf(const void* data, std::size_t size)
 {
-  boost::crc_32_type crc;
-  crc.process_bytes(data, size);
-  return crc.checksum();
+  return static_cast<std::uint32_t>(
+      ::crc32_z(0, static_cast<const unsigned char*>(data), size));
 }
 
 std::string

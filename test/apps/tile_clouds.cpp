@@ -158,7 +158,7 @@ withTrouble(TilePointCloud points)
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Random random(10);
   const std::size_t size = points.size();
-  for (int i = 0; i < 40; ++i)
+  for (int i = 0; i < 8; ++i)
     points.push_back({random(-50, 90), random(-60, 60), random(-30, 40)});
   for (std::size_t i = 0; i < size / 50; ++i) {
     const TilePoint copy = points[random.below(static_cast<std::uint32_t>(size))];
