@@ -34,7 +34,7 @@ using pcl::tiling::TileSettings;
 
 // Of a point of a tile, measured: its coordinates, what is computed of it, and its
 // share of the points around the tile.
-constexpr double bytes_of_point = 350.0;
+constexpr double bytes_of_point = 250.0;
 constexpr double fixed_bytes = 200e6; // of the program, and of points on their way
 constexpr double least_memory = 300e6;
 

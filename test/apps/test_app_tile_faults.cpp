@@ -100,7 +100,7 @@ TEST_F(TileFaults, RunsThatAreKilledGoOn)
       const std::size_t before = countLines(out);
       expectSuccess(tiles(out, {"-processes", processes, "-keep_tiles"}));
       EXPECT_EQ(countLines(out), all) << before << " before"; // nothing is done twice
-      EXPECT_EQ(output(out), output("whole")) << share;
+      EXPECT_TRUE(output(out) == output("whole")) << share;
     }
 }
 
@@ -111,7 +111,7 @@ TEST_F(TileFaults, KilledAgainAndAgain)
   for (std::size_t lines = 3; lines < all; lines += all / 4)
     killAt(lines, "out", {"-processes", "2"});
   expectSuccess(tiles("out"));
-  EXPECT_EQ(output("out"), output("whole"));
+  EXPECT_TRUE(output("out") == output("whole"));
 }
 
 TEST_F(TileFaults, OtherParametersAndInputsAreRefused)
@@ -182,7 +182,7 @@ TEST_F(TileFaults, AFullDiskIsAnErrorAndTheRerunGoesOn)
   EXPECT_NE(limited.err.find("size of files"), std::string::npos) << limited.err;
   EXPECT_FALSE(exists(path("out/room.pcd")));
   expectSuccess(tiles("out"));
-  EXPECT_EQ(output("out"), output("whole"));
+  EXPECT_TRUE(output("out") == output("whole"));
 }
 
 TEST_F(TileFaults, WhatCannotBeIsRefused)
@@ -218,9 +218,13 @@ TEST_F(TileFaults, VeryUnevenCloudsAreRefused)
 
 TEST_F(TileFaults, LargeCoordinatesGiveTheSameFields)
 {
+  // Floats of other coordinates are rounded otherwise, so that noise is measured at
+  // some other points: of a small cloud that changes more.
+  constexpr std::size_t points = 60000;
+  cloud = withTrouble(roomCloud(points));
   const auto find = [&](const std::string& out) {
     return runApp("pcl_shape_tiles",
-                  {input, "-output_dir", path(out), "-edges", "-types", "-tile", "4"});
+                  {input, "-output_dir", path(out), "-edges", "-types", "-tile", "6"});
   };
   write(input, cloud, true);
   expectSuccess(find("near"));
@@ -243,10 +247,11 @@ TEST_F(TileFaults, LargeCoordinatesGiveTheSameFields)
         << name;
   }
   // And the file of the whole cloud, with its offset.
-  expectSuccessOrWarnings(
+  const Outcome detected =
       runApp("pcl_shape_detect",
-             {input, path("whole.pcd"), "-edges", "-types", "-format", "binary"}));
-  EXPECT_EQ(output("far"), readFile(path("whole.pcd")));
+             {input, path("whole.pcd"), "-edges", "-types", "-format", "binary"});
+  EXPECT_EQ(detected.status, 0) << detected.err;
+  EXPECT_TRUE(output("far") == readFile(path("whole.pcd")));
 }
 
 TEST_F(TileFaults, OtherFormatsComeBack)
@@ -289,7 +294,7 @@ TEST_F(TileFaults, RanksOfMpiGiveTheSame)
       words.push_back(word);
     const Outcome outcome = runProgram(PCL_SHAPE_MPIEXEC, words);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_EQ(output(out), output("whole")) << ranks << " ranks";
+    EXPECT_TRUE(output(out) == output("whole")) << ranks << " ranks";
   }
 }
 
