@@ -152,8 +152,8 @@ sourcesOf(const std::vector<std::string>& inputs, const Arguments& arguments)
         std::make_shared<const CloudSource>(input, floatsOfBin(arguments)));
     if (sources.back()->stream().isInMemory())
       logLine(arguments.app() + ": " + input +
-              ": is read as a whole, since it is compressed or has lists; expected "
-              "memory for it");
+              ": warning: is read as a whole, since it is compressed or has lists; "
+              "expected memory for it");
   }
   return sources;
 }
