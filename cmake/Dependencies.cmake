@@ -17,6 +17,10 @@ add_library(pcl_shape_flann INTERFACE)
 target_link_libraries(pcl_shape_flann INTERFACE $<TARGET_NAME_IF_EXISTS:FLANN::FLANN>)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(Boost REQUIRED)
+find_package(ZLIB REQUIRED) # checksums of tiles
+if(PCL_SHAPE_BUILD_APPS AND PCL_SHAPE_WITH_MPI)
+  find_package(MPI QUIET COMPONENTS CXX)
+endif()
 
 # The Debian package of Highway has no complete CMake package: look for its parts.
 if(PCL_SHAPE_WITH_HIGHWAY)

@@ -2,7 +2,7 @@ include(CMakePackageConfigHelpers)
 
 set(PCL_SHAPE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/pcl_shape)
 
-install(TARGETS pcl_shape EXPORT pcl_shapeTargets
+install(TARGETS pcl_shape pcl_shape_tiling EXPORT pcl_shapeTargets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

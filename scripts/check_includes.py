@@ -15,7 +15,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # Rooms of src; those of one line do not know each other.
-ORDER = [["common"], ["geometry"], ["sweep"], ["features"], ["edges"], ["surfaces"],
+ORDER = [["common"], ["geometry", "tiling"], ["sweep"], ["features"], ["edges"], ["surfaces"],
          ["instances", "grasps", "ground", "labels"], ["segmentation"]]
 RANK = {room: rank for rank, rooms in enumerate(ORDER) for room in rooms}
 # A public header counts as the room that implements it; others as the folder that they are in.

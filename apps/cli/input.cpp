@@ -16,7 +16,6 @@
 #include <iterator>
 
 namespace pcl::app {
-namespace {
 
 std::optional<std::array<double, 3>>
 givenOffset(const Arguments& arguments)
@@ -36,6 +35,8 @@ hasDoubles(const CloudFile& cloud)
       return true;
   return false;
 }
+
+namespace {
 
 std::string
 toText(const std::array<double, 3>& vector)

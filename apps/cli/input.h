@@ -10,12 +10,19 @@
 #include "io/cloud_file.h"
 
 #include <array>
+#include <optional>
 #include <string>
 
 namespace pcl::app {
 
 /** \brief -offset and -floats. */
 void addInputOptions(CommandLine& command_line);
+
+/** \brief -offset, if it is given. */
+std::optional<std::array<double, 3>> givenOffset(const Arguments& arguments);
+
+/** \brief Whether a coordinate is of type double. */
+bool hasDoubles(const CloudFile& cloud);
 
 /** \brief Throws a UsageError for what is wrong with these options. */
 void checkInputOptions(const Arguments& arguments);

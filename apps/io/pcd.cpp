@@ -353,22 +353,23 @@ readFields(const HeaderLines& lines, CloudFile& cloud)
 }
 
 void
-readSize(const HeaderLines& lines, CloudFile& cloud)
+readSize(const HeaderLines& lines, CloudFile& cloud, bool is_in_memory)
 {
   // The oldest files have POINTS alone, others leave POINTS out.
   const bool has_points = lines.find("POINTS");
   const bool has_width = lines.find("WIDTH") || lines.find("HEIGHT") || !has_points;
-  const std::uint64_t width = lines.integer(has_width ? "WIDTH" : "POINTS", max_points);
-  const std::uint64_t height =
-      lines.find("HEIGHT") ? lines.integer("HEIGHT", max_points) : 1;
+  const std::uint64_t most = is_in_memory ? max_points : max_bytes; // of 32 bits
+  const std::uint64_t width = lines.integer(has_width ? "WIDTH" : "POINTS", most);
+  const std::uint64_t height = lines.find("HEIGHT") ? lines.integer("HEIGHT", most) : 1;
   const std::uint64_t points =
-      has_points ? lines.integer("POINTS", max_points) : width * height;
+      has_points ? lines.integer("POINTS", most) : width * height;
   if (width * height != points)
     fail(cloud.path,
          "WIDTH " + std::to_string(width) + " times HEIGHT " + std::to_string(height) +
              " is not POINTS " + std::to_string(points),
          "POINTS = WIDTH x HEIGHT");
-  if (points > max_points || points * cloud.blob.point_step > max_bytes)
+  if (is_in_memory &&
+      (points > max_points || points * cloud.blob.point_step > max_bytes))
     fail(cloud.path,
          "POINTS " + std::to_string(points) + " of " +
              std::to_string(cloud.blob.point_step) + " bytes",
@@ -573,29 +574,65 @@ readBinaryPoints(CloudFile& cloud, std::string_view body)
                          body.begin() + static_cast<std::ptrdiff_t>(expected));
 }
 
+namespace {
+
+/** All but the points. */
 CloudFile
-decodePcd(const std::string& path, std::string_view file)
+describedBy(const HeaderLines& lines, const std::string& path, bool is_in_memory)
 {
-  const HeaderLines lines(path, file);
   CloudFile cloud;
   cloud.path = path;
   requireVersion(lines, path);
   readFields(lines, cloud);
-  readSize(lines, cloud);
+  readSize(lines, cloud, is_in_memory);
   readViewpoint(lines, cloud);
+  return cloud;
+}
+
+PCDFormat
+formatBy(const HeaderLines& lines, const std::string& path)
+{
   const std::string_view word = lines.words("DATA", 1).front();
   const auto format = formatOf(word);
   if (!format)
     fail(path, "DATA is " + inQuotes(word), "ascii, binary or binary_compressed");
+  return *format;
+}
+
+} // namespace
+
+std::optional<PointRows>
+rowsOfPcd(const std::string& path, std::string_view head)
+{
+  const HeaderLines lines(path, head);
+  const PCDFormat format = formatBy(lines, path);
+  if (format == PCDFormat::binary_compressed)
+    return std::nullopt;
+  return PointRows{
+      describedBy(lines, path, false), format == PCDFormat::ascii, lines.end()};
+}
+
+void
+finishPcd(CloudFile& cloud)
+{
+  dropPadding(cloud);
+  usePclNames(cloud);
+}
+
+CloudFile
+decodePcd(const std::string& path, std::string_view file)
+{
+  const HeaderLines lines(path, file);
+  CloudFile cloud = describedBy(lines, path, true);
+  const PCDFormat format = formatBy(lines, path);
   const std::string_view body = file.substr(lines.end());
-  if (*format == PCDFormat::ascii)
+  if (format == PCDFormat::ascii)
     readAsciiPoints(cloud, body);
-  else if (*format == PCDFormat::binary)
+  else if (format == PCDFormat::binary)
     readBinaryPoints(cloud, body);
   else
     readCompressed(cloud, body);
-  dropPadding(cloud);
-  usePclNames(cloud);
+  finishPcd(cloud);
   return cloud;
 }
 
@@ -687,6 +724,23 @@ appendCompressed(const CloudFile& cloud, std::string& text)
 }
 
 } // namespace
+
+std::string
+encodePcdHeader(const CloudFile& cloud, PCDFormat format)
+{
+  return encodeHeader(cloud, format);
+}
+
+std::string
+encodePcdPoints(const CloudFile& cloud, PCDFormat format)
+{
+  std::string text;
+  if (format == PCDFormat::ascii)
+    appendAscii(cloud, text);
+  else
+    text.assign(cloud.blob.data.begin(), cloud.blob.data.end());
+  return text;
+}
 
 std::string
 encodeCloud(const CloudFile& cloud, PCDFormat format)

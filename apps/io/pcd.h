@@ -39,6 +39,26 @@ CloudFile readCloud(const std::string& path);
 /** \brief The same of a file that was read already. */
 CloudFile decodePcd(const std::string& path, std::string_view file);
 
+/** \brief What a header says of a file whose points follow one after the other. */
+struct PointRows {
+  CloudFile cloud; ///< all but the points
+  bool is_text = false;
+  std::uint64_t begin = 0; ///< of the points in the file
+};
+
+/** \brief The header of a PCD file, of any number of points; nothing if its points are
+ * compressed. \param[in] head the first bytes of the file, with all of the header */
+std::optional<PointRows> rowsOfPcd(const std::string& path, std::string_view head);
+
+/** \brief After the points of a file are read: leave padding out, and use PCL's names.
+ */
+void finishPcd(CloudFile& cloud);
+
+/** \brief What is before the points in encodeCloud(), and the points; not compressed.
+ */
+std::string encodePcdHeader(const CloudFile& cloud, PCDFormat format);
+std::string encodePcdPoints(const CloudFile& cloud, PCDFormat format);
+
 /** \brief The bytes of a PCD file. Numbers in text read back as the same numbers. */
 std::string encodeCloud(const CloudFile& cloud, PCDFormat format);
 

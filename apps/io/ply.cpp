@@ -76,6 +76,7 @@ struct Header {
   std::uint32_t columns = 0, rows = 0;
   std::vector<Element> elements;
   std::string format;
+  bool is_in_memory = true; ///< all of the file
 };
 
 [[noreturn]] void
@@ -116,11 +117,12 @@ readElement(const Words& words, Header& header)
          "a name and a count");
   const auto count = parseValue<std::uint64_t>(words[2]);
   const bool is_vertex = words[1] == "vertex";
-  if (!count || (is_vertex && (*count == 0 || *count > max_points)))
+  const std::uint64_t most = header.is_in_memory ? max_points : max_bytes;
+  if (!count || (is_vertex && (*count == 0 || *count > most)))
     fail(header.cloud,
          "element " + std::string(is_vertex ? "vertex" : inQuotes(words[1])) + " is " +
              inQuotes(words[2]),
-         is_vertex ? "a whole number from 1 to " + std::to_string(max_points)
+         is_vertex ? "a whole number from 1 to " + std::to_string(most)
                    : "a whole number");
   if (is_vertex &&
       std::any_of(header.elements.begin(), header.elements.end(), isVertex))
@@ -210,7 +212,7 @@ addFields(const Element& vertex, Header& header)
       addField(cloud, property.name, property.datatype);
   if (cloud.blob.fields.empty())
     fail(cloud, "element vertex has no property but lists", "at least x y z");
-  if (vertex.count * cloud.blob.point_step > max_bytes)
+  if (header.is_in_memory && vertex.count * cloud.blob.point_step > max_bytes)
     fail(cloud,
          "element vertex " + std::to_string(vertex.count) + " of " +
              std::to_string(cloud.blob.point_step) + " bytes",
@@ -225,9 +227,10 @@ addFields(const Element& vertex, Header& header)
 
 /** Takes the header off the file. */
 Header
-readHeader(const std::string& path, std::string_view& file)
+readHeader(const std::string& path, std::string_view& file, bool is_in_memory)
 {
   Header header;
+  header.is_in_memory = is_in_memory;
   CloudFile& cloud = header.cloud;
   cloud.path = path;
   if (splitWords(takeLine(file)) != Words{"ply"})
@@ -551,9 +554,9 @@ takeElements(Header& header, Body& body)
   }
 }
 
-/** Whether the body begins with the points, as they are in memory. */
+/** Whether the body begins with the points, values alone. */
 bool
-isPlain(const Header& header)
+hasRows(const Header& header)
 {
   const auto& elements = header.elements;
   const Element& first = elements.front();
@@ -561,7 +564,7 @@ isPlain(const Header& header)
       std::any_of(elements.begin(), elements.end(), [](const Element& element) {
         return element.name == "camera";
       });
-  return header.format == "binary_little_endian" && isVertex(first) && !has_camera &&
+  return header.format != "binary_big_endian" && isVertex(first) && !has_camera &&
          std::none_of(first.properties.begin(),
                       first.properties.end(),
                       [](const InProperty& p) { return p.count_type.has_value(); });
@@ -569,11 +572,22 @@ isPlain(const Header& header)
 
 } // namespace
 
+std::optional<PointRows>
+rowsOfPly(const std::string& path, std::string_view head)
+{
+  std::string_view rest = head;
+  Header header = readHeader(path, rest, false);
+  if (!hasRows(header))
+    return std::nullopt;
+  const std::uint64_t begin = head.size() - rest.size();
+  return PointRows{std::move(header.cloud), header.format == "ascii", begin};
+}
+
 CloudFile
 decodePly(const std::string& path, std::string_view file)
 {
-  Header header = readHeader(path, file);
-  if (isPlain(header))
+  Header header = readHeader(path, file, true);
+  if (hasRows(header) && header.format != "ascii")
     readBinaryPoints(header.cloud, file);
   else if (header.format == "ascii") {
     TextBody body(header.cloud, file);
@@ -706,6 +720,23 @@ appendBinary(const CloudFile& cloud,
 }
 
 } // namespace
+
+std::string
+encodePlyHeader(const CloudFile& cloud, bool is_text)
+{
+  return encodeHeader(cloud, propertiesOf(cloud), is_text);
+}
+
+std::string
+encodePlyPoints(const CloudFile& cloud, bool is_text)
+{
+  std::string text;
+  if (is_text)
+    appendText(cloud, propertiesOf(cloud), text);
+  else
+    appendBinary(cloud, propertiesOf(cloud), text);
+  return text;
+}
 
 std::string
 encodePly(const CloudFile& cloud, bool is_text)

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "io/cloud_file.h"
+#include "io/pcd.h"
 
 #include <string>
 #include <string_view>
@@ -17,6 +18,15 @@ namespace pcl::app {
  * all elements but a camera, which gives the viewpoint. \throws InputError that names
  * the path, what is wrong, and what is expected */
 CloudFile decodePly(const std::string& path, std::string_view file);
+
+/** \brief The header of a PLY file, of any number of points; nothing unless the points
+ * come first, without lists, as text or little-endian, and without a camera. \param[in]
+ * head the first bytes of the file, with all of the header */
+std::optional<PointRows> rowsOfPly(const std::string& path, std::string_view head);
+
+/** \brief What is before the points in encodePly(), and the points. */
+std::string encodePlyHeader(const CloudFile& cloud, bool is_text);
+std::string encodePlyPoints(const CloudFile& cloud, bool is_text);
 
 /** \brief The bytes of a PLY file with one element, vertex, binary little-endian or
  * text.

@@ -175,6 +175,20 @@ fitSpacings(double noise)
   return fit_spacings + fit_per_noise * static_cast<float>(noise);
 }
 
+float
+patchSpacings(double noise, double noise_level)
+{
+  // A little wider than normals need: the planes are to give the angle, too.
+  constexpr double of_thickness = 0.25;
+  return fitSpacings(noise_level + of_thickness * (noise - noise_level));
+}
+
+float
+agreementSpacings()
+{
+  return vote_spacings;
+}
+
 std::vector<Vote>
 collectVotes(const FieldInput& input,
              const ShapeField& edges,
@@ -199,10 +213,13 @@ collectVotes(const FieldInput& input,
 }
 
 std::vector<Agreement>
-countVotes(const std::vector<Vote>& votes, float spacing, unsigned threads)
+countVotes(const std::vector<Vote>& votes,
+           float spacing,
+           const Bounds& bounds,
+           unsigned threads)
 {
   std::vector<Agreement> agreements(votes.size());
-  const PointGrid grid(positionsOf(votes), vote_spacings * spacing);
+  const PointGrid grid(positionsOf(votes), vote_spacings * spacing, bounds);
   kernels::parallelForEach(votes.size(), threads, [&](std::size_t i) {
     agreements[i] = agreementAround(votes[i], votes, grid);
   });

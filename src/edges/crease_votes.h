@@ -33,6 +33,13 @@ struct Agreement {
 /** \brief The radius in spacings within which a candidate fits two planes. */
 float fitSpacings(double noise);
 
+/** \brief The radius of the neighborhood whose points it fits, and how far its vote may
+ * be. */
+float patchSpacings(double noise, double noise_level);
+
+/** \brief The radius in spacings within which votes agree. */
+float agreementSpacings();
+
 /** \brief The votes of all points whose evidence speaks for an edge, and near which two
  * planes meet at an angle.
  * \param[in] edges with normals, spacings and noise
@@ -47,8 +54,10 @@ std::vector<Vote> collectVotes(const detail::FieldInput& input,
                                const PointGrid& grid);
 
 /** \brief What the votes around each vote agree on.
- * \param[in] spacing the median of the cloud's, meters */
-std::vector<Agreement>
-countVotes(const std::vector<Vote>& votes, float spacing, unsigned threads);
+ * \param[in] spacing the median of the cloud's, meters \param[in] bounds the cloud's */
+std::vector<Agreement> countVotes(const std::vector<Vote>& votes,
+                                  float spacing,
+                                  const Bounds& bounds,
+                                  unsigned threads);
 
 } // namespace pcl::segmentation

@@ -83,18 +83,33 @@ markBands(const std::vector<Agreement>& agreements,
   }
 }
 
+Bounds
+boundsOf(const FieldInput& input)
+{
+  if (!input.of_cloud)
+    return Bounds::of(input.points);
+  return {Eigen::Map<const Eigen::Array3f>(input.of_cloud->low.data()),
+          Eigen::Map<const Eigen::Array3f>(input.of_cloud->high.data())};
+}
+
 } // namespace
 
 void
 findEdges(const FieldInput& input, const ShapeModel& model, ShapeField& field)
 {
-  field.spacings = localSpacings(input.neighborhoods, input.points.size, input.is_even);
-  field.noise = noiseOf(input.neighborhoods, field.spacings);
-  const float spacing = median(field.spacings);
-  const PointGrid grid(input.points, 2.0f * spacing);
+  const CloudNumbers* const of_cloud = input.of_cloud;
+  field.spacings =
+      of_cloud ? localSpacings(input.neighborhoods, input.points.size, *of_cloud)
+               : localSpacings(input.neighborhoods, input.points.size, input.is_even);
+  const Bounds bounds = boundsOf(input);
+  const float spacing = of_cloud ? of_cloud->spacing : median(field.spacings);
+  const PointGrid grid(input.points, 2.0f * spacing, bounds);
+  field.noise =
+      of_cloud ? of_cloud->noise : noiseOf(input.neighborhoods, field.spacings);
   // Of normals of one's own it is not known which noise is left in them.
   const NoiseLevel noise =
-      input.normals.size > 0
+      of_cloud ? NoiseLevel{of_cloud->noise_level, of_cloud->noise_correlation}
+      : input.normals.size > 0
           ? NoiseLevel{field.noise, 1.0}
           : noiseLevelOf(input.neighborhoods, field.spacings, field.noise, grid);
   field.noise_level = noise.level;
@@ -106,7 +121,7 @@ findEdges(const FieldInput& input, const ShapeModel& model, ShapeField& field)
 
   const float whiteness = whitenessOf(noise, field.noise);
   const std::vector<Vote> votes = collectVotes(input, field, evidence, whiteness, grid);
-  markBands(countVotes(votes, spacing, input.threads), whiteness, grid, field);
+  markBands(countVotes(votes, spacing, bounds, input.threads), whiteness, grid, field);
 }
 
 } // namespace pcl::detail

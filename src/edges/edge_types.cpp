@@ -119,6 +119,18 @@ isOnBoundary(const ShapeField& edges, const PointGrid& grid, std::size_t i)
 
 } // namespace
 
+double
+cornerSpacings(double noise_level)
+{
+  return static_cast<double>(far_fits) * fitSpacings(noise_level);
+}
+
+double
+boundarySpacings()
+{
+  return boundary_spacings;
+}
+
 std::vector<EdgeType>
 edgeTypes(const ShapeField& edges, double threshold, unsigned threads)
 {

@@ -15,4 +15,9 @@ namespace pcl::detail {
 std::vector<EdgeType>
 edgeTypes(const ShapeField& edges, double threshold, unsigned threads);
 
+/** \brief How far creases are looked at for a corner, and neighbors for a boundary, in
+ * spacings. */
+double cornerSpacings(double noise_level);
+double boundarySpacings();
+
 } // namespace pcl::detail

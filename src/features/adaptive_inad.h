@@ -19,6 +19,7 @@ struct FieldInput {
   XYZView normals; ///< of size 0 to estimate them
   unsigned threads = 0;
   bool is_even = false; ///< the spacing changes slowly: it is taken as it is
+  const CloudNumbers* of_cloud = nullptr; ///< of which the points are a part
 };
 
 /** \brief Normals and INAD; NaN unknown. */

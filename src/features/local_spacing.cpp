@@ -4,6 +4,7 @@
 
 #include "features/local_spacing.h"
 
+#include "common/finite.h"
 #include "features/some_points.h"
 
 #include <pcl/features/impl/neighborhoods.hpp>
@@ -65,13 +66,54 @@ medianOf(const std::vector<float>& distances)
 
 } // namespace
 
+float
+spacingOf(float distance, double median)
+{
+  const double ratio = std::isfinite(distance) ? distance / median : 1.0;
+  return static_cast<float>(median *
+                            std::sqrt(std::clamp(ratio, min_ratio, max_ratio)));
+}
+
+double
+mostSpacing(double median)
+{
+  return median * std::sqrt(max_ratio);
+}
+
+double
+spacingReach(double median)
+{
+  return median * max_ratio;
+}
+
 std::vector<float>
 spacingsOf(std::vector<float> distances)
 {
   const double median = medianOf(distances);
-  for (float& d : distances) {
-    const double ratio = std::isfinite(d) ? d / median : 1.0;
-    d = static_cast<float>(median * std::sqrt(std::clamp(ratio, min_ratio, max_ratio)));
+  for (float& d : distances)
+    d = spacingOf(d, median);
+  return distances;
+}
+
+std::vector<float>
+distancesToTwelfth(const Neighborhoods& neighborhoods, std::size_t count)
+{
+  std::vector<float> distances(count);
+  neighborhoods.computeDistanceToNearest(nearest, distances.data());
+  return distances;
+}
+
+std::vector<float>
+localSpacings(const Neighborhoods& neighborhoods,
+              std::size_t count,
+              const CloudNumbers& of_cloud)
+{
+  std::vector<float> distances = distancesToTwelfth(neighborhoods, count);
+  const bool are_few = countFinite(neighborhoods.input()) < nearest;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool is_far = are_few && kernels::isFinite(neighborhoods.input()[i]);
+    distances[i] = spacingOf(is_far ? std::numeric_limits<float>::max() : distances[i],
+                             of_cloud.distance);
   }
   return distances;
 }
@@ -79,8 +121,7 @@ spacingsOf(std::vector<float> distances)
 std::vector<float>
 localSpacings(const Neighborhoods& neighborhoods, std::size_t count, bool is_even)
 {
-  std::vector<float> distances(count);
-  neighborhoods.computeDistanceToNearest(nearest, distances.data());
+  std::vector<float> distances = distancesToTwelfth(neighborhoods, count);
   if (!is_even)
     return spacingsOf(std::move(distances));
   const double median = medianOf(distances);
@@ -115,9 +156,30 @@ adaptiveRadii(AdaptiveRadius::RadiusMode mode,
 double
 noiseOf(const Neighborhoods& neighborhoods, const std::vector<float>& spacings)
 {
-  const pcl::Indices chosen = somePoints(neighborhoods.input(), noise_points);
+  const XYZView& points = neighborhoods.input();
+  return noiseOfVariations(
+      variationsAt(noisePoints(points, points.size), neighborhoods, spacings));
+}
+
+pcl::Indices
+noisePoints(const XYZView& points, std::uint64_t of_points)
+{
+  return somePoints(points, noise_points, of_points);
+}
+
+double
+variationReach()
+{
+  return noise_spacings;
+}
+
+std::vector<float>
+variationsAt(const pcl::Indices& chosen,
+             const Neighborhoods& neighborhoods,
+             const std::vector<float>& spacings)
+{
   if (chosen.empty())
-    return 0.0;
+    return {};
   std::vector<float> radii;
   radii.reserve(chosen.size());
   for (const pcl::index_t index : chosen)
@@ -129,6 +191,12 @@ noiseOf(const Neighborhoods& neighborhoods, const std::vector<float>& spacings)
   std::vector<float> variations;
   for (std::size_t i = 0; i < chosen.size(); ++i)
     variations.push_back(normals[4 * i + 3]);
+  return variations;
+}
+
+double
+noiseOfVariations(std::vector<float> variations)
+{
   const double variation = quantile(std::move(variations), 0.2);
   return std::min(max_noise, 1.55 * noise_spacings * std::sqrt(0.5 * variation));
 }

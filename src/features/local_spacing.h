@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include <pcl/features/cloud_numbers.h>
 #include <pcl/features/shape_model.h>
 #include <pcl/features/xyz_view.h>
 #include <pcl/types.h>
@@ -19,11 +20,30 @@ class Neighborhoods;
  * finite */
 PCL_SHAPE_EXPORTS std::vector<float> spacingsOf(std::vector<float> distances);
 
+/** \brief The distance from each point of some neighborhoods to its 12th neighbor, NaN
+ * unknown. \param[in] count how many they are */
+std::vector<float> distancesToTwelfth(const Neighborhoods& neighborhoods,
+                                      std::size_t count);
+
 /** \brief The local spacings of the points of some neighborhoods.
  * \param[in] count how many they are */
 std::vector<float> localSpacings(const Neighborhoods& neighborhoods,
                                  std::size_t count,
                                  bool is_even = false);
+
+/** \brief Those of the points of a part of a cloud. A point with fewer neighbors in the
+ * part is far from the others. \param[in] neighborhoods of all points of the part */
+std::vector<float> localSpacings(const Neighborhoods& neighborhoods,
+                                 std::size_t count,
+                                 const CloudNumbers& of_cloud);
+
+/** \brief The local spacing where the 12th neighbor is so far. */
+float spacingOf(float distance, double median);
+
+/** \brief The largest local spacing, and the distance beyond which a 12th neighbor
+ * makes no difference to it. \param[in] median of the distances */
+double mostSpacing(double median);
+double spacingReach(double median);
 
 /** \brief Radii in meters, one for each index, in DEPTH or DENSITY mode. */
 std::vector<float> adaptiveRadii(AdaptiveRadius::RadiusMode mode,
@@ -43,6 +63,21 @@ std::vector<float> adaptiveRadii(AdaptiveRadius::RadiusMode mode,
  * \param[in] spacings one for each point */
 PCL_SHAPE_EXPORTS double noiseOf(const Neighborhoods& neighborhoods,
                                  const std::vector<float>& spacings);
+
+/** \brief The points that noiseOf() looks at, of a cloud of so many points. */
+pcl::Indices noisePoints(const XYZView& points, std::uint64_t of_points);
+
+/** \brief How far it looks from a point, in the largest local spacing. */
+double variationReach();
+
+/** \brief The surface variation around some of them. */
+std::vector<float> variationsAt(const pcl::Indices& chosen,
+                                const Neighborhoods& neighborhoods,
+                                const std::vector<float>& spacings);
+
+/** \brief The noise that surface variations show, at least one of them finite; else 0.
+ */
+double noiseOfVariations(std::vector<float> variations);
 
 /** \brief Parameters for this noise: the growth with noise is added to the radii. */
 INADParameters withNoise(INADParameters parameters, double noise);

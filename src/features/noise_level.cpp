@@ -71,24 +71,25 @@ neighborsOf(const pcl::Indices& chosen,
   return found;
 }
 
-/** Measures how far normals differ on the flattest part of a cloud. */
+/** Measures how far normals differ around some points. */
 class NormalScatter {
 public:
   NormalScatter(const Neighborhoods& neighborhoods,
                 const std::vector<float>& spacings,
-                const PointGrid& grid)
+                const PointGrid& grid,
+                pcl::Indices chosen)
   : neighborhoods_(neighborhoods)
   , spacings_(spacings)
   , grid_(grid)
-  , chosen_(somePoints(neighborhoods.input(), some))
+  , chosen_(std::move(chosen))
   {}
 
-  /** Radians, 0 if nothing is known; with the radii for a noise. */
-  float
+  /** Radians, with the radii for a noise. */
+  std::vector<float>
   operator()(double noise) const
   {
     if (chosen_.empty())
-      return 0.0f;
+      return {};
     const XYZView& points = neighborhoods_.input();
     const std::vector<float> radii =
         radiiOf(chosen_, inad_radius + inad_radius_noise * noise);
@@ -113,8 +114,7 @@ public:
     std::vector<float> mu;
     for (std::size_t k = 0; k < chosen_.size(); ++k)
       mu.push_back(mu_sigma[2 * k]);
-    mu = finiteOf(std::move(mu));
-    return mu.empty() ? 0.0f : quantile(std::move(mu), flattest);
+    return finiteOf(std::move(mu));
   }
 
 private:
@@ -135,12 +135,20 @@ private:
   pcl::Indices chosen_;
 };
 
+/** Those on the flattest part of a cloud, 0 if nothing is known. */
+float
+flattestOf(std::vector<float> angles)
+{
+  return angles.empty() ? 0.0f : quantile(std::move(angles), flattest);
+}
+
 /** How sure it is that the shape keeps the scatter from falling, 0 to 1. White noise
  * falls with the area that normals see, a curved surface turns by more within a larger
  * radius: squares of both add up, which two levels give. A third then shows less than
  * that, about 0.6 of it, if neighbors share noise. */
+template <typename Scatter>
 float
-curvatureShare(float first, float second, const NormalScatter& scatter)
+curvatureShare(float first, float second, const Scatter& scatter)
 {
   const auto square = [](double x) { return x * x; };
   const auto noise_left = [&](double level) { // of its square
@@ -154,30 +162,27 @@ curvatureShare(float first, float second, const NormalScatter& scatter)
   const double turn = (square(second) - left * square(first)) / (grown - left);
   if (turn <= 0.0)
     return 0.0f;
-  constexpr double third = 0.15;
+  constexpr std::size_t third_level = 4;
+  const double third = levels[third_level];
   const double noise = std::max(0.0, square(first) - turn);
   const double expected =
       std::sqrt(noise_left(third) * noise + turn_grown(third) * turn);
   constexpr double shared = 0.75, curved = 0.85; // of what is expected
-  return static_cast<float>(
-      std::clamp((scatter(third) / expected - shared) / (curved - shared), 0.0, 1.0));
+  return static_cast<float>(std::clamp(
+      (scatter(third_level) / expected - shared) / (curved - shared), 0.0, 1.0));
 }
 
-} // namespace
-
+/** \param[in] scatter how far normals differ at a level, radians */
+template <typename Scatter>
 NoiseLevel
-noiseLevelOf(const Neighborhoods& neighborhoods,
-             const std::vector<float>& spacings,
-             double noise,
-             const PointGrid& grid)
+levelOf(double noise, const Scatter& scatter)
 {
   if (noise == 0.0)
     return {};
-  const NormalScatter scatter(neighborhoods, spacings, grid);
-  const float first = scatter(levels[0]);
+  const float first = scatter(0);
   if (!(first > 0.0f))
     return {};
-  float before = scatter(levels[1]);
+  float before = scatter(1);
   float share = correlation(before / first);
   if (share > 0.0f)
     share *= 1.0f - curvatureShare(first, before, scatter);
@@ -188,7 +193,7 @@ noiseLevelOf(const Neighborhoods& neighborhoods,
                                     : noise;
   for (std::size_t i = 2; i < levels.size() && before > stable && levels[i - 1] < noise;
        ++i) {
-    const float scattered = scatter(levels[i]);
+    const float scattered = scatter(i);
     if (scattered <= stable)
       white = crossing(levels[i - 1], before, levels[i], scattered);
     before = scattered;
@@ -196,6 +201,52 @@ noiseLevelOf(const Neighborhoods& neighborhoods,
   white = std::min(white, noise);
   return {white + static_cast<double>(share) * (noise - white),
           static_cast<double>(share)};
+}
+
+} // namespace
+
+NoiseLevel
+noiseLevelOf(const Neighborhoods& neighborhoods,
+             const std::vector<float>& spacings,
+             double noise,
+             const PointGrid& grid)
+{
+  const NormalScatter scatter(
+      neighborhoods, spacings, grid, somePoints(neighborhoods.input(), some));
+  return levelOf(noise,
+                 [&](std::size_t level) { return flattestOf(scatter(levels[level])); });
+}
+
+pcl::Indices
+anglePoints(const XYZView& points, std::uint64_t of_points)
+{
+  return somePoints(points, some, of_points);
+}
+
+NormalAngles
+normalAngles(const pcl::Indices& chosen,
+             const Neighborhoods& neighborhoods,
+             const std::vector<float>& spacings,
+             const PointGrid& grid)
+{
+  const NormalScatter scatter(neighborhoods, spacings, grid, chosen);
+  NormalAngles angles;
+  for (std::size_t level = 0; level < levels.size(); ++level)
+    angles[level] = scatter(levels[level]);
+  return angles;
+}
+
+double
+angleReach()
+{
+  return inad_radius + inad_radius_noise * levels.back() + normal_radius +
+         normal_radius_noise * levels.back();
+}
+
+NoiseLevel
+noiseLevelOf(double noise, const NormalAngles& angles)
+{
+  return levelOf(noise, [&](std::size_t level) { return flattestOf(angles[level]); });
 }
 
 INADParameters

@@ -7,6 +7,8 @@
 #include "features/local_spacing.h"
 #include "geometry/point_grid.h"
 
+#include <array>
+
 namespace pcl::detail {
 
 /** \brief The noise that the radii of edges are chosen for. */
@@ -29,6 +31,25 @@ PCL_SHAPE_EXPORTS NoiseLevel noiseLevelOf(const Neighborhoods& neighborhoods,
                                           const std::vector<float>& spacings,
                                           double noise,
                                           const segmentation::PointGrid& grid);
+
+/** \brief What noiseLevelOf() measures of a part of a cloud: at each of its levels the
+ * angles between the normals around some points, radians. */
+using NormalAngles = std::array<std::vector<float>, 8>;
+
+/** \brief The points that it looks at, of a cloud of so many points. */
+pcl::Indices anglePoints(const XYZView& points, std::uint64_t of_points);
+
+/** \param[in] chosen some of the part's points */
+NormalAngles normalAngles(const pcl::Indices& chosen,
+                          const Neighborhoods& neighborhoods,
+                          const std::vector<float>& spacings,
+                          const segmentation::PointGrid& grid);
+
+/** \brief How far it looks from a point, in the largest local spacing. */
+double angleReach();
+
+/** \brief noiseLevelOf() of a cloud whose parts have these angles. */
+NoiseLevel noiseLevelOf(double noise, const NormalAngles& angles);
 
 /** \brief Parameters for the noise of this cloud. */
 PCL_SHAPE_EXPORTS INADParameters withNoiseOfCloud(const INADParameters& parameters,

@@ -40,7 +40,13 @@ hashOf(const float* point)
 pcl::Indices
 somePoints(const XYZView& points, std::size_t count)
 {
-  const double share = static_cast<double>(count) / static_cast<double>(points.size);
+  return somePoints(points, count, points.size);
+}
+
+pcl::Indices
+somePoints(const XYZView& points, std::size_t count, std::uint64_t of_points)
+{
+  const double share = static_cast<double>(count) / static_cast<double>(of_points);
   const auto below = static_cast<std::uint64_t>(std::min(1.0, share) * 4294967296.0);
   pcl::Indices chosen;
   for (std::size_t i = 0; i < points.size; ++i)

@@ -7,9 +7,16 @@
 #include <pcl/features/xyz_view.h>
 #include <pcl/types.h>
 
+#include <cstdint>
+
 namespace pcl::detail {
 
 /** \brief About as many finite points as are asked for, chosen by where they are. */
 pcl::Indices somePoints(const XYZView& points, std::size_t count);
+
+/** \brief Those of a part of a cloud. \param[in] count how many of the whole \param[in]
+ * of_points how many points the whole has */
+pcl::Indices
+somePoints(const XYZView& points, std::size_t count, std::uint64_t of_points);
 
 } // namespace pcl::detail

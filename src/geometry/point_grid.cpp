@@ -23,7 +23,8 @@ struct Entry {
 
 } // namespace
 
-PointGrid::PointGrid(const XYZView& points, float cell) : cell_(cell)
+Bounds
+Bounds::of(const XYZView& points)
 {
   Eigen::Array3f low = Eigen::Array3f::Constant(std::numeric_limits<float>::infinity());
   Eigen::Array3f high = -low;
@@ -33,6 +34,17 @@ PointGrid::PointGrid(const XYZView& points, float cell) : cell_(cell)
       high = high.max(positionOf(points, i).array());
     }
   }
+  return {low, high};
+}
+
+PointGrid::PointGrid(const XYZView& points, float cell)
+: PointGrid(points, cell, Bounds::of(points))
+{}
+
+PointGrid::PointGrid(const XYZView& points, float cell, const Bounds& bounds)
+: cell_(cell)
+{
+  const auto& [low, high] = bounds;
   begins_.push_back(0);
   if (!(low <= high).all())
     return;
@@ -80,15 +92,28 @@ PointGrid::cellOf(const Eigen::Array3f& position) const
 void
 PointGrid::findRows()
 {
-  row_count_ = static_cast<std::size_t>(last_.y()) + 1;
-  const std::size_t rows = row_count_ * (static_cast<std::size_t>(last_.z()) + 1);
+  if (keys_.empty())
+    return;
+  const auto yz = [&](std::size_t c) {
+    return std::array<int, 2>{
+        static_cast<int>((keys_[c] >> axis_bits) & ((1U << axis_bits) - 1)),
+        static_cast<int>(keys_[c] >> (2 * axis_bits))};
+  };
+  first_row_ = last_row_ = yz(0);
+  for (std::size_t c = 0; c < keys_.size(); ++c)
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      first_row_[axis] = std::min(first_row_[axis], yz(c)[axis]);
+      last_row_[axis] = std::max(last_row_[axis], yz(c)[axis]);
+    }
+  row_count_ = static_cast<std::size_t>(last_row_[0] - first_row_[0]) + 1;
+  const std::size_t rows =
+      row_count_ * (static_cast<std::size_t>(last_row_[1] - first_row_[1]) + 1);
   if (rows > max_rows + indices_.size())
     return;
   rows_.reserve(rows + 1);
   for (std::size_t c = 0; c < keys_.size(); ++c) {
-    const std::size_t z = keys_[c] >> (2 * axis_bits);
-    const std::size_t y = (keys_[c] >> axis_bits) & ((1U << axis_bits) - 1);
-    while (rows_.size() <= z * row_count_ + y)
+    const auto [y, z] = yz(c);
+    while (rows_.size() <= rowOf(y, z))
       rows_.push_back(static_cast<std::uint32_t>(c));
   }
   rows_.resize(rows + 1, static_cast<std::uint32_t>(keys_.size()));

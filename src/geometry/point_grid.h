@@ -9,10 +9,18 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace pcl::segmentation {
+
+/** \brief The box that holds points. */
+struct Bounds {
+  Eigen::Array3f low, high; ///< low above high if there is none
+
+  static Bounds of(const XYZView& points);
+};
 
 /** \brief Points in cells of space, to visit those within a radius. Unlike the sweep it
  * answers one query at a time, for the few points that need their neighbors one by one.
@@ -23,6 +31,11 @@ public:
   /** \param[in] points those that are not finite are left out
    * \param[in] cell the size of a cell, about the radius of the queries */
   PointGrid(const XYZView& points, float cell);
+
+  /** \param[in] bounds cells are placed in this box: parts of a cloud with its bounds
+   * visit points in the same order as the whole; what is outside is in the nearest cell
+   */
+  PointGrid(const XYZView& points, float cell, const Bounds& bounds);
 
   /** \brief visit(index, squared distance) for the points nearer than the radius. */
   template <typename Visit>
@@ -112,11 +125,14 @@ private:
   CellRange
   cellsOf(int low_x, int high_x, int y, int z) const
   {
-    const std::size_t row =
-        static_cast<std::size_t>(z) * row_count_ + static_cast<std::size_t>(y);
     CellRange cells{0, keys_.size()};
-    if (!rows_.empty())
+    if (!rows_.empty()) {
+      if (z < first_row_[1] || z > last_row_[1] || y < first_row_[0] ||
+          y > last_row_[0])
+        return {0, 0};
+      const std::size_t row = rowOf(y, z);
       cells = {rows_[row], rows_[row + 1]};
+    }
     if (cells.begin == cells.end)
       return cells;
     const auto first = keys_.begin() + static_cast<std::ptrdiff_t>(cells.begin);
@@ -127,14 +143,23 @@ private:
             static_cast<std::size_t>(high - keys_.begin())};
   }
 
+  /** The place of a row of cells among those from the first to the last with points. */
+  std::size_t
+  rowOf(int y, int z) const
+  {
+    return static_cast<std::size_t>(z - first_row_[1]) * row_count_ +
+           static_cast<std::size_t>(y - first_row_[0]);
+  }
+
   void findRows();
 
   Eigen::Array3f origin_ = Eigen::Array3f::Zero();
   Eigen::Array3f last_ = Eigen::Array3f::Zero(); ///< of the cells
   float cell_ = 1.0f;
-  std::vector<std::uint64_t> keys_;    ///< of the cells with points, ascending
-  std::vector<std::uint32_t> rows_;    ///< the first cell of each row, unless too many
-  std::size_t row_count_ = 0;          ///< for each z
+  std::vector<std::uint64_t> keys_; ///< of the cells with points, ascending
+  std::vector<std::uint32_t> rows_; ///< the first cell of each row, unless too many
+  std::size_t row_count_ = 0;       ///< for each z
+  std::array<int, 2> first_row_{}, last_row_{}; ///< y and z of cells with points
   std::vector<std::uint32_t> begins_;  ///< of each cell in positions_, and the end
   std::vector<std::uint32_t> indices_; ///< of the points, cell by cell
   std::vector<Eigen::Vector3f> positions_;

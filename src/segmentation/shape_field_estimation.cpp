@@ -43,6 +43,21 @@ problemOfModel(const ShapeModel& model, const std::string& name, bool is_edge)
   return {};
 }
 
+std::string
+problemOfPart(const FieldRequest& request)
+{
+  const std::string given =
+      "numbers of a cloud are set, of which the input is a part: ";
+  if (!request.edges_only)
+    return given +
+           "classes of surfaces look too far for parts, call setEdgesOnly(true)";
+  if (request.resolution != 0.0)
+    return given + "they are not those of voxel means, leave the resolution out";
+  if (request.has_normals)
+    return given + "they are of estimated normals, leave the normals out";
+  return {};
+}
+
 // With more unknown points the spacing is looked at again: scans have as many strays.
 constexpr double max_unknown = 0.02;
 
@@ -58,8 +73,12 @@ fieldOf(const FieldRequest& request,
   Neighborhoods neighborhoods(points, points, all, request.threads);
   neighborhoods.setFinder(finder);
   neighborhoods.setIndex(request.index);
-  const FieldInput input{
-      neighborhoods, points, request.normals, request.threads, is_even};
+  const FieldInput input{neighborhoods,
+                         points,
+                         request.normals,
+                         request.threads,
+                         is_even,
+                         request.of_cloud ? &*request.of_cloud : nullptr};
   ShapeField field;
   field.cloud = owner;
   field.points = points;
@@ -117,7 +136,7 @@ baseOf(const FieldRequest& request)
     const std::size_t unknown = countUnknown(request.surface, field, request.threads);
     if (static_cast<double>(unknown) <=
             max_unknown * static_cast<double>(countFinite(request.surface)) ||
-        request.has_normals)
+        request.has_normals || request.of_cloud)
       return {std::move(field), false};
     const auto even = std::make_shared<const std::vector<float>>(
         evenSampling(request.surface, plainSpacings(request, finderAmong({}))));
@@ -268,6 +287,8 @@ problemOf(const FieldRequest& request)
     problem = problemOfModel(request.edge_model, "edge", true);
   if (problem.empty() && !request.edges_only)
     problem = problemOfModel(request.surface_model, "surface", false);
+  if (problem.empty() && request.of_cloud)
+    problem = problemOfPart(request);
   if (problem.empty() && request.resolution != 0.0)
     problem = problemOfResolution(request.resolution, request.surface);
   return problem;

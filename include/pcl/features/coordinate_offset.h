@@ -33,36 +33,23 @@ struct CoordinateScale {
   }
 };
 
-/** \brief Measure the finite points; all zero if there is none. It does not depend on
- * their order. \param[in] points some may be NaN or infinite
- * \param[in] of_points how many there are, if these are a sample of them
- */
-inline CoordinateScale
-coordinateScale(const DoubleXYZ& points, std::size_t of_points = 0)
+/** \brief The same from what is known of the finite points. \param[in] count of them
+ * \param[in] of_points how many there are, if these are a sample of them \param[in]
+ * quantile of an axis and a share, from 0 to 1: the value at the place share * (count -
+ * 1), rounded down, of the sorted coordinates */
+template <typename Quantile>
+CoordinateScale
+coordinateScaleOf(std::size_t count, std::size_t of_points, const Quantile& quantile)
 {
   // Stray returns are far away; a percent on either side is more than their share.
   constexpr double outliers = 0.01;
   CoordinateScale scale;
+  if (count == 0)
+    return scale;
   std::array<double, 3> extents{};
-  std::size_t count = 0;
-  std::vector<double> values;
-  values.reserve(points.size());
   for (std::size_t c = 0; c < 3; ++c) {
-    values.clear();
-    for (const std::array<double, 3>& p : points)
-      if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]))
-        values.push_back(p[c]);
-    count = values.size();
-    if (count == 0)
-      return {};
-    const auto quantile = [&](double share) {
-      const auto place = values.begin() + static_cast<std::ptrdiff_t>(
-                                              share * static_cast<double>(count - 1));
-      std::nth_element(values.begin(), place, values.end());
-      return *place;
-    };
-    scale.center[c] = quantile(0.5);
-    const double low = quantile(outliers), high = quantile(1.0 - outliers);
+    scale.center[c] = quantile(c, 0.5);
+    const double low = quantile(c, outliers), high = quantile(c, 1.0 - outliers);
     extents[c] = high - low;
     scale.largest = std::max({scale.largest, std::abs(low), std::abs(high)});
   }
@@ -74,16 +61,45 @@ coordinateScale(const DoubleXYZ& points, std::size_t of_points = 0)
   return scale;
 }
 
+/** \brief Measure the finite points; all zero if there is none. It does not depend on
+ * their order. \param[in] points some may be NaN or infinite
+ * \param[in] of_points how many there are, if these are a sample of them
+ */
+inline CoordinateScale
+coordinateScale(const DoubleXYZ& points, std::size_t of_points = 0)
+{
+  const auto isFinite = [](const std::array<double, 3>& p) {
+    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  };
+  const auto count = static_cast<std::size_t>(
+      std::count_if(points.begin(), points.end(), isFinite));
+  std::vector<double> values; // along the axis that was asked for last
+  values.reserve(count);
+  std::size_t axis = 3;
+  return coordinateScaleOf(count, of_points, [&](std::size_t c, double share) {
+    if (axis != c) {
+      axis = c;
+      values.clear();
+      for (const std::array<double, 3>& p : points)
+        if (isFinite(p))
+          values.push_back(p[c]);
+    }
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(
+                                            share * static_cast<double>(count - 1));
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+  });
+}
+
 /** \brief An offset for coordinates that are too large for float: 0 where float holds
  * them to a thousandth of the points' spacing, which is finer than any sensor, else the
  * median of the points, rounded to the power of ten above their extent.
  *
  * Subtract it in double, before anything becomes a float. */
 inline std::array<double, 3>
-coordinateOffset(const DoubleXYZ& points)
+coordinateOffset(const CoordinateScale& scale)
 {
   constexpr double precision = 1e-3;
-  const CoordinateScale scale = coordinateScale(points);
   std::array<double, 3> offset{};
   const bool is_held = scale.floatSpacing() <= precision * scale.spacing;
   if (is_held || scale.largest == 0.0)
@@ -100,6 +116,12 @@ coordinateOffset(const DoubleXYZ& points)
     offset[c] = std::abs(rounded) <= scale.extent ? 0.0 : rounded;
   }
   return offset;
+}
+
+inline std::array<double, 3>
+coordinateOffset(const DoubleXYZ& points)
+{
+  return coordinateOffset(coordinateScale(points));
 }
 
 /** \brief The distance between neighboring floats at the largest coordinate of points

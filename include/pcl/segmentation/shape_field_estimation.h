@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <pcl/features/cloud_numbers.h>
 #include <pcl/features/shape_model.h>
 #include <pcl/features/sweep_index.h>
 #include <pcl/pcl_base.h>
@@ -134,6 +135,21 @@ public:
     return surface_model_ ? *surface_model_ : ShapeModel::defaultSurfaces();
   }
 
+  /** \brief The input is a part of a cloud with these numbers: points that are farther
+   * from its border than reachOf() says get the edges that they get in the whole cloud,
+   * bit by bit. Only with setEdgesOnly(), without a resolution, and without normals. */
+  void
+  setCloudNumbers(const std::optional<CloudNumbers>& numbers)
+  {
+    numbers_ = numbers;
+  }
+
+  const std::optional<CloudNumbers>&
+  getCloudNumbers() const
+  {
+    return numbers_;
+  }
+
   /** \brief Leave the classes of surfaces out, which saves half of the time. */
   void
   setEdgesOnly(bool edges_only)
@@ -178,6 +194,7 @@ private:
   double resolution_ = 0.0;
   std::optional<ShapeModel> edge_model_;
   std::optional<ShapeModel> surface_model_;
+  std::optional<CloudNumbers> numbers_;
   bool edges_only_ = false;
   unsigned threads_ = 0;
 };

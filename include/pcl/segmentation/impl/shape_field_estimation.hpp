@@ -35,6 +35,7 @@ struct FieldRequest {
   ShapeModel edge_model;    ///< an edge, the rest
   ShapeModel surface_model; ///< several classes
   bool edges_only = false;
+  std::optional<CloudNumbers> of_cloud; ///< of which the surface is a part
   unsigned threads = 0;
 };
 
@@ -69,6 +70,7 @@ ShapeFieldEstimation<PointT>::request() const
   request.edge_model = getEdgeModel();
   request.surface_model = getSurfaceModel();
   request.edges_only = edges_only_;
+  request.of_cloud = numbers_;
   request.threads = threads_;
   return request;
 }

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// A cloud file of any size, some points at a time.
+
+#pragma once
+
+#include "io/cloud_file.h"
+#include "io/pcd.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl::app {
+
+/** \brief Reads a cloud from its first point to the last, in bounded memory: PCD that
+ * is not compressed, and PLY whose points come first, as text or little-endian without
+ * lists. Other files are read as a whole. */
+class CloudStream {
+public:
+  /** \brief Reads the header. \param[in] floats as for readAnyCloud()
+   * \throws InputError as readAnyCloud() does */
+  explicit CloudStream(const std::string& path, unsigned floats = 0);
+
+  /** \brief All but the points, as they are in parts: with PCL's names. */
+  const CloudFile&
+  description() const
+  {
+    return description_;
+  }
+
+  std::uint64_t
+  size() const
+  {
+    return std::uint64_t{description_.blob.width} * description_.blob.height;
+  }
+
+  /** \brief Whether the file is read as a whole. */
+  bool
+  isInMemory() const
+  {
+    return !rows_;
+  }
+
+  /** \brief Size and date of the file, now. */
+  std::string state() const;
+
+  /** \brief Give the points in their order, in clouds of one row, with all fields.
+   * \throws InputError for what is wrong with them */
+  void forEachPart(const std::function<void(CloudFile& part)>& use) const;
+
+  /** \brief The same for x, y and z alone: of packed bytes nothing else is looked at.
+   * \throws InputError unless they are single float32 or float64 values */
+  void forEachPosition(const std::function<void(const std::array<double, 3>* points,
+                                                std::size_t count)>& use) const;
+
+private:
+  void finish(CloudFile& part) const;
+
+  std::string path_;
+  unsigned floats_;
+  bool is_ply_ = false;
+  std::optional<PointRows> rows_;
+  CloudFile description_;
+};
+
+} // namespace pcl::app

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// pcl_shape_tiles: normals, edges and INAD of clouds larger than memory, tile by tile.
+
+#include "cli/app.h"
+#include "cli/errors.h"
+#include "cli/filter_app.h"
+#include "io/any_cloud.h"
+#include "tiles/cloud_source.h"
+#include "tiles/mpi_team.h"
+#include "tiles/tile_fields.h"
+#include "tiles/tile_join.h"
+#include "tiles/tile_numbers.h"
+
+#include <pcl/tiling/tiled_cloud.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <thread>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using namespace pcl::app;
+using pcl::tiling::Team;
+using pcl::tiling::TiledCloud;
+using pcl::tiling::TileSettings;
+
+// Of a point of a tile, measured: its coordinates, what is computed of it, and its
+// share of the points around the tile.
+constexpr double bytes_of_point = 250.0;
+constexpr double fixed_bytes = 200e6; // of the program, and of points on their way
+constexpr double least_memory = 300e6;
+
+TileWanted
+wantedOf(const Arguments& arguments)
+{
+  TileWanted wanted{arguments.has("normals"),
+                    arguments.has("edges"),
+                    arguments.has("types"),
+                    arguments.number("inad", positive_length).value_or(0.0)};
+  if (!wanted.needsNumbers() && wanted.inad_radius == 0.0)
+    wanted.edges = wanted.types = true;
+  return wanted;
+}
+
+/** Bytes of e.g. 2G, 500M or 2000000000. */
+double
+memoryOf(const Arguments& arguments)
+{
+  const std::string text = arguments.text("memory", "2G");
+  const std::string expected =
+      "a number of bytes, such as 2G or 500M, of at least 300M";
+  double unit = 1.0;
+  std::string number = text;
+  constexpr double kilo = 1e3;
+  const std::string units = "kMGT";
+  if (const std::size_t at = text.empty() ? std::string::npos : units.find(text.back());
+      at != std::string::npos) {
+    unit = std::pow(kilo, static_cast<double>(at + 1));
+    number.pop_back();
+  }
+  const auto value = parseNumber(number);
+  if (!value || !(*value * unit >= least_memory))
+    arguments.fail("memory", expected);
+  return *value * unit;
+}
+
+TileSettings
+settingsOf(const Arguments& arguments, const TileWanted& wanted)
+{
+  TileSettings settings;
+  settings.max_points =
+      static_cast<std::uint64_t>((memoryOf(arguments) - fixed_bytes) / bytes_of_point);
+  settings.max_edge = arguments.number("tile", positive_length).value_or(0.0);
+  nlohmann::ordered_json parameters;
+  for (const TileField& field : fieldsOf(wanted))
+    parameters["fields"].push_back(field.name);
+  parameters["inad"] = wanted.inad_radius;
+  parameters["offset"] = arguments.text("offset", "default");
+  parameters["floats"] = floatsOfBin(arguments);
+  settings.parameters = parameters.dump();
+  return settings;
+}
+
+PCDFormat
+formatOf(const Arguments& arguments)
+{
+  return *pcl::app::formatOf(arguments.choice("format", {"binary", "ascii"}));
+}
+
+std::string
+outputOf(const std::string& directory, const std::string& input)
+{
+  fs::path name = fs::path(input).filename();
+  if (endingOf(input) == ".bin")
+    name.replace_extension(".pcd");
+  return (fs::path(directory) / name).string();
+}
+
+std::vector<std::string>
+outputsOf(const Arguments& arguments, const std::vector<std::string>& inputs)
+{
+  if (!arguments.has("output_dir"))
+    throw UsageError("-output_dir is missing; expected a directory for the outputs");
+  std::vector<std::string> outputs;
+  std::set<std::string> names;
+  for (const std::string& input : inputs) {
+    const std::string output = outputOf(arguments.text("output_dir"), input);
+    std::error_code error;
+    if (fs::equivalent(input, output, error) && !error)
+      throw UsageError("output '" + output +
+                       "' is an input; expected another -output_dir");
+    if (!names.insert(output).second)
+      throw UsageError("output '" + output +
+                       "' is that of two inputs; expected inputs of different names");
+    outputs.push_back(output);
+  }
+  return outputs;
+}
+
+std::size_t
+processesOf(const Arguments& arguments)
+{
+  constexpr std::uint64_t most = 1024; // of one machine
+  return arguments.integer("processes", 1, most).value_or(1);
+}
+
+/** All cores are shared by the processes, unless -threads says otherwise. */
+unsigned
+threadsOf(const Arguments& arguments)
+{
+  const std::size_t processes = processesOf(arguments);
+  if (arguments.threads() > 0 || processes == 1)
+    return arguments.threads();
+  return std::max(
+      1U, std::thread::hardware_concurrency() / static_cast<unsigned>(processes));
+}
+
+CloudSources
+sourcesOf(const std::vector<std::string>& inputs, const Arguments& arguments)
+{
+  CloudSources sources;
+  for (const std::string& input : inputs) {
+    sources.push_back(
+        std::make_shared<const CloudSource>(input, floatsOfBin(arguments)));
+    if (sources.back()->stream().isInMemory())
+      logLine(arguments.app() + ": " + input +
+              ": warning: is read as a whole, since it is compressed or has lists; "
+              "expected memory for it");
+  }
+  return sources;
+}
+
+/** What one run does, from inputs to outputs. */
+class Run {
+public:
+  Run(const Arguments& arguments, Team& team)
+  : arguments_(arguments)
+  , team_(team)
+  , wanted_(wantedOf(arguments))
+  , inputs_(arguments.operandsFrom(1))
+  , outputs_(outputsOf(arguments, inputs_))
+  , sources_(sourcesOf(inputs_, arguments))
+  {}
+
+  void
+  run()
+  {
+    const std::string directory = arguments_.text("output_dir");
+    const bool keeps = arguments_.has("keep_tiles");
+    if (team_.isFirst())
+      prepare(directory);
+    TiledCloud cloud(directory + "/tiles",
+                     {sources_.begin(), sources_.end()},
+                     settingsOf(arguments_, wanted_),
+                     team_);
+    report_.time("partition", [&] {
+      cloud.setOffset(offset(cloud));
+      cloud.partition();
+    });
+    compute(cloud);
+    if (team_.isFirst())
+      report_.time("join", [&] {
+        joinTiles(cloud,
+                  sources_,
+                  outputs_,
+                  wanted_,
+                  formatOf(arguments_),
+                  arguments_.has("offset"));
+      });
+    say(cloud);
+    team_.meet();
+    if (!keeps)
+      cloud.remove();
+  }
+
+private:
+  void
+  prepare(const std::string& directory) const
+  {
+    std::error_code error;
+    fs::create_directories(directory, error);
+    if (error)
+      throw InputError(directory + ": cannot be made: " + error.message());
+    for (const std::string& output : outputs_)
+      requireWritable(output);
+    checkJsonPath(arguments_, inputs_);
+  }
+
+  pcl::tiling::Position
+  offset(TiledCloud& cloud) const
+  {
+    if (const auto given = givenOffset(arguments_))
+      return *given;
+    const std::string text = cloud.decide(
+        "offset", [&] { return nlohmann::ordered_json(offsetOf(sources_)).dump(); });
+    return nlohmann::ordered_json::parse(text);
+  }
+
+  void
+  compute(TiledCloud& cloud)
+  {
+    const unsigned threads = threadsOf(arguments_);
+    std::optional<TiledNumbers> numbers;
+    if (wanted_.needsNumbers())
+      report_.time("numbers", [&] { numbers = numbersOf(cloud, threads); });
+    report_.time("fields", [&] { computeFields(cloud, wanted_, numbers, threads); });
+    if (!numbers)
+      return;
+    report_.setNumber("numbers", "spacing", numbers->of_cloud.spacing);
+    report_.setNumber("numbers", "noise", numbers->of_cloud.noise);
+    report_.setNumber("numbers", "noise_level", numbers->of_cloud.noise_level);
+  }
+
+  void
+  say(const TiledCloud& cloud)
+  {
+    if (!team_.isFirst())
+      return;
+    report_.setCount("", "points", cloud.countFinite() + cloud.countNotFinite());
+    report_.setCount("", "finite_points", cloud.countFinite());
+    report_.setCount("counts", "files", inputs_.size());
+    report_.setCount("counts", "tiles", cloud.size());
+    report_.setJson("parameters", "offset", cloud.offset());
+    printSummary(arguments_.text("output_dir"), report_);
+    writeJson(arguments_, toJson(arguments_.app(), report_));
+  }
+
+  const Arguments& arguments_;
+  Team& team_;
+  TileWanted wanted_;
+  std::vector<std::string> inputs_, outputs_;
+  CloudSources sources_;
+  Report report_;
+};
+
+void
+checkArguments(const Arguments& arguments)
+{
+  checkInputOptions(arguments);
+  settingsOf(arguments, wantedOf(arguments));
+  threadsOf(arguments);
+  formatOf(arguments);
+  outputsOf(arguments, arguments.operandsFrom(1));
+}
+
+int
+run(const Arguments& arguments)
+{
+  checkArguments(arguments);
+  std::unique_ptr<Team> team = mpiTeam();
+  if (team && arguments.has("processes"))
+    throw UsageError("-processes belongs to runs without MPI; leave it out, or do not "
+                     "use MPI's launcher");
+  const bool is_mpi = team != nullptr;
+  if (!team)
+    team = pcl::tiling::makeTeam(processesOf(arguments));
+  try {
+    Run(arguments, *team).run();
+  }
+  catch (const std::exception& error) {
+    if (!is_mpi)
+      throw;
+    // All ranks end, but the first one has the most to say.
+    if (!team->isFirst())
+      std::this_thread::sleep_for(std::chrono::seconds(1));
+    logLine(arguments.app() + ": " + error.what());
+    endMpi(1);
+    return 1;
+  }
+  return 0;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  CommandLine command_line(
+      "pcl_shape_tiles",
+      "in.pcd... -output_dir D",
+      "Normals, edges and INAD of clouds that need not fit into memory: the inputs are "
+      "one cloud,\ndivided into tiles. D gets a cloud of each input's name with the "
+      "fields that are asked for;\nwithout any those of -edges and -types. A run that "
+      "was ended goes on with the same command.");
+  command_line.option("output_dir", "D", "for the outputs, and for tiles in D/tiles")
+      .flag("normals", "add normal_x normal_y normal_z curvature")
+      .flag("edges", "add edge_likelihood (NaN unknown) and edge: 1 on creases")
+      .flag("types", "add edge_type: 1 crease, 2 corner, 3 open boundary, 0 none")
+      .option("inad", "R", "add mu and sigma, with neighborhoods of R meters")
+      .option("memory", "M", "of a process, about: 2G (default), 500M")
+      .option("tile", "L", "the longest edge of a tile in meters (by -memory)")
+      .option("processes", "N", "that work at the same time: 1 (default)")
+      .flag("keep_tiles", "leave D/tiles there in the end")
+      .option("format", "F", "of the outputs: binary (default), ascii");
+  addInputOptions(command_line);
+  addCommonOptions(command_line);
+  return runApp(command_line, argc, argv, run);
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Cloud files as sources of tiles, and the offset for all of them.
+
+#pragma once
+
+#include "cli/arguments.h"
+#include "io/cloud_stream.h"
+
+#include <pcl/tiling/point_source.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pcl::app {
+
+/** \brief A file. \throws InputError for what is wrong with it */
+class CloudSource : public pcl::tiling::PointSource {
+public:
+  CloudSource(const std::string& path, unsigned floats)
+  : path_(path)
+  , stream_(path, floats)
+  {}
+
+  std::string
+  name() const override
+  {
+    return path_;
+  }
+
+  std::string
+  state() const override
+  {
+    return stream_.state();
+  }
+
+  void
+  read(const std::function<void(const pcl::tiling::Position*, std::size_t)>& use)
+      const override
+  {
+    stream_.forEachPosition(use);
+  }
+
+  const CloudStream&
+  stream() const
+  {
+    return stream_;
+  }
+
+private:
+  std::string path_;
+  CloudStream stream_;
+};
+
+using CloudSources = std::vector<std::shared_ptr<const CloudSource>>;
+
+/** \brief What chooseOffset() would choose for one cloud of all points, in bounded
+ * memory. */
+std::array<double, 3> offsetOf(const CloudSources& sources);
+
+} // namespace pcl::app

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// The fields that are computed of each tile.
+
+#include "tiles/tile_fields.h"
+
+#include "cli/errors.h"
+#include "cli/pcl_errors.h"
+#include "detection/edges.h"
+#include "tiles/bytes.h"
+#include "tiles/tile_places.h"
+
+#include <pcl/features/inad.h>
+#include <pcl/features/normal_3d_sweep.h>
+#include <pcl/segmentation/cloud_reach.h>
+#include <pcl/segmentation/shape_field_estimation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace pcl::app {
+namespace {
+
+using pcl::tiling::TiledCloud;
+using pcl::tiling::TilePoints;
+
+// Sums of floats are rounded; a neighbor at the very border must not be missed.
+constexpr double rounding = 1.001;
+constexpr std::uint32_t nan_bits = 0x7fc00000U; // as std::numeric_limits<float> has it
+
+std::uint32_t
+bitsOf(float value)
+{
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+/** The fields of a tile's points, row by row. */
+class Rows {
+public:
+  Rows(std::size_t points, std::size_t fields)
+  : fields_(fields)
+  , values_(points * fields)
+  {}
+
+  /** The next field of every point. \param[in] value of a point, float or number */
+  template <typename Value>
+  void
+  add(const Value& value)
+  {
+    for (std::size_t i = 0; i * fields_ < values_.size(); ++i)
+      values_[i * fields_ + next_] = value(i);
+    ++next_;
+  }
+
+  Bytes
+  toBytes(std::uint64_t unknown) const
+  {
+    Bytes bytes;
+    bytes.reserve(sizeof unknown + values_.size() * sizeof values_[0]);
+    put(unknown, bytes);
+    const auto* const from = reinterpret_cast<const std::uint8_t*>(values_.data());
+    bytes.insert(bytes.end(), from, from + values_.size() * sizeof values_[0]);
+    return bytes;
+  }
+
+private:
+  std::size_t fields_, next_ = 0;
+  std::vector<std::uint32_t> values_;
+};
+
+/** Computes the fields of one tile. */
+class TileComputation {
+public:
+  TileComputation(const TileWanted& wanted,
+                  const std::optional<TiledNumbers>& numbers,
+                  unsigned threads)
+  : wanted_(wanted)
+  , numbers_(numbers)
+  , threads_(threads)
+  {}
+
+  Bytes
+  operator()(const TilePoints& points, const pcl::tiling::Position& offset)
+  {
+    Rows rows(points.own, fieldsOf(wanted_).size());
+    std::uint64_t unknown = 0;
+    if (wanted_.needsNumbers()) {
+      const TilePlaces places = placesOf(points, offset);
+      if (wanted_.normals)
+        addNormals(places, rows);
+      if (wanted_.edges || wanted_.types)
+        unknown = addEdges(places, rows);
+    }
+    if (wanted_.inad_radius > 0.0)
+      addInad(floatsOf(points, offset), rows);
+    return rows.toBytes(unknown);
+  }
+
+private:
+  void
+  addNormals(const TilePlaces& places, Rows& rows) const
+  {
+    const pcl::CloudNumbers& numbers = numbers_->of_cloud;
+    const pcl::INADParameters radii = pcl::ShapeModel::defaultEdges().parameters();
+    const std::vector<float> normals =
+        pcl::PartOfCloud(places.view(), places.is_own, threads_)
+            .normals(numbers,
+                     radii.normal_radius +
+                         radii.normal_radius_noise * numbers.noise_level);
+    for (std::size_t c = 0; c < 4; ++c)
+      rows.add([&](std::size_t i) {
+        return bitsOf(normals[4 * static_cast<std::size_t>(places.own_places[i]) + c]);
+      });
+  }
+
+  /** \return how many of the tile's places have no edge likelihood */
+  std::uint64_t
+  addEdges(const TilePlaces& places, Rows& rows) const
+  {
+    pcl::ShapeFieldEstimation<pcl::PointXYZ> estimation;
+    estimation.setInputCloud(places.places);
+    estimation.setCloudNumbers(numbers_->of_cloud);
+    estimation.setEdgesOnly(true);
+    estimation.setNumberOfThreads(threads_);
+    const auto field = pcl::make_shared<pcl::ShapeField>();
+    withPclErrors("tile", [&] { return estimation.compute(*field); });
+    EdgeDetector detector;
+    detector.setInputCloud(places.places);
+    detector.setShapeField(field);
+    detector.setNumberOfThreads(threads_);
+    const auto placeOf = [&](std::size_t i) {
+      return static_cast<std::size_t>(places.own_places[i]);
+    };
+    std::vector<std::vector<float>> likelihoods;
+    pcl::Edges edges;
+    withPclErrors("tile", [&] {
+      if (wanted_.types)
+        detector.detect(edges);
+      detector.compute(likelihoods);
+      return !likelihoods.empty() && likelihoods[0].size() == places.places->size();
+    });
+    if (wanted_.edges) {
+      std::vector<std::uint32_t> edge(places.places->size(), 0);
+      const std::vector<pcl::PointIndices> members = detector.classesOf(likelihoods);
+      for (const pcl::index_t i : members.front().indices)
+        edge[static_cast<std::size_t>(i)] = 1;
+      rows.add([&](std::size_t i) { return bitsOf(likelihoods[0][placeOf(i)]); });
+      rows.add([&](std::size_t i) { return edge[placeOf(i)]; });
+    }
+    if (wanted_.types)
+      rows.add([&](std::size_t i) {
+        return static_cast<std::uint32_t>(edges.types[placeOf(i)]);
+      });
+    std::uint64_t unknown = 0;
+    for (std::size_t i = 0; i < places.is_own.size(); ++i)
+      unknown += places.is_own[i] && std::isnan(field->edge_likelihood[i]) ? 1 : 0;
+    return unknown;
+  }
+
+  void
+  addInad(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& points, Rows& rows) const
+  {
+    pcl::NormalEstimationSweep<pcl::PointXYZ, pcl::Normal> normal_estimation(threads_);
+    normal_estimation.setInputCloud(points);
+    normal_estimation.setRadiusSearch(wanted_.inad_radius);
+    const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
+    pcl::INADEstimation<pcl::PointXYZ, pcl::Normal> estimation(threads_);
+    estimation.setInputCloud(points);
+    estimation.setInputNormals(normals);
+    estimation.setOutlierRate(pcl::INADParameters().outlier_rate);
+    estimation.setRadiusSearch(wanted_.inad_radius);
+    pcl::PointCloud<pcl::INAD> inad;
+    withPclErrors("tile", [&] {
+      normal_estimation.compute(*normals);
+      estimation.compute(inad);
+      return inad.size() == points->size();
+    });
+    rows.add([&](std::size_t i) { return bitsOf(inad[i].mu); });
+    rows.add([&](std::size_t i) { return bitsOf(inad[i].sigma); });
+  }
+
+  const TileWanted& wanted_;
+  const std::optional<TiledNumbers>& numbers_;
+  unsigned threads_;
+};
+
+double
+haloOf(const TileWanted& wanted, const std::optional<TiledNumbers>& numbers)
+{
+  double halo = 2.0 * rounding * wanted.inad_radius; // INAD looks at neighbors' normals
+  if (numbers) {
+    const pcl::CloudReach reach =
+        pcl::reachOf(numbers->of_cloud, pcl::ShapeModel::defaultEdges());
+    halo = std::max({halo,
+                     wanted.normals ? reach.normals : 0.0,
+                     wanted.edges ? reach.edges : 0.0,
+                     wanted.types ? reach.types : 0.0});
+  }
+  return halo;
+}
+
+/** Of a cloud in which many points get no answer, the whole would be sampled evenly:
+ * that looks too far for tiles. */
+void
+requireFew(std::uint64_t unknown, std::uint64_t places)
+{
+  constexpr double max_unknown = 0.02; // as ShapeFieldEstimation has it
+  if (static_cast<double>(unknown) > max_unknown * static_cast<double>(places))
+    throw InputError(std::to_string(unknown) + " of " + std::to_string(places) +
+                     " places got no edge likelihood, as in clouds of very uneven "
+                     "density: pcl_shape_detect samples such a cloud evenly, which "
+                     "cannot be done in tiles; expected at most 2 %");
+}
+
+} // namespace
+
+bool
+TileWanted::needsNumbers() const
+{
+  return normals || edges || types;
+}
+
+std::vector<TileField>
+fieldsOf(const TileWanted& wanted)
+{
+  std::vector<TileField> fields;
+  if (wanted.normals)
+    for (const char* const name : {"normal_x", "normal_y", "normal_z", "curvature"})
+      fields.push_back({name, true, nan_bits});
+  if (wanted.edges) {
+    fields.push_back({"edge_likelihood", true, nan_bits});
+    fields.push_back({"edge", false, 0});
+  }
+  if (wanted.types)
+    fields.push_back({"edge_type", false, 0});
+  if (wanted.inad_radius > 0.0)
+    for (const char* const name : {"mu", "sigma"})
+      fields.push_back({name, true, nan_bits});
+  return fields;
+}
+
+const std::string&
+resultsName()
+{
+  static const std::string name = "fields";
+  return name;
+}
+
+void
+computeFields(TiledCloud& cloud,
+              const TileWanted& wanted,
+              const std::optional<TiledNumbers>& numbers,
+              unsigned threads)
+{
+  TileComputation computation(wanted, numbers, threads);
+  cloud.run(resultsName(),
+            haloOf(wanted, numbers),
+            [&](std::size_t, const TilePoints& points) {
+              return computation(points, cloud.offset());
+            });
+  if (!wanted.edges && !wanted.types)
+    return;
+  const std::string unknown = cloud.decide("unknown", [&] {
+    std::uint64_t count = 0;
+    for (std::size_t tile = 0; tile < cloud.size(); ++tile)
+      if (cloud.pointsOf(tile) > 0) {
+        const Bytes bytes = cloud.resultOf(resultsName(), tile);
+        count += ByteReader(bytes).take<std::uint64_t>();
+      }
+    return std::to_string(count);
+  });
+  requireFew(std::stoull(unknown), numbers->places);
+}
+
+} // namespace pcl::app

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// What the default method needs to know of all points, from counts of the tiles.
+
+#include "tiles/tile_numbers.h"
+
+#include "cli/errors.h"
+#include "tiles/bytes.h"
+#include "tiles/tile_places.h"
+
+#include <pcl/segmentation/cloud_reach.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+
+namespace pcl::app {
+namespace {
+
+using pcl::tiling::TiledCloud;
+using pcl::tiling::TilePoints;
+using Json = nlohmann::ordered_json;
+
+constexpr std::uint64_t min_places = 13; // each has a 12th neighbor
+// The first reach is more than three distances, which the spacing looks.
+constexpr double first_reach = 4.0;
+
+/** What a tile adds to the numbers of all. */
+struct TileDistances {
+  std::array<float, 3> low{}, high{};
+  std::vector<float> distances;
+};
+
+Bytes
+measuredDistances(const TilePoints& points,
+                  const pcl::tiling::Position& offset,
+                  double reach,
+                  unsigned threads)
+{
+  const TilePlaces places = placesOf(points, offset);
+  constexpr float far = std::numeric_limits<float>::infinity();
+  std::array<float, 3> low{far, far, far}, high{-far, -far, -far};
+  for (std::size_t i = 0; i < places.places->size(); ++i)
+    for (std::size_t axis = 0; places.is_own[i] && axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], (*places.places)[i].data[axis]);
+      high[axis] = std::max(high[axis], (*places.places)[i].data[axis]);
+    }
+  Bytes bytes;
+  put(low, bytes);
+  put(high, bytes);
+  putAll(
+      pcl::PartOfCloud(places.view(), places.is_own, threads).measureDistances(reach),
+      bytes);
+  return bytes;
+}
+
+TileDistances
+distancesOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
+{
+  const Bytes bytes = cloud.resultOf(name, tile);
+  ByteReader reader(bytes);
+  TileDistances distances;
+  distances.low = reader.take<std::array<float, 3>>();
+  distances.high = reader.take<std::array<float, 3>>();
+  distances.distances = reader.takeAll<float>();
+  return distances;
+}
+
+/** Floats of 0 and more are in the order of their bits. */
+std::uint32_t
+keyOf(float value)
+{
+  std::uint32_t key = 0;
+  std::memcpy(&key, &value, sizeof key);
+  return key;
+}
+
+/** The value that as many are below as the rank says. \param[in] forEach calls a
+ * function for each value, which is not negative, and how many times it is there; it is
+ * called twice */
+template <typename ForEach>
+float
+selected(std::uint64_t rank, const ForEach& forEach)
+{
+  constexpr int bits = 16;
+  constexpr std::uint32_t digit_mask = (1U << bits) - 1;
+  std::vector<std::uint64_t> counts(std::size_t{1} << bits, 0);
+  const auto find = [&] {
+    std::uint32_t digit = 0;
+    while (rank >= counts[digit])
+      rank -= counts[digit++];
+    return digit;
+  };
+  forEach(
+      [&](float value, std::uint64_t count) { counts[keyOf(value) >> bits] += count; });
+  const std::uint32_t high = find();
+  counts.assign(counts.size(), 0);
+  forEach([&](float value, std::uint64_t count) {
+    if (keyOf(value) >> bits == high)
+      counts[keyOf(value) & digit_mask] += count;
+  });
+  const std::uint32_t key = high << bits | find();
+  float value = 0.0f;
+  std::memcpy(&value, &key, sizeof value);
+  return value;
+}
+
+std::uint64_t
+middleOf(std::uint64_t count)
+{
+  return count / 2; // the upper one of two, as the library's medians
+}
+
+/** Medians, the box and the number of places, of distances as far as the reach. */
+Json
+mediansOf(const TiledCloud& cloud, const std::string& name)
+{
+  constexpr float far = std::numeric_limits<float>::infinity();
+  std::array<float, 3> low{far, far, far}, high{-far, -far, -far};
+  std::uint64_t places = 0, positive = 0;
+  const auto forEachTile = [&](const auto& use) {
+    for (std::size_t tile = 0; tile < cloud.size(); ++tile)
+      if (cloud.pointsOf(tile) > 0)
+        use(distancesOf(cloud, name, tile));
+  };
+  forEachTile([&](const TileDistances& of_tile) {
+    places += of_tile.distances.size();
+    for (const float d : of_tile.distances)
+      positive += d > 0.0f ? 1 : 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], of_tile.low[axis]);
+      high[axis] = std::max(high[axis], of_tile.high[axis]);
+    }
+  });
+  if (places < min_places)
+    throw InputError("the cloud has " + std::to_string(places) +
+                     " different places; expected at least " +
+                     std::to_string(min_places) + " to divide it");
+  double distance = 1.0;
+  if (positive > 0)
+    distance = static_cast<double>(selected(middleOf(positive), [&](const auto& use) {
+      forEachTile([&](const TileDistances& of_tile) {
+        for (const float d : of_tile.distances)
+          if (d > 0.0f)
+            use(d, 1);
+      });
+    }));
+  // Points that are not finite count with the median, as in the whole cloud.
+  const std::uint64_t all = places + cloud.countNotFinite();
+  const float middle = selected(middleOf(all), [&](const auto& use) {
+    use(static_cast<float>(distance), cloud.countNotFinite());
+    forEachTile([&](const TileDistances& of_tile) {
+      for (const float d : of_tile.distances)
+        use(d, 1);
+    });
+  });
+  const bool is_known = std::isfinite(distance);
+  return {{"distance", is_known ? distance : 0.0},
+          {"spacing", is_known ? pcl::spacingAt(middle, distance) : 0.0f},
+          {"low", low},
+          {"high", high},
+          {"places", places}};
+}
+
+/** The numbers that distances give, with a reach that was far enough for them. */
+TiledNumbers
+mediansOf(TiledCloud& cloud, unsigned threads)
+{
+  double reach = first_reach * cloud.typicalDistance();
+  if (!(reach > 0.0))
+    reach = 1.0; // all points in one cell: it grows if that is too little
+  for (int round = 0;; ++round) {
+    const std::string name = "distances_" + std::to_string(round);
+    cloud.run(name, reach, [&](std::size_t, const TilePoints& points) {
+      return measuredDistances(points, cloud.offset(), reach, threads);
+    });
+    const Json medians =
+        Json::parse(cloud.decide("medians_" + std::to_string(round),
+                                 [&] { return mediansOf(cloud, name).dump(); }));
+    TiledNumbers numbers;
+    numbers.of_cloud.distance = medians.at("distance");
+    numbers.of_cloud.spacing = medians.at("spacing");
+    numbers.of_cloud.low = medians.at("low");
+    numbers.of_cloud.high = medians.at("high");
+    numbers.places = medians.at("places");
+    const double needed =
+        pcl::reachOf(numbers.of_cloud, pcl::ShapeModel::defaultEdges()).spacing;
+    if (needed > 0.0 && needed <= reach)
+      return numbers;
+    reach = first_reach * std::max(reach, numbers.of_cloud.distance);
+  }
+}
+
+Bytes
+toBytes(const pcl::NoiseMeasures& measures)
+{
+  Bytes bytes;
+  putAll(measures.variations, bytes);
+  for (const auto& angles : measures.angles)
+    putAll(angles, bytes);
+  return bytes;
+}
+
+pcl::NoiseMeasures
+measuresOf(const Bytes& bytes)
+{
+  ByteReader reader(bytes);
+  pcl::NoiseMeasures measures;
+  measures.variations = reader.takeAll<float>();
+  for (auto& angles : measures.angles)
+    angles = reader.takeAll<float>();
+  return measures;
+}
+
+} // namespace
+
+TiledNumbers
+numbersOf(TiledCloud& cloud, unsigned threads)
+{
+  TiledNumbers numbers = mediansOf(cloud, threads);
+  const double reach =
+      pcl::reachOf(numbers.of_cloud, pcl::ShapeModel::defaultEdges()).noise;
+  const std::uint64_t all = numbers.places + cloud.countNotFinite();
+  cloud.run("noise", reach, [&](std::size_t, const TilePoints& points) {
+    const TilePlaces places = placesOf(points, cloud.offset());
+    return toBytes(pcl::PartOfCloud(places.view(), places.is_own, threads)
+                       .measureNoise(numbers.of_cloud, all));
+  });
+  const Json noise = Json::parse(cloud.decide("noise", [&] {
+    pcl::NoiseMeasures measures;
+    for (std::size_t tile = 0; tile < cloud.size(); ++tile)
+      if (cloud.pointsOf(tile) > 0)
+        measures.add(measuresOf(cloud.resultOf("noise", tile)));
+    pcl::CloudNumbers found = numbers.of_cloud;
+    pcl::setNoise(measures, found);
+    return Json{{"noise", found.noise},
+                {"noise_level", found.noise_level},
+                {"noise_correlation", found.noise_correlation}}
+        .dump();
+  }));
+  numbers.of_cloud.noise = noise.at("noise");
+  numbers.of_cloud.noise_level = noise.at("noise_level");
+  numbers.of_cloud.noise_correlation = noise.at("noise_correlation");
+  return numbers;
+}
+
+} // namespace pcl::app

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// What the default method needs to know of all points, from counts of the tiles.
+
+#pragma once
+
+#include <pcl/features/cloud_numbers.h>
+#include <pcl/tiling/tiled_cloud.h>
+
+#include <cstdint>
+
+namespace pcl::app {
+
+struct TiledNumbers {
+  pcl::CloudNumbers of_cloud;
+  std::uint64_t places = 0; ///< that are finite
+};
+
+/** \brief Measure the tiles, as far as that was not done before. They give the numbers
+ * that the whole cloud has, bit by bit. \throws InputError if there are too few points
+ */
+TiledNumbers numbersOf(pcl::tiling::TiledCloud& cloud, unsigned threads);
+
+} // namespace pcl::app

@@ -1,0 +1,47 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace pcl::tiling {
+
+/** \brief x, y and z, meters. */
+using Position = std::array<double, 3>;
+
+/** \brief What is wrong with a directory of tiles, an input, or a setting. */
+class TilingError : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/** \brief A cloud that need not fit into memory. */
+class PointSource {
+public:
+  virtual ~PointSource() = default;
+
+  /** \brief For messages, and to find the cloud again. */
+  virtual std::string name() const = 0;
+
+  /** \brief Words that change when the cloud does, such as its size and its date. */
+  virtual std::string state() const = 0;
+
+  /** \brief Gives all points in their order, some at a time. It is called several
+   * times, and gives the same points each time. */
+  virtual void
+  read(const std::function<void(const Position* points, std::size_t count)>& use)
+      const = 0;
+};
+
+} // namespace pcl::tiling

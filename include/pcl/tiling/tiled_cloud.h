@@ -1,0 +1,117 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Point Cloud Library (PCL) - www.pointclouds.org
+ * Copyright (c) 2026, pcl_shape contributors
+ *
+ * All rights reserved
+ */
+
+#pragma once
+
+#include <pcl/tiling/point_source.h>
+#include <pcl/tiling/team.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl::tiling {
+
+/** \brief Points of a tile, and those around it. */
+struct TilePoints {
+  std::vector<Position> points; ///< those of the tile in the order of the sources, then
+                                ///< those around it
+  std::size_t own = 0;          ///< how many are of the tile
+};
+
+/** \brief How a cloud is divided. */
+struct TileSettings {
+  std::uint64_t max_points = 2000000; ///< of a tile, without those around it
+  double max_edge = 0.0;              ///< of a tile, meters; 0 for any
+  std::string parameters; ///< whatever else results depend on: it is compared when a
+                          ///< run goes on
+};
+
+/** \brief Sources divided into tiles on disk, and results for each tile.
+ *
+ * A directory holds the tiles, the results, and a manifest of what is complete. A run
+ * that was killed goes on where it ended when the same calls are made again. A point
+ * that is not finite belongs to no tile. The bytes of tiles and results depend neither
+ * on the number of processes nor on who did what.
+ *
+ * All methods throw a TilingError that says what is wrong. */
+class TiledCloud {
+public:
+  using Sources = std::vector<std::shared_ptr<const PointSource>>;
+
+  /** \brief The directory is made if it does not exist. One run at a time uses it.
+   * \param[in] directory of tiles and results alone */
+  TiledCloud(const std::string& directory,
+             const Sources& sources,
+             const TileSettings& settings,
+             Team& team);
+  ~TiledCloud();
+  TiledCloud(const TiledCloud&) = delete;
+  TiledCloud& operator=(const TiledCloud&) = delete;
+
+  /** \brief Divide the sources, as far as that was not done before. */
+  void partition();
+
+  std::size_t size() const;
+
+  /** \brief How many points are not finite. */
+  std::uint64_t countNotFinite() const;
+
+  std::uint64_t countFinite() const;
+
+  std::uint64_t pointsOf(std::size_t tile) const;
+
+  /** \brief What to subtract from coordinates before they become floats, as
+   * pcl::coordinateOffset() has it for all points; 0 unless setOffset() was called. */
+  const Position& offset() const;
+
+  /** \brief Before partition(); tiles are cut by the floats that points become. */
+  void setOffset(const Position& offset);
+
+  /** \brief An estimate from the density: the distance between neighbors of most
+   * points, meters. */
+  double typicalDistance() const;
+
+  /** \brief The tile of a point. */
+  std::size_t tileOf(const Position& point) const;
+
+  /** \brief A tile with the points within a distance of it.
+   * \param[in] halo meters, along each axis from the box of the tile's points */
+  TilePoints load(std::size_t tile, double halo) const;
+
+  /** \brief What is computed of a tile: any bytes. */
+  using Function =
+      std::function<std::vector<std::uint8_t>(std::size_t tile, const TilePoints&)>;
+
+  /** \brief Compute what is missing of a result, the largest tiles first.
+   * \param[in] name of letters, digits and underscores
+   * \throws TilingError with the first error, after the other tiles are done */
+  void run(const std::string& name, double halo, const Function& function);
+
+  /** \brief What run() has computed. */
+  std::vector<std::uint8_t> resultOf(const std::string& name, std::size_t tile) const;
+
+  /** \brief Where it is. */
+  std::string pathOf(const std::string& name, std::size_t tile) const;
+
+  /** \brief A value that the first process finds and all of them use; kept in the
+   * manifest, so that it is found once. \param[in] find not called if it is known */
+  std::string decide(const std::string& name, const std::function<std::string()>& find);
+
+  /** \brief Remove tiles and results. */
+  void remove();
+
+private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+} // namespace pcl::tiling

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Files that are complete or not there, with a checksum.
+
+#include "tiling/checked_file.h"
+
+#include <pcl/tiling/point_source.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <sys/stat.h>
+
+namespace pcl::tiling {
+namespace {
+
+[[noreturn]] void
+fail(const std::string& path, const std::string& what, int error)
+{
+  throw TilingError(path + ": cannot be " + what + ": " + std::strerror(error));
+}
+
+/** A file descriptor that is closed in the end. */
+class File {
+public:
+  File(const std::string& path, int flags) : path_(path)
+  {
+    constexpr mode_t by_umask = 0666;
+    do
+      descriptor_ = ::open(path.c_str(), flags | O_CLOEXEC, by_umask);
+    while (descriptor_ < 0 && errno == EINTR);
+    if (descriptor_ < 0)
+      fail(path, (flags & O_ACCMODE) == O_RDONLY ? "read" : "written", errno);
+  }
+  ~File()
+  {
+    if (descriptor_ >= 0)
+      ::close(descriptor_);
+  }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+
+  void
+  write(const void* data, std::size_t size)
+  {
+    const auto* from = static_cast<const char*>(data);
+    while (size > 0) {
+      const ssize_t written = ::write(descriptor_, from, size);
+      if (written < 0 && errno != EINTR)
+        fail(path_, "written", errno);
+      if (written > 0) {
+        from += written;
+        size -= static_cast<std::size_t>(written);
+      }
+    }
+  }
+
+  void
+  readAt(std::uint64_t at, void* to, std::size_t size)
+  {
+    auto* next = static_cast<char*>(to);
+    while (size > 0) {
+      const ssize_t got = ::pread(descriptor_, next, size, static_cast<off_t>(at));
+      if (got < 0 && errno != EINTR)
+        fail(path_, "read", errno);
+      if (got == 0)
+        throw TilingError(path_ + ": truncated: " + std::to_string(size) +
+                          " bytes are missing at its end");
+      if (got > 0) {
+        next += got;
+        at += static_cast<std::uint64_t>(got);
+        size -= static_cast<std::size_t>(got);
+      }
+    }
+  }
+
+  /** Some file systems notice only here that the disk is full. What a machine loses
+   * that is switched off is noticed by the checksums. */
+  void
+  finish()
+  {
+    const int closed = ::close(descriptor_);
+    descriptor_ = -1;
+    if (closed != 0)
+      fail(path_, "written", errno);
+  }
+
+private:
+  std::string path_;
+  int descriptor_ = -1;
+};
+
+} // namespace
+
+std::uint32_t
+checksumOf(const void* data, std::size_t size)
+{
+  return static_cast<std::uint32_t>(
+      ::crc32_z(0, static_cast<const unsigned char*>(data), size));
+}
+
+std::string
+toText(std::uint32_t checksum)
+{
+  char digits[9];
+  std::snprintf(digits, sizeof digits, "%08x", checksum);
+  return digits;
+}
+
+void
+writeWhole(const std::string& path, const Bytes& bytes)
+{
+  const std::string temporary = path + '.' + std::to_string(::getpid()) + ".tmp";
+  try {
+    File file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
+    file.write(bytes.data(), bytes.size());
+    file.finish();
+  }
+  catch (...) {
+    ::unlink(temporary.c_str());
+    throw;
+  }
+  if (std::rename(temporary.c_str(), path.c_str()) != 0)
+    fail(path, "written", errno);
+}
+
+Bytes
+readWhole(const std::string& path)
+{
+  const std::int64_t size = sizeOfFile(path);
+  if (size < 0)
+    fail(path, "read", ENOENT);
+  Bytes bytes(static_cast<std::size_t>(size));
+  File(path, O_RDONLY).readAt(0, bytes.data(), bytes.size());
+  return bytes;
+}
+
+void
+readAt(const std::string& path, std::uint64_t at, void* to, std::size_t size)
+{
+  File(path, O_RDONLY).readAt(at, to, size);
+}
+
+void
+appendTo(const std::string& path, const void* data, std::size_t size)
+{
+  File(path, O_WRONLY | O_CREAT | O_APPEND).write(data, size);
+}
+
+std::int64_t
+sizeOfFile(const std::string& path)
+{
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 ? static_cast<std::int64_t>(status.st_size)
+                                            : -1;
+}
+
+} // namespace pcl::tiling

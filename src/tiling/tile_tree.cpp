@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Where points are dense, and how space is cut into tiles of few points.
+
+#include "tiling/tile_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace pcl::tiling {
+namespace {
+
+constexpr int least_exponent = -20;          // a micrometer
+constexpr std::size_t max_cells = 1 << 18;   // some 30 MB, as far as they are used
+constexpr std::uint64_t points_of_cell = 64; // enough to know how dense they are
+constexpr double neighbors = 12.0, pi = 3.14159265358979;
+
+std::size_t
+hashOf(const CellKey& key)
+{
+  std::uint64_t hash = 0;
+  for (const double k : key) { // steps of SplitMix64
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &k, sizeof bits);
+    hash += bits + 0x9e3779b97f4a7c15U;
+    hash = (hash ^ hash >> 30) * 0xbf58476d1ce4e5b9U;
+    hash ^= hash >> 27;
+  }
+  return hash;
+}
+
+double
+half(double key)
+{
+  return std::floor(0.5 * key) + 0.0; // 0 has one sign
+}
+
+using Cells = std::vector<Cell>;
+
+std::uint64_t
+countOf(Cells::iterator begin, Cells::iterator end)
+{
+  std::uint64_t count = 0;
+  for (auto cell = begin; cell != end; ++cell)
+    count += cell->count;
+  return count;
+}
+
+/** The axis along which cells reach farthest, and how many cells that are. */
+std::pair<int, double>
+longestAxis(Cells::iterator begin, Cells::iterator end)
+{
+  std::pair<int, double> longest{0, 0.0};
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto at = static_cast<std::size_t>(axis);
+    const auto [low, high] =
+        std::minmax_element(begin, end, [at](const Cell& a, const Cell& b) {
+          return a.key[at] < b.key[at];
+        });
+    const double cells = high->key[at] - low->key[at] + 1.0;
+    if (cells > longest.second)
+      longest = {axis, cells};
+  }
+  return longest;
+}
+
+/** Cuts cells into tiles, and appends their nodes. */
+class Cutter {
+public:
+  Cutter(double cell, std::uint64_t max_points, double max_edge)
+  : cell_(cell)
+  , max_points_(max_points)
+  , max_edge_(max_edge)
+  {}
+
+  std::size_t
+  cut(Cells::iterator begin, Cells::iterator end)
+  {
+    const std::size_t at = nodes_.size();
+    nodes_.emplace_back();
+    const auto [axis, cells] = longestAxis(begin, end);
+    const bool is_short = max_edge_ <= 0.0 || cells * cell_ <= max_edge_;
+    if (cells == 1.0 || (is_short && countOf(begin, end) <= max_points_)) {
+      nodes_[at].first = tiles_++;
+      return at;
+    }
+    const auto [middle, border] = middleOf(begin, end, static_cast<std::size_t>(axis));
+    const std::size_t first = cut(begin, middle), second = cut(middle, end);
+    nodes_[at] = {axis, border, first, second};
+    return at;
+  }
+
+  std::vector<TileTree::Node>
+  nodes()
+  {
+    return std::move(nodes_);
+  }
+
+private:
+  /** The first cell of the second part, with half of the points before it, and its key.
+   */
+  static std::pair<Cells::iterator, double>
+  middleOf(Cells::iterator begin, Cells::iterator end, std::size_t axis)
+  {
+    std::sort(begin, end, [axis](const Cell& a, const Cell& b) {
+      return a.key[axis] < b.key[axis];
+    });
+    const std::uint64_t all = countOf(begin, end);
+    std::uint64_t before = 0, best_off = all;
+    auto best = begin;
+    for (auto cell = begin; cell != end; ++cell) {
+      const bool is_border = cell != begin && cell->key[axis] != (cell - 1)->key[axis];
+      const std::uint64_t off = 2 * before > all ? 2 * before - all : all - 2 * before;
+      if (is_border && off < best_off) {
+        best_off = off;
+        best = cell;
+      }
+      before += cell->count;
+    }
+    return {best, best->key[axis]};
+  }
+
+  double cell_;
+  std::uint64_t max_points_;
+  double max_edge_;
+  std::size_t tiles_ = 0;
+  std::vector<TileTree::Node> nodes_;
+};
+
+} // namespace
+
+CellKey
+CellGrid::keyOf(const float* point) const
+{
+  CellKey key;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    key[axis] =
+        std::floor(std::ldexp(static_cast<double>(point[axis]), -exponent)) + 0.0;
+  return key;
+}
+
+double
+CellGrid::size() const
+{
+  return std::ldexp(1.0, exponent);
+}
+
+void
+CellCounts::add(const CellKey& key, std::uint64_t count)
+{
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t at = hashOf(key) & mask;
+  while (slots_[at].count > 0 && slots_[at].key != key)
+    at = (at + 1) & mask;
+  if (slots_[at].count == 0) {
+    slots_[at].key = key;
+    ++size_;
+  }
+  slots_[at].count += count;
+  if (2 * size_ > slots_.size())
+    grow();
+}
+
+void
+CellCounts::grow()
+{
+  std::vector<Cell> old(2 * slots_.size());
+  old.swap(slots_);
+  size_ = 0;
+  for (const Cell& cell : old)
+    if (cell.count > 0)
+      add(cell.key, cell.count);
+}
+
+std::vector<Cell>
+CellCounts::sorted() const
+{
+  std::vector<Cell> cells;
+  cells.reserve(size_);
+  for (const Cell& cell : slots_)
+    if (cell.count > 0)
+      cells.push_back(cell);
+  std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
+    return a.key < b.key;
+  });
+  return cells;
+}
+
+CellCounts
+CellCounts::coarser() const
+{
+  CellCounts result;
+  for (const auto& [key, count] : slots_)
+    if (count > 0)
+      result.add({half(key[0]), half(key[1]), half(key[2])}, count);
+  return result;
+}
+
+DensityCells::DensityCells() : grid_{least_exponent} {}
+
+void
+DensityCells::add(const float* point)
+{
+  counts_.add(grid_.keyOf(point), 1);
+  for (; counts_.size() > max_cells; ++grid_.exponent)
+    counts_ = counts_.coarser();
+}
+
+double
+DensityCells::typicalDistance() const
+{
+  if (counts_.size() < 2)
+    return 0.0;
+  CellCounts counts = counts_;
+  std::vector<Cell> cells = counts.sorted();
+  const std::uint64_t all = countOf(cells.begin(), cells.end());
+  CellGrid grid = grid_;
+  const auto isCoarse = [&] {
+    return counts.size() * points_of_cell <= all || counts.size() < 2 * points_of_cell;
+  };
+  for (; !isCoarse(); ++grid.exponent)
+    counts = counts.coarser();
+  std::vector<std::uint64_t> sorted;
+  for (const Cell& cell : counts.sorted())
+    sorted.push_back(cell.count);
+  std::sort(sorted.begin(), sorted.end());
+  std::uint64_t before = 0;
+  for (const std::uint64_t count : sorted)
+    if (2 * (before += count) >= all)
+      // Of a surface that crosses the cell: a circle with so many points.
+      return grid.size() * std::sqrt(neighbors / (pi * static_cast<double>(count)));
+  return 0.0;
+}
+
+TileTree::TileTree(const DensityCells& cells, std::uint64_t max_points, double max_edge)
+: grid_(cells.grid())
+{
+  Cells list = cells.counts().sorted();
+  if (list.empty()) {
+    nodes_.emplace_back();
+    return;
+  }
+  Cutter cutter(grid_.size(), max_points, max_edge);
+  cutter.cut(list.begin(), list.end());
+  nodes_ = cutter.nodes();
+}
+
+std::size_t
+TileTree::tileOf(const CellKey& key) const
+{
+  const Node* node = &nodes_.front();
+  while (node->axis >= 0)
+    node =
+        &nodes_[key[static_cast<std::size_t>(node->axis)] < node->cut ? node->first
+                                                                      : node->second];
+  return node->first;
+}
+
+std::size_t
+TileTree::size() const
+{
+  return (nodes_.size() + 1) / 2;
+}
+
+} // namespace pcl::tiling

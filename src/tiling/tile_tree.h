@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Where points are dense, and how space is cut into tiles of few points.
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl::tiling {
+
+/** \brief Which cell of space a point is in, along each axis: whole numbers, which a
+ * double holds for any float. */
+using CellKey = std::array<double, 3>;
+
+/** \brief The cells of one size, a power of two. */
+struct CellGrid {
+  int exponent = 0; ///< of the size in meters
+
+  CellKey keyOf(const float* point) const;
+  double size() const;
+};
+
+/** \brief A cell with points. */
+struct Cell {
+  CellKey key{};
+  std::uint64_t count = 0;
+};
+
+/** \brief How many points are in each cell: a hash table that holds cells in place. */
+class CellCounts {
+public:
+  CellCounts() : slots_(64) {}
+
+  void add(const CellKey& key, std::uint64_t count);
+
+  std::size_t
+  size() const
+  {
+    return size_;
+  }
+
+  /** \brief The cells, in the order of their keys. */
+  std::vector<Cell> sorted() const;
+
+  /** \brief The counts of cells of twice the size. */
+  CellCounts coarser() const;
+
+private:
+  void grow();
+
+  std::vector<Cell> slots_; ///< empty ones have count 0; at least half of them are
+  std::size_t size_ = 0;
+};
+
+/** \brief How many points are in each cell, with cells that grow until they are few:
+ * the memory is bounded, and the order of points does not matter. */
+class DensityCells {
+public:
+  DensityCells();
+
+  /** \param[in] point finite */
+  void add(const float* point);
+
+  const CellGrid&
+  grid() const
+  {
+    return grid_;
+  }
+
+  const CellCounts&
+  counts() const
+  {
+    return counts_;
+  }
+
+  /** \brief About the distance between neighbors of most points, meters; 0 if all
+   * points are in one cell. */
+  double typicalDistance() const;
+
+private:
+  CellGrid grid_;
+  CellCounts counts_;
+};
+
+/** \brief Space cut in two, and again, at borders of cells. */
+class TileTree {
+public:
+  struct Node {
+    int axis = -1;         ///< of the cut; -1 for a tile
+    double cut = 0.0;      ///< cells below it are in the first part
+    std::size_t first = 0; ///< node of the first part, or the tile
+    std::size_t second = 0;
+  };
+
+  TileTree() = default;
+
+  TileTree(const CellGrid& grid, std::vector<Node> nodes) : grid_(grid), nodes_(nodes)
+  {}
+
+  /** \brief Cut where it leaves half of the points on either side, across the longest
+   * edge. \param[in] max_edge meters, 0 for any */
+  TileTree(const DensityCells& cells, std::uint64_t max_points, double max_edge);
+
+  std::size_t tileOf(const CellKey& key) const;
+
+  std::size_t
+  tileOf(const float* point) const
+  {
+    return tileOf(grid_.keyOf(point));
+  }
+
+  const CellGrid&
+  grid() const
+  {
+    return grid_;
+  }
+
+  const std::vector<Node>&
+  nodes() const
+  {
+    return nodes_;
+  }
+
+  std::size_t size() const;
+
+private:
+  CellGrid grid_;
+  std::vector<Node> nodes_; ///< the first is of all space
+};
+
+} // namespace pcl::tiling

@@ -1,0 +1,639 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Divides sources into tiles, and keeps results of tiles; the manifest says what is
+// complete.
+
+#include "tiling/checked_file.h"
+#include "tiling/manifest.h"
+#include "tiling/tile_file.h"
+#include "tiling/tile_tree.h"
+
+#include <pcl/tiling/tiled_cloud.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <unistd.h>
+
+#include <sys/file.h>
+
+namespace fs = std::filesystem;
+
+namespace pcl::tiling {
+namespace {
+
+using Record = Manifest::Record;
+
+constexpr int format_version = 1;
+// Of points on their way to tiles; what is more goes to disk.
+constexpr std::size_t buffered_bytes = std::size_t{128} << 20;
+const std::string tiles_name = "tiles", buckets_name = "buckets";
+
+/** Holds a file so that no other run does; it is released with the process. */
+class Lock {
+public:
+  explicit Lock(const std::string& directory)
+  {
+    const std::string path = directory + "/lock";
+    constexpr mode_t by_umask = 0666;
+    descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, by_umask);
+    if (descriptor_ < 0)
+      throw TilingError(path + ": cannot be written: " + std::strerror(errno));
+    // The processes of a run that was killed a moment ago may take that long to end.
+    constexpr int attempts = 20;
+    constexpr useconds_t pause = 100000; // microseconds
+    int locked = ::flock(descriptor_, LOCK_EX | LOCK_NB);
+    for (int i = 0; locked != 0 && errno == EWOULDBLOCK && i < attempts; ++i) {
+      ::usleep(pause);
+      locked = ::flock(descriptor_, LOCK_EX | LOCK_NB);
+    }
+    if (locked != 0) {
+      const int error = errno;
+      ::close(descriptor_);
+      throw TilingError(
+          directory + ": " +
+          (error == EWOULDBLOCK
+               ? "another run is using it; expected to be alone"
+               : std::string("cannot be locked: ") + std::strerror(error)));
+    }
+  }
+  ~Lock() { ::close(descriptor_); }
+  Lock(const Lock&) = delete;
+  Lock& operator=(const Lock&) = delete;
+
+private:
+  int descriptor_ = -1;
+};
+
+void
+makeDirectory(const std::string& path)
+{
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error)
+    throw TilingError(path + ": cannot be made: " + error.message());
+}
+
+bool
+isFinite(const Position& p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+std::array<float, 3>
+floatsOf(const Position& point, const Position& offset)
+{
+  std::array<float, 3> floats;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    floats[axis] = static_cast<float>(point[axis] - offset[axis]);
+  return floats;
+}
+
+/** How the sources are divided. */
+struct Plan {
+  Position offset{};
+  TileTree tree;
+  std::vector<std::uint64_t> points; ///< of each tile
+  std::uint64_t finite = 0, not_finite = 0;
+  double typical_distance = 0.0;
+};
+
+Record
+toJson(const Plan& plan)
+{
+  Record nodes = Record::array();
+  for (const TileTree::Node& node : plan.tree.nodes())
+    nodes.push_back({node.axis, node.cut, node.first, node.second});
+  return {{"event", "plan"},
+          {"offset", plan.offset},
+          {"cell", plan.tree.grid().exponent},
+          {"nodes", nodes},
+          {"points", plan.points},
+          {"finite", plan.finite},
+          {"not_finite", plan.not_finite},
+          {"typical_distance", plan.typical_distance}};
+}
+
+Plan
+planOf(const Record& record)
+{
+  std::vector<TileTree::Node> nodes;
+  for (const Record& node : record.at("nodes"))
+    nodes.push_back({node.at(0), node.at(1), node.at(2), node.at(3)});
+  return {record.at("offset"),
+          TileTree(CellGrid{record.at("cell")}, std::move(nodes)),
+          record.at("points"),
+          record.at("finite"),
+          record.at("not_finite"),
+          record.at("typical_distance")};
+}
+
+/** A file that is complete. */
+struct Complete {
+  std::uint64_t bytes = 0;
+  std::string check;
+};
+
+} // namespace
+
+class TiledCloud::State {
+public:
+  State(const std::string& directory,
+        const Sources& sources,
+        const TileSettings& settings,
+        Team& team)
+  : directory_(directory)
+  , sources_(sources)
+  , settings_(settings)
+  , team_(team)
+  {
+    if (sources.empty())
+      throw TilingError("no sources are given; expected at least one");
+    if (settings.max_points == 0)
+      throw TilingError("0 points for a tile; expected at least one");
+    if (team.isFirst()) {
+      makeDirectory(directory);
+      lock_.emplace(directory);
+      removeUnfinished();
+      manifest_.emplace(directory + "/manifest.jsonl", true);
+      begin();
+    }
+    team.meet();
+    if (!team.isFirst())
+      manifest_.emplace(directory + "/manifest.jsonl", false);
+    readRecords();
+  }
+
+  void
+  partition()
+  {
+    if (!plan_ && team_.isFirst())
+      add(toJson(survey()));
+    refresh();
+    makeTiles();
+  }
+
+  const Plan&
+  plan() const
+  {
+    if (!plan_)
+      throw TilingError(directory_ + ": the cloud is not divided yet; expected "
+                                     "partition() before");
+    return *plan_;
+  }
+
+  const Position&
+  offset() const
+  {
+    return plan_ ? plan_->offset : offset_;
+  }
+
+  void
+  setOffset(const Position& offset)
+  {
+    offset_ = offset;
+  }
+
+  TilePoints
+  load(std::size_t tile, double halo)
+  {
+    const TileFile& own = fileOf(tile);
+    TilePoints points{own.points(), 0};
+    points.own = points.points.size();
+    const Box around = own.box().grown(halo);
+    for (std::size_t other = 0; other < plan().points.size(); ++other)
+      if (other != tile && plan().points[other] > 0 &&
+          around.meets(fileOf(other).box()))
+        fileOf(other).addPointsIn(around, points.points);
+    return points;
+  }
+
+  void
+  run(const std::string& name, double halo, const Function& function)
+  {
+    compute(name, [&](std::size_t tile) { return function(tile, load(tile, halo)); });
+  }
+
+  std::string
+  pathOf(const std::string& name, std::size_t tile) const
+  {
+    char file[32];
+    std::snprintf(file, sizeof file, "/%06zu.bin", tile);
+    return directory_ + '/' + name + file;
+  }
+
+  Bytes
+  resultOf(const std::string& name, std::size_t tile) const
+  {
+    const std::string path = pathOf(name, tile);
+    const auto of_name = complete_.find(name);
+    const auto found = of_name == complete_.end()
+                           ? decltype(of_name->second.find(tile)){}
+                           : of_name->second.find(tile);
+    if (of_name == complete_.end() || found == of_name->second.end())
+      throw TilingError(path + ": is not computed yet; expected run() before");
+    Bytes bytes = readWhole(path);
+    if (bytes.size() != found->second.bytes ||
+        toText(checksumOf(bytes.data(), bytes.size())) != found->second.check) {
+      std::error_code error;
+      fs::remove(path, error);
+      throw TilingError(path + ": was damaged, and is removed; run the same command "
+                               "again to make it anew");
+    }
+    return bytes;
+  }
+
+  std::string
+  decide(const std::string& name, const std::function<std::string()>& find)
+  {
+    if (!decisions_.count(name) && team_.isFirst())
+      add({{"event", "decision"}, {"name", name}, {"value", find()}});
+    refresh();
+    return decisions_.at(name);
+  }
+
+  void
+  remove()
+  {
+    team_.meet();
+    std::error_code error;
+    if (team_.isFirst() && fs::remove_all(directory_, error) > 0 && error)
+      throw TilingError(directory_ + ": cannot be removed: " + error.message());
+  }
+
+private:
+  void
+  add(const Record& record)
+  {
+    manifest_->add(record);
+    read(record);
+  }
+
+  /** The ranks that do not write the manifest read it again. */
+  void
+  refresh()
+  {
+    team_.meet();
+    if (team_.isFirst())
+      return;
+    manifest_.emplace(directory_ + "/manifest.jsonl", false);
+    readRecords();
+  }
+
+  void
+  readRecords()
+  {
+    for (const Record& record : manifest_->records())
+      read(record);
+  }
+
+  void
+  read(const Record& record)
+  {
+    const std::string event = record.at("event");
+    if (event == "plan")
+      plan_ = planOf(record);
+    else if (event == "decision")
+      decisions_[record.at("name")] = record.at("value");
+    else if (event == "result")
+      complete_[record.at("name")][record.at("tile")] = {record.at("bytes"),
+                                                         record.at("check")};
+  }
+
+  /** Writes what results depend on, or compares it with what is there. */
+  void
+  begin()
+  {
+    Record sources = Record::array();
+    for (const auto& source : sources_)
+      sources.push_back({{"name", source->name()}, {"state", source->state()}});
+    const Record now{{"event", "begin"},
+                     {"version", format_version},
+                     {"parameters", settings_.parameters},
+                     {"max_points", settings_.max_points},
+                     {"max_edge", settings_.max_edge},
+                     {"sources", sources}};
+    if (manifest_->records().empty()) {
+      manifest_->add(now);
+      return;
+    }
+    const Record& before = manifest_->records().front();
+    for (const auto& [key, value] : now.items())
+      if (!before.contains(key) || before.at(key) != value)
+        throw TilingError(directory_ + ": was begun with other " + key + ", " +
+                          before.value(key, Record()).dump() + ", now " + value.dump() +
+                          "; expected the same, or another directory, or this one "
+                          "removed");
+  }
+
+  /** Files that a killed run has not renamed. */
+  void
+  removeUnfinished()
+  {
+    std::vector<fs::path> unfinished;
+    for (const auto& entry : fs::recursive_directory_iterator(directory_))
+      if (entry.path().extension() == ".tmp")
+        unfinished.push_back(entry.path());
+    for (const fs::path& path : unfinished)
+      fs::remove(path);
+  }
+
+  Plan
+  survey() const
+  {
+    DensityCells cells;
+    std::uint64_t finite = 0, not_finite = 0;
+    for (const auto& source : sources_)
+      source->read([&](const Position* points, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+          const bool is_finite = isFinite(points[i]);
+          ++(is_finite ? finite : not_finite);
+          if (is_finite)
+            cells.add(floatsOf(points[i], offset_).data());
+        }
+      });
+    if (finite == 0)
+      throw TilingError("none of " + std::to_string(not_finite) +
+                        " points is finite; expected at least one");
+    Plan plan{offset_,
+              TileTree(cells, settings_.max_points, settings_.max_edge),
+              {},
+              finite,
+              not_finite,
+              cells.typicalDistance()};
+    plan.points.resize(plan.tree.size());
+    for (const auto& [key, count] : cells.counts().sorted())
+      plan.points[plan.tree.tileOf(key)] += count;
+    return plan;
+  }
+
+  bool
+  isComplete(const std::string& name, std::size_t tile) const
+  {
+    const auto of_name = complete_.find(name);
+    if (of_name == complete_.end())
+      return false;
+    const auto found = of_name->second.find(tile);
+    return found != of_name->second.end() &&
+           sizeOfFile(pathOf(name, tile)) ==
+               static_cast<std::int64_t>(found->second.bytes);
+  }
+
+  /** Those that are not complete, the largest first. */
+  std::vector<std::size_t>
+  missingOf(const std::string& name) const
+  {
+    std::vector<std::size_t> missing;
+    for (std::size_t tile = 0; tile < plan().points.size(); ++tile)
+      if (plan().points[tile] > 0 && !isComplete(name, tile))
+        missing.push_back(tile);
+    std::stable_sort(missing.begin(), missing.end(), [&](auto a, auto b) {
+      return plan().points[a] > plan().points[b];
+    });
+    return missing;
+  }
+
+  /** Compute the files of a name that are missing. */
+  void
+  compute(const std::string& name, const std::function<Bytes(std::size_t)>& function)
+  {
+    team_.meet(); // before the first one adds files that others count as missing
+    const std::vector<std::size_t> missing = missingOf(name);
+    if (missing.empty())
+      return;
+    makeDirectory(directory_ + '/' + name);
+    std::string failure;
+    team_.run(
+        missing,
+        [&](std::size_t tile) {
+          const Bytes bytes = function(tile);
+          writeWhole(pathOf(name, tile), bytes);
+          return std::to_string(bytes.size()) + ' ' +
+                 toText(checksumOf(bytes.data(), bytes.size()));
+        },
+        [&](std::size_t tile, const std::string& result, const std::string& error) {
+          if (error.empty())
+            complete(name, tile, result);
+          else if (failure.empty())
+            failure = name + " of tile " + std::to_string(tile) + ": " + error;
+        });
+    refresh();
+    const std::size_t left = missingOf(name).size();
+    if (left > 0)
+      throw TilingError(failure.empty()
+                            ? "another rank has failed"
+                            : failure + "; " + std::to_string(left) + " of " +
+                                  std::to_string(plan().points.size()) +
+                                  " tiles are left for the next run of the "
+                                  "same command");
+  }
+
+  /** \param[in] result bytes and checksum */
+  void
+  complete(const std::string& name, std::size_t tile, const std::string& result)
+  {
+    const std::size_t space = result.find(' ');
+    add({{"event", "result"},
+         {"name", name},
+         {"tile", tile},
+         {"bytes", std::stoull(result.substr(0, space))},
+         {"check", result.substr(space + 1)}});
+    if (name == tiles_name)
+      fs::remove(pathOf(buckets_name, tile));
+  }
+
+  /** Points to buckets, one for each tile, in the order of the sources; a bucket
+   * becomes a tile. */
+  void
+  makeTiles()
+  {
+    const std::vector<std::size_t> missing = missingOf(tiles_name);
+    if (team_.isFirst() && !haveBuckets(missing))
+      fillBuckets(missing);
+    compute(tiles_name, [&](std::size_t tile) {
+      const Bytes bytes = readWhole(pathOf(buckets_name, tile));
+      std::vector<Position> points(bytes.size() / sizeof(Position));
+      std::memcpy(points.data(), bytes.data(), bytes.size());
+      return encodeTile(points);
+    });
+  }
+
+  bool
+  haveBuckets(const std::vector<std::size_t>& tiles) const
+  {
+    return std::all_of(tiles.begin(), tiles.end(), [&](std::size_t tile) {
+      return sizeOfFile(pathOf(buckets_name, tile)) ==
+             static_cast<std::int64_t>(plan().points[tile] * sizeof(Position));
+    });
+  }
+
+  void
+  fillBuckets(const std::vector<std::size_t>& tiles)
+  {
+    const std::string directory = directory_ + '/' + buckets_name;
+    fs::remove_all(directory);
+    makeDirectory(directory);
+    constexpr std::size_t no_bucket = ~std::size_t{0};
+    std::vector<std::size_t> bucket_of(plan().points.size(), no_bucket);
+    for (std::size_t b = 0; b < tiles.size(); ++b)
+      bucket_of[tiles[b]] = b;
+    std::vector<std::vector<Position>> buckets(tiles.size());
+    const std::size_t most =
+        std::max<std::size_t>(64, buffered_bytes / sizeof(Position) / tiles.size());
+    const auto flush = [&](std::size_t b) {
+      appendTo(pathOf(buckets_name, tiles[b]),
+               buckets[b].data(),
+               buckets[b].size() * sizeof(Position));
+      buckets[b].clear();
+    };
+    for (const auto& source : sources_)
+      source->read([&](const Position* points, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+          if (!isFinite(points[i]))
+            continue;
+          const std::size_t b =
+              bucket_of[plan().tree.tileOf(floatsOf(points[i], offset()).data())];
+          if (b == no_bucket)
+            continue;
+          buckets[b].push_back(points[i]);
+          if (buckets[b].size() >= most)
+            flush(b);
+        }
+      });
+    for (std::size_t b = 0; b < buckets.size(); ++b)
+      if (!buckets[b].empty())
+        flush(b);
+    if (!haveBuckets(tiles))
+      throw TilingError(directory + ": the sources have other points than before; "
+                                    "expected sources that do not change");
+  }
+
+  const TileFile&
+  fileOf(std::size_t tile)
+  {
+    files_.resize(plan().points.size());
+    if (!files_[tile])
+      files_[tile] = std::make_unique<TileFile>(pathOf(tiles_name, tile));
+    return *files_[tile];
+  }
+
+  std::string directory_;
+  Sources sources_;
+  TileSettings settings_;
+  Team& team_;
+  std::optional<Lock> lock_;
+  std::optional<Manifest> manifest_;
+  Position offset_{};
+  std::optional<Plan> plan_;
+  std::map<std::string, std::map<std::size_t, Complete>> complete_;
+  std::map<std::string, std::string> decisions_;
+  std::vector<std::unique_ptr<TileFile>> files_;
+};
+
+TiledCloud::TiledCloud(const std::string& directory,
+                       const Sources& sources,
+                       const TileSettings& settings,
+                       Team& team)
+: state_(std::make_unique<State>(directory, sources, settings, team))
+{}
+
+TiledCloud::~TiledCloud() = default;
+
+void
+TiledCloud::partition()
+{
+  state_->partition();
+}
+
+std::size_t
+TiledCloud::size() const
+{
+  return state_->plan().points.size();
+}
+
+std::uint64_t
+TiledCloud::countNotFinite() const
+{
+  return state_->plan().not_finite;
+}
+
+std::uint64_t
+TiledCloud::countFinite() const
+{
+  return state_->plan().finite;
+}
+
+std::uint64_t
+TiledCloud::pointsOf(std::size_t tile) const
+{
+  return state_->plan().points.at(tile);
+}
+
+const Position&
+TiledCloud::offset() const
+{
+  return state_->offset();
+}
+
+void
+TiledCloud::setOffset(const Position& offset)
+{
+  state_->setOffset(offset);
+}
+
+double
+TiledCloud::typicalDistance() const
+{
+  return state_->plan().typical_distance;
+}
+
+std::size_t
+TiledCloud::tileOf(const Position& point) const
+{
+  return state_->plan().tree.tileOf(floatsOf(point, state_->offset()).data());
+}
+
+TilePoints
+TiledCloud::load(std::size_t tile, double halo) const
+{
+  return state_->load(tile, halo);
+}
+
+void
+TiledCloud::run(const std::string& name, double halo, const Function& function)
+{
+  state_->run(name, halo, function);
+}
+
+std::vector<std::uint8_t>
+TiledCloud::resultOf(const std::string& name, std::size_t tile) const
+{
+  return state_->resultOf(name, tile);
+}
+
+std::string
+TiledCloud::pathOf(const std::string& name, std::size_t tile) const
+{
+  return state_->pathOf(name, tile);
+}
+
+std::string
+TiledCloud::decide(const std::string& name, const std::function<std::string()>& find)
+{
+  return state_->decide(name, find);
+}
+
+void
+TiledCloud::remove()
+{
+  state_->remove();
+}
+
+} // namespace pcl::tiling

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// pcl_shape_tiles gives the bits of the whole cloud, however it is divided.
+
+#include "app_test.h"
+#include "io/pcd.h"
+#include "tile_clouds.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+
+namespace {
+
+using namespace pcl_shape_test;
+using Bits = std::vector<std::uint32_t>;
+
+class Tiles : public AppTest {
+protected:
+  /** \brief A file in a folder of its own, so that the output has its name. */
+  std::string
+  input(const std::string& name, const std::string& contents) const
+  {
+    std::filesystem::create_directories(path("in"));
+    writeFile(path("in/" + name), contents);
+    return path("in/" + name);
+  }
+
+  std::string
+  whole(const TilePointCloud& points, const std::string& name = "cloud.pcd") const
+  {
+    std::vector<std::size_t> order(points.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      order[i] = i;
+    return input(name, tileCloudFile(points, order));
+  }
+
+  /** \brief The fields that the whole cloud gets. */
+  std::string
+  detected(const std::string& cloud, const Words& options) const
+  {
+    Words words{cloud, path("whole.pcd"), "-format", "binary"};
+    words.insert(words.end(), options.begin(), options.end());
+    expectSuccessOrWarnings(runApp("pcl_shape_detect", words));
+    return readFile(path("whole.pcd"));
+  }
+
+  Outcome
+  tiles(Words words, const Words& options) const
+  {
+    std::filesystem::remove_all(path("out"));
+    return again(std::move(words), options);
+  }
+
+  Outcome
+  again(Words words, const Words& options) const
+  {
+    words.insert(words.end(), {"-output_dir", path("out")});
+    words.insert(words.end(), options.begin(), options.end());
+    return runApp("pcl_shape_tiles", words);
+  }
+
+  std::uint64_t
+  count(const std::string& name) const
+  {
+    return nlohmann::json::parse(readFile(path("json")))["counts"][name];
+  }
+};
+
+/** \brief The bits of a field of four bytes. */
+Bits
+bitsOf(const pcl::app::CloudFile& cloud, const std::string& name)
+{
+  const auto* const field = pcl::app::findField(cloud, name);
+  if (!field)
+    throw std::runtime_error("no field " + name);
+  Bits bits(cloud.size());
+  for (std::size_t i = 0; i < bits.size(); ++i)
+    std::memcpy(&bits[i], cloud.at(i, *field), sizeof bits[i]);
+  return bits;
+}
+
+/** \brief How many of the clouds' bytes differ. */
+std::size_t
+differences(const std::string& a, const std::string& b)
+{
+  if (a.size() != b.size())
+    return std::max(a.size(), b.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    count += a[i] == b[i] ? 0 : 1;
+  return count;
+}
+
+class EqualTiles : public Tiles, public ::testing::WithParamInterface<const char*> {
+protected:
+  static TilePointCloud
+  cloud()
+  {
+    constexpr std::size_t points = 12000; // a halo holds some thousand
+    const std::string name = GetParam();
+    return withTrouble(name == "room"     ? roomCloud(points)
+                       : name == "street" ? streetCloud(points)
+                                          : sheetCloud(points));
+  }
+
+  /** \brief Edges of tiles, from many tiles to one. */
+  static Words
+  edges()
+  {
+    const std::string name = GetParam();
+    return name == "room"     ? Words{"2.6", "5.1"}
+           : name == "street" ? Words{"12", "31"}
+                              : Words{"6.7", "13"};
+  }
+};
+
+TEST_P(EqualTiles, GiveTheFileOfTheWholeCloud)
+{
+  const std::string file = whole(cloud());
+  const Words wanted{"-edges", "-types", "-normals"};
+  const std::string expected = detected(file, wanted);
+  std::size_t most = 0;
+  for (const std::string& edge : edges()) {
+    Words options = wanted;
+    options.insert(options.end(),
+                   {"-tile", edge, "-processes", "2", "-json", path("json")});
+    expectSuccess(tiles({file}, options));
+    EXPECT_EQ(differences(readFile(path("out/cloud.pcd")), expected), 0U)
+        << "tiles of " << edge << " m";
+    most = std::max(most, static_cast<std::size_t>(count("tiles")));
+  }
+  EXPECT_GT(most, 10U);
+  EXPECT_FALSE(exists(path("out/tiles")));
+}
+
+TEST_P(EqualTiles, GiveTheSameInAnyOrder)
+{
+  const TilePointCloud points = cloud();
+  const Words wanted{"-edges", "-types"};
+  const std::string expected = detected(whole(points), wanted);
+  const pcl::app::CloudFile of_whole = pcl::app::decodePcd("whole", expected);
+  const Words names{"edge_likelihood", "edge", "edge_type"};
+  for (const unsigned seed : {1U, 2U}) {
+    const std::vector<std::size_t> order = shuffled(points.size(), seed);
+    const auto part = [&](std::size_t begin, std::size_t end) {
+      return tileCloudFile(
+          points,
+          {order.begin() + static_cast<std::ptrdiff_t>(begin * order.size() / 6),
+           order.begin() + static_cast<std::ptrdiff_t>(end * order.size() / 6)});
+    };
+    const Words inputs{input("a.pcd", part(0, 1)),
+                       input("b.pcd", part(1, 4)),
+                       input("c.pcd", part(4, 6))};
+    Words options = wanted;
+    options.insert(options.end(), {"-tile", edges()[seed - 1], "-processes", "2"});
+    expectSuccess(tiles(inputs, options));
+    std::size_t off = 0, found = 0;
+    for (const char* const name : {"out/a.pcd", "out/b.pcd", "out/c.pcd"}) {
+      const pcl::app::CloudFile output =
+          pcl::app::decodePcd(name, readFile(path(name)));
+      const Bits ids = bitsOf(output, "id");
+      found += ids.size();
+      for (const std::string& field : names) {
+        const Bits bits = bitsOf(output, field), right = bitsOf(of_whole, field);
+        for (std::size_t i = 0; i < ids.size(); ++i)
+          off += bits[i] == right[ids[i]] ? 0 : 1;
+      }
+    }
+    EXPECT_EQ(found, points.size());
+    EXPECT_EQ(off, 0U) << "order " << seed;
+  }
+}
+
+TEST_P(EqualTiles, GiveTheInadOfTheWholeCloud)
+{
+  const std::string file = whole(cloud());
+  const Words radius{std::string(GetParam()) == "room" ? "0.15" : "0.6"};
+  expectSuccessOrWarnings(
+      runApp("pcl_inad_estimation",
+             {file, path("whole.pcd"), "-radius", radius[0], "-format", "binary"}));
+  for (const std::string& edge : edges()) {
+    expectSuccess(tiles({file}, {"-inad", radius[0], "-tile", edge}));
+    EXPECT_EQ(differences(readFile(path("out/cloud.pcd")), readFile(path("whole.pcd"))),
+              0U)
+        << "tiles of " << edge << " m";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Clouds,
+                         EqualTiles,
+                         ::testing::Values("room", "street", "sheet"));
+
+} // namespace

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Clouds in tiles: halos, results, runs that go on, and what is refused.
+
+#include "memory_source.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <set>
+
+namespace {
+
+using namespace pcl::tiling;
+using namespace pcl_shape_test;
+using Bytes = std::vector<std::uint8_t>;
+
+class TiledClouds : public ::testing::Test {
+protected:
+  TiledClouds() : directory(temporary.path() + "/tiles"), points(unevenPoints(3000, 1))
+  {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    points[7] = {nan, 0.0, 0.0};
+    points[8] = points[9];
+    divide();
+  }
+
+  TiledCloud::Sources
+  sources(const std::string& state = "1") const
+  {
+    const auto middle = points.begin() + 1000;
+    return {std::make_shared<MemorySource>(
+                "a", std::vector<Position>(points.begin(), middle), state),
+            std::make_shared<MemorySource>(
+                "b", std::vector<Position>(middle, points.end()))};
+  }
+
+  void
+  divide(const std::string& state = "1", const TileSettings& settings = {200, 0.0, "x"})
+  {
+    cloud.reset();
+    cloud.emplace(directory, sources(state), settings, *team);
+    cloud->partition();
+  }
+
+  /** \brief Count the points of each tile, the halo included. \return of which tiles it
+   * was done now */
+  std::set<std::size_t>
+  countPoints(double halo = 1.0)
+  {
+    std::set<std::size_t> done;
+    cloud->run("counts", halo, [&](std::size_t tile, const TilePoints& of_tile) {
+      done.insert(tile);
+      const auto count = static_cast<std::uint32_t>(of_tile.points.size());
+      Bytes bytes(sizeof count);
+      std::memcpy(bytes.data(), &count, sizeof count);
+      return bytes;
+    });
+    return done;
+  }
+
+  static bool
+  isFinite(const Position& p)
+  {
+    return std::isfinite(p[0]);
+  }
+
+  std::string
+  refusal(const std::function<void()>& call)
+  {
+    try {
+      call();
+    }
+    catch (const TilingError& error) {
+      return error.what();
+    }
+    return {};
+  }
+
+  TemporaryDirectory temporary;
+  const std::string directory;
+  std::vector<Position> points;
+  std::unique_ptr<Team> team = makeTeam();
+  std::optional<TiledCloud> cloud;
+};
+
+TEST_F(TiledClouds, HaveEachPointOnceInOrder)
+{
+  std::vector<std::vector<Position>> expected(cloud->size());
+  for (const Position& p : points)
+    if (isFinite(p))
+      expected[cloud->tileOf(p)].push_back(p);
+  EXPECT_GT(cloud->size(), 15U);
+  EXPECT_EQ(cloud->countNotFinite(), 1U);
+  EXPECT_EQ(cloud->countFinite(), 2999U);
+  for (std::size_t tile = 0; tile < cloud->size(); ++tile) {
+    EXPECT_EQ(cloud->load(tile, 0.0).points, expected[tile]);
+    EXPECT_EQ(cloud->pointsOf(tile), expected[tile].size());
+  }
+}
+
+TEST_F(TiledClouds, HaveAllPointsAround)
+{
+  constexpr double halo = 2.5;
+  for (std::size_t tile = 0; tile < cloud->size(); ++tile) {
+    TilePoints of_tile = cloud->load(tile, halo);
+    Position low = of_tile.points[0], high = low;
+    for (std::size_t i = 0; i < of_tile.own; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], of_tile.points[i][axis]);
+        high[axis] = std::max(high[axis], of_tile.points[i][axis]);
+      }
+    std::vector<Position> expected;
+    for (const Position& p : points)
+      if (p[0] >= low[0] - halo && p[0] <= high[0] + halo && p[1] >= low[1] - halo &&
+          p[1] <= high[1] + halo && p[2] >= low[2] - halo && p[2] <= high[2] + halo)
+        expected.push_back(p);
+    std::sort(expected.begin(), expected.end());
+    std::sort(of_tile.points.begin(), of_tile.points.end());
+    EXPECT_EQ(of_tile.points, expected);
+  }
+}
+
+TEST_F(TiledClouds, GoOnWithWhatIsMissing)
+{
+  EXPECT_EQ(countPoints().size(), cloud->size());
+  const Bytes before = cloud->resultOf("counts", 3);
+  EXPECT_TRUE(countPoints().empty());
+  std::filesystem::remove(cloud->pathOf("counts", 3));
+  divide();
+  EXPECT_EQ(countPoints(), std::set<std::size_t>{3});
+  EXPECT_EQ(cloud->resultOf("counts", 3), before);
+}
+
+TEST_F(TiledClouds, RepairTiles)
+{
+  countPoints();
+  const std::vector<Position> before = cloud->load(4, 0.0).points;
+  std::filesystem::remove(cloud->pathOf("tiles", 4));
+  std::filesystem::resize_file(cloud->pathOf("tiles", 5), 100);
+  divide();
+  EXPECT_EQ(cloud->load(4, 0.0).points, before);
+  EXPECT_GT(cloud->load(5, 0.0).own, 0U);
+}
+
+TEST_F(TiledClouds, NoticeResultsThatWereChanged)
+{
+  countPoints();
+  const std::string path = cloud->pathOf("counts", 2);
+  const Bytes before = cloud->resultOf("counts", 2);
+  std::ofstream(path, std::ios::binary) << "abcd"; // as many bytes
+  EXPECT_NE(refusal([&] { cloud->resultOf("counts", 2); }).find("damaged"),
+            std::string::npos);
+  divide();
+  EXPECT_EQ(countPoints(), std::set<std::size_t>{2});
+  EXPECT_EQ(cloud->resultOf("counts", 2), before);
+}
+
+TEST_F(TiledClouds, GoOnAfterAnError)
+{
+  const auto fail = [&] {
+    cloud->run("some", 0.0, [](std::size_t tile, const TilePoints&) -> Bytes {
+      if (tile == 1)
+        throw TilingError("no luck");
+      return {1, 2};
+    });
+  };
+  const std::string error = refusal(fail);
+  EXPECT_NE(error.find("some of tile 1: no luck; 1 of "), std::string::npos) << error;
+  divide();
+  std::set<std::size_t> done;
+  cloud->run("some", 0.0, [&](std::size_t tile, const TilePoints&) {
+    done.insert(tile);
+    return Bytes{1, 2};
+  });
+  EXPECT_EQ(done, std::set<std::size_t>{1});
+}
+
+TEST_F(TiledClouds, DecideOnce)
+{
+  EXPECT_EQ(cloud->decide("color", [] { return std::string("red"); }), "red");
+  divide();
+  EXPECT_EQ(cloud->decide("color", [] { return std::string("blue"); }), "red");
+}
+
+TEST_F(TiledClouds, RefuseOtherSourcesAndSettings)
+{
+  EXPECT_NE(refusal([&] { divide("2"); }).find("other sources"), std::string::npos);
+  EXPECT_NE(refusal([&] {
+              divide("1", {300, 0.0, "x"});
+            }).find("other max_points"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] {
+              divide("1", {200, 2.0, "x"});
+            }).find("other max_edge"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] {
+              divide("1", {200, 0.0, "y"});
+            }).find("other parameters"),
+            std::string::npos);
+  divide();
+}
+
+TEST_F(TiledClouds, AreUsedByOneRun)
+{
+  const std::string error = refusal([&] {
+    TiledCloud(directory, sources(), {200, 0.0, "x"}, *team);
+  });
+  EXPECT_NE(error.find("another run"), std::string::npos) << error;
+}
+
+TEST_F(TiledClouds, RefuseWhatCannotBe)
+{
+  EXPECT_FALSE(
+      refusal([&] { TiledCloud("/proc/tiles", sources(), {}, *team); }).empty());
+  const std::string other = temporary.path() + "/other";
+  EXPECT_FALSE(refusal([&] { TiledCloud(other, {}, {}, *team); }).empty());
+  EXPECT_FALSE(refusal([&] {
+                 TiledCloud(other, sources(), {0, 0.0, ""}, *team);
+               }).empty());
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const TiledCloud::Sources none{std::make_shared<MemorySource>(
+      "none", std::vector<Position>(3, {nan, nan, nan}))};
+  EXPECT_NE(refusal([&] {
+              TiledCloud(other, none, {}, *team).partition();
+            }).find("none of 3 points"),
+            std::string::npos);
+}
+
+TEST_F(TiledClouds, CanBeRemoved)
+{
+  cloud->remove();
+  EXPECT_FALSE(std::filesystem::exists(directory));
+}
+
+} // namespace
