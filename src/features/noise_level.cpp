@@ -144,8 +144,8 @@ flattestOf(std::vector<float> angles)
 
 /** How sure it is that the shape keeps the scatter from falling, 0 to 1. White noise
  * falls with the area that normals see, a curved surface turns by more within a larger
- * radius: squares of both add up, which two levels give. A third then shows less than
- * that, about 0.6 of it, if neighbors share noise. */
+ * radius: squares of both add up, which two levels give. At the last level that is
+ * expected to be more than there is, 1.4 to 4 times, if neighbors share noise. */
 template <typename Scatter>
 float
 curvatureShare(float first, float second, const Scatter& scatter)
@@ -162,14 +162,13 @@ curvatureShare(float first, float second, const Scatter& scatter)
   const double turn = (square(second) - left * square(first)) / (grown - left);
   if (turn <= 0.0)
     return 0.0f;
-  constexpr std::size_t third_level = 4;
-  const double third = levels[third_level];
+  constexpr std::size_t last_level = levels.size() - 1;
+  const double last = levels[last_level];
   const double noise = std::max(0.0, square(first) - turn);
-  const double expected =
-      std::sqrt(noise_left(third) * noise + turn_grown(third) * turn);
-  constexpr double shared = 0.75, curved = 0.85; // of what is expected
+  const double expected = std::sqrt(noise_left(last) * noise + turn_grown(last) * turn);
+  constexpr double shared = 0.7, curved = 0.85; // of what is expected
   return static_cast<float>(std::clamp(
-      (scatter(third_level) / expected - shared) / (curved - shared), 0.0, 1.0));
+      (scatter(last_level) / expected - shared) / (curved - shared), 0.0, 1.0));
 }
 
 /** \param[in] scatter how far normals differ at a level, radians */
