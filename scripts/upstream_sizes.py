@@ -4,7 +4,7 @@
 """Write into doc/upstream.md how large the pull requests to PCL would be: files and lines of each.
 
 Usage: scripts/upstream_sizes.py
-A file belongs to the first pull request that names it; one that none names is an error.
+A file belongs to the first pull request that names it; a name that no file has is an error.
 """
 import pathlib
 import sys
@@ -32,6 +32,7 @@ SERIES = [
         HEADERS + "*", "src/features/*", "src/geometry/*", "src/edges/*", "src/surfaces/*",
         SEGMENTATION + "*shape_field*", SEGMENTATION + "*shape_detection*", SEGMENTATION + "*shape_edge_detection*",
         SEGMENTATION + "*shape_back_projection*", SEGMENTATION + "*unknown_points*",
+        SEGMENTATION + "*cloud_reach*", "src/segmentation/cloud_reach*",
         SEGMENTATION + "impl/shape_field*", SEGMENTATION + "impl/shape_detection*", SEGMENTATION + "impl/shape_edge*",
         SEGMENTATION + "impl/shape_back*", "src/segmentation/field_places*", "src/segmentation/shape_detection*",
         "src/segmentation/shape_field*", "src/segmentation/unknown_points*", "test/features/*",

@@ -68,20 +68,27 @@ def heading(text, underline):
 def declarations_of(xml):
     """The directives of Breathe for what each header declares, by header: classes first, then the rest."""
     declarations = {}
-    namespace = ElementTree.parse(xml / "namespacepcl.xml").getroot().find("compounddef")
+    for namespace in "pcl", "pcl::tiling":
+        add_declarations(xml, namespace, declarations)
+    return declarations
+
+
+def add_declarations(xml, of_namespace, declarations):
+    page = of_namespace.replace("::", "_1_1")
+    namespace = ElementTree.parse(xml / f"namespace{page}.xml").getroot().find("compounddef")
     for inner in namespace.findall("innerclass"):
         compound = ElementTree.parse(xml / f"{inner.get('refid')}.xml").getroot().find("compounddef")
         name = inner.text
-        if name.count("::") == 1 and "<" not in name:  # those inside of classes come with them
+        own_name = name.removeprefix(of_namespace + "::")
+        if "::" not in own_name and "<" not in name:  # those inside of classes come with them
             declarations.setdefault(compound.find("location").get("file"), []).append(
-                (name.split("::")[1], f".. doxygen{compound.get('kind')}:: {name}\n   :members:\n   :undoc-members:\n"))
+                (own_name, f".. doxygen{compound.get('kind')}:: {name}\n   :members:\n   :undoc-members:\n"))
     for member in namespace.iter("memberdef"):
         name, kind = member.findtext("name"), member.get("kind")
         if not name.startswith("operator"):
             arguments = member.findtext("argsstring") or ""
             declarations.setdefault(member.find("location").get("file"), []).append(
-                (name + ("()" if kind == "function" else ""), f".. doxygen{kind}:: pcl::{name}{arguments}\n"))
-    return declarations
+                (name + ("()" if kind == "function" else ""), f".. doxygen{kind}:: {of_namespace}::{name}{arguments}\n"))
 
 
 def write_reference(source, xml):

@@ -49,7 +49,7 @@ public:
   , edges_(edges)
   , whiteness_(whiteness)
   , grid_(grid)
-  , reach_(reachOf(edges))
+  , reach_(patchSpacings(edges.noise, edges.noise_level))
   , short_reach_(short_fit_spacings +
                  short_fit_per_noise * static_cast<float>(edges.noise_level))
   {}
@@ -85,15 +85,6 @@ private:
     const float max_deviation = std::max(
         max_plane_deviation, max_plane_noise * static_cast<float>(edges_.noise));
     return whiteness_ > 0.0f && planeDeviation(patch_, crease) > max_deviation;
-  }
-
-  static float
-  reachOf(const ShapeField& edges)
-  {
-    // A little wider than normals need: the planes are to give the angle, too.
-    constexpr double of_thickness = 0.25;
-    return fitSpacings(edges.noise_level +
-                       of_thickness * (edges.noise - edges.noise_level));
   }
 
   /** Within the reach or, if that is no wedge and noise does not explain it, less. */

@@ -23,8 +23,8 @@ def interrupt():
     os.kill(os.getpid(), signal.SIGINT)
 threading.Thread(target=interrupt, daemon=True).start()
 sweep = pcl_shape.NeighborhoodSweep(points)
-threading.Timer(0.3, reached.set).start()
 try:
+    threading.Timer(0.3, reached.set).start()
     sweep.count_neighbors(radius=0.5)  # all pairs: this takes hours
 except KeyboardInterrupt:
     print("interrupted")
@@ -50,8 +50,8 @@ def test_a_handler_that_raises_is_heard():
     sweep = pcl_shape.NeighborhoodSweep(points)
     before = signal.signal(signal.SIGALRM, raise_late)
     try:
-        signal.setitimer(signal.ITIMER_REAL, 0.2)
         with pytest.raises(Late):
+            signal.setitimer(signal.ITIMER_REAL, 0.2)
             sweep.count_neighbors(radius=0.5)
     finally:
         signal.signal(signal.SIGALRM, before)
