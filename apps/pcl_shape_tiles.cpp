@@ -104,6 +104,21 @@ outputOf(const std::string& directory, const std::string& input)
   return (fs::path(directory) / name).string();
 }
 
+std::string
+tilesOf(const std::string& output_dir)
+{
+  return (fs::path(output_dir) / "tiles").string();
+}
+
+bool
+isBelow(const std::string& path, const std::string& directory)
+{
+  const fs::path whole = fs::weakly_canonical(path);
+  const fs::path above = fs::weakly_canonical(directory);
+  return std::mismatch(above.begin(), above.end(), whole.begin(), whole.end()).first ==
+         above.end();
+}
+
 std::vector<std::string>
 outputsOf(const Arguments& arguments, const std::vector<std::string>& inputs)
 {
@@ -112,11 +127,15 @@ outputsOf(const Arguments& arguments, const std::vector<std::string>& inputs)
   std::vector<std::string> outputs;
   std::set<std::string> names;
   for (const std::string& input : inputs) {
-    const std::string output = outputOf(arguments.text("output_dir"), input);
+    const std::string output_dir = arguments.text("output_dir");
+    const std::string output = outputOf(output_dir, input);
     std::error_code error;
     if (fs::equivalent(input, output, error) && !error)
       throw UsageError("output '" + output +
                        "' is an input; expected another -output_dir");
+    if (isBelow(input, tilesOf(output_dir)))
+      throw UsageError("input '" + input + "' is in " + tilesOf(output_dir) +
+                       ", where tiles go; expected another -output_dir");
     if (!names.insert(output).second)
       throw UsageError("output '" + output +
                        "' is that of two inputs; expected inputs of different names");
@@ -177,7 +196,7 @@ public:
     const bool keeps = arguments_.has("keep_tiles");
     if (team_.isFirst())
       prepare(directory);
-    TiledCloud cloud(directory + "/tiles",
+    TiledCloud cloud(tilesOf(directory),
                      {sources_.begin(), sources_.end()},
                      settingsOf(arguments_, wanted_),
                      team_);

@@ -20,6 +20,8 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <regex>
+#include <set>
 #include <unistd.h>
 
 #include <sys/file.h>
@@ -35,13 +37,14 @@ constexpr int format_version = 1;
 // Of points on their way to tiles; what is more goes to disk.
 constexpr std::size_t buffered_bytes = std::size_t{128} << 20;
 const std::string tiles_name = "tiles", buckets_name = "buckets";
+const std::string manifest_name = "manifest.jsonl", lock_name = "lock";
 
 /** Holds a file so that no other run does; it is released with the process. */
 class Lock {
 public:
   explicit Lock(const std::string& directory)
   {
-    const std::string path = directory + "/lock";
+    const std::string path = directory + '/' + lock_name;
     constexpr mode_t by_umask = 0666;
     descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, by_umask);
     if (descriptor_ < 0)
@@ -94,6 +97,63 @@ floatsOf(const Position& point, const Position& offset)
   for (std::size_t axis = 0; axis < 3; ++axis)
     floats[axis] = static_cast<float>(point[axis] - offset[axis]);
   return floats;
+}
+
+std::vector<fs::path>
+entriesOf(const std::string& directory)
+{
+  std::error_code error;
+  std::vector<fs::path> entries;
+  for (fs::directory_iterator entry(directory, error), end; !error && entry != end;
+       entry.increment(error))
+    entries.push_back(entry->path());
+  if (error)
+    throw TilingError(directory + ": cannot be read: " + error.message());
+  return entries;
+}
+
+bool
+isThere(const std::string& path)
+{
+  std::error_code error;
+  return fs::exists(fs::symlink_status(path, error));
+}
+
+/** A directory with other files is that of somebody else: nothing there may be removed.
+ */
+void
+requireOwn(const std::string& directory)
+{
+  const std::vector<fs::path> entries = entriesOf(directory);
+  if (!isThere(directory + '/' + manifest_name) &&
+      std::any_of(entries.begin(), entries.end(), [](const fs::path& entry) {
+        return entry.filename() != lock_name;
+      }))
+    throw TilingError(directory +
+                      ": holds other files; expected a new or empty directory");
+}
+
+void
+removeFile(const fs::path& path)
+{
+  std::error_code error;
+  fs::remove(path, error);
+  if (error)
+    throw TilingError(path.string() + ": cannot be removed: " + error.message());
+}
+
+enum class FileOfTile { none, complete, unfinished };
+
+/** By its name: 000012.bin, or 000012.bin.345.tmp while process 345 writes it. */
+FileOfTile
+kindOf(const fs::path& path)
+{
+  static const std::regex names("[0-9]{6,}\\.bin(\\.[0-9]+\\.tmp)?");
+  std::smatch parts;
+  const std::string name = path.filename().string();
+  if (!std::regex_match(name, parts, names))
+    return FileOfTile::none;
+  return parts[1].matched ? FileOfTile::unfinished : FileOfTile::complete;
 }
 
 /** How the sources are divided. */
@@ -160,14 +220,15 @@ public:
       throw TilingError("0 points for a tile; expected at least one");
     if (team.isFirst()) {
       makeDirectory(directory);
+      requireOwn(directory);
       lock_.emplace(directory);
       removeUnfinished();
-      manifest_.emplace(directory + "/manifest.jsonl", true);
+      manifest_.emplace(directory + '/' + manifest_name, true);
       begin();
     }
     team.meet();
     if (!team.isFirst())
-      manifest_.emplace(directory + "/manifest.jsonl", false);
+      manifest_.emplace(directory + '/' + manifest_name, false);
     readRecords();
   }
 
@@ -259,13 +320,28 @@ public:
     return decisions_.at(name);
   }
 
+  /** What this class has made; the manifest is the last to go, so that a directory is
+   * known until it is empty. */
   void
   remove()
   {
     team_.meet();
-    std::error_code error;
-    if (team_.isFirst() && fs::remove_all(directory_, error) > 0 && error)
-      throw TilingError(directory_ + ": cannot be removed: " + error.message());
+    if (!team_.isFirst())
+      return;
+    for (const auto& [name, results] : complete_)
+      names_.insert(name);
+    for (const std::string& name : names_) {
+      const std::string directory = directory_ + '/' + name;
+      if (!isThere(directory))
+        continue;
+      for (const fs::path& file : entriesOf(directory))
+        if (kindOf(file) != FileOfTile::none)
+          removeFile(file);
+      removeFile(directory);
+    }
+    removeFile(directory_ + '/' + manifest_name);
+    removeFile(directory_ + '/' + lock_name);
+    removeFile(directory_);
   }
 
 private:
@@ -283,7 +359,7 @@ private:
     team_.meet();
     if (team_.isFirst())
       return;
-    manifest_.emplace(directory_ + "/manifest.jsonl", false);
+    manifest_.emplace(directory_ + '/' + manifest_name, false);
     readRecords();
   }
 
@@ -335,14 +411,16 @@ private:
 
   /** Files that a killed run has not renamed. */
   void
-  removeUnfinished()
+  removeUnfinished() const
   {
-    std::vector<fs::path> unfinished;
-    for (const auto& entry : fs::recursive_directory_iterator(directory_))
-      if (entry.path().extension() == ".tmp")
-        unfinished.push_back(entry.path());
-    for (const fs::path& path : unfinished)
-      fs::remove(path);
+    for (const fs::path& entry : entriesOf(directory_)) {
+      std::error_code error;
+      if (!fs::is_directory(fs::symlink_status(entry, error)))
+        continue;
+      for (const fs::path& file : entriesOf(entry.string()))
+        if (kindOf(file) == FileOfTile::unfinished)
+          removeFile(file);
+    }
   }
 
   Plan
@@ -408,6 +486,7 @@ private:
     const std::vector<std::size_t> missing = missingOf(name);
     if (missing.empty())
       return;
+    names_.insert(name);
     makeDirectory(directory_ + '/' + name);
     std::string failure;
     team_.run(
@@ -446,7 +525,7 @@ private:
          {"bytes", std::stoull(result.substr(0, space))},
          {"check", result.substr(space + 1)}});
     if (name == tiles_name)
-      fs::remove(pathOf(buckets_name, tile));
+      removeFile(pathOf(buckets_name, tile));
   }
 
   /** Points to buckets, one for each tile, in the order of the sources; a bucket
@@ -478,8 +557,10 @@ private:
   fillBuckets(const std::vector<std::size_t>& tiles)
   {
     const std::string directory = directory_ + '/' + buckets_name;
-    fs::remove_all(directory);
     makeDirectory(directory);
+    for (const fs::path& file : entriesOf(directory))
+      if (kindOf(file) != FileOfTile::none)
+        removeFile(file);
     constexpr std::size_t no_bucket = ~std::size_t{0};
     std::vector<std::size_t> bucket_of(plan().points.size(), no_bucket);
     for (std::size_t b = 0; b < tiles.size(); ++b)
@@ -533,6 +614,7 @@ private:
   Position offset_{};
   std::optional<Plan> plan_;
   std::map<std::string, std::map<std::size_t, Complete>> complete_;
+  std::set<std::string> names_{tiles_name, buckets_name}; ///< of directories
   std::map<std::string, std::string> decisions_;
   std::vector<std::unique_ptr<TileFile>> files_;
 };

@@ -203,6 +203,24 @@ TEST_F(TileFaults, WhatCannotBeIsRefused)
   expectRefused(tiles("out"), 1, {"9 different places", "at least 13"});
 }
 
+TEST_F(TileFaults, FilesOfTheUserStay)
+{
+  const std::string scan = path("survey/tiles/scan.pcd"),
+                    note = path("survey/tiles/note.tmp");
+  fs::create_directories(path("survey/tiles"));
+  fs::copy_file(input, scan);
+  writeFile(note, "a note");
+  expectRefused(runApp("pcl_shape_tiles", {scan, "-output_dir", path("survey")}),
+                2,
+                {"scan.pcd", "where tiles go"});
+  expectRefused(runApp("pcl_shape_tiles", {input, "-output_dir", path("survey")}),
+                1,
+                {"survey/tiles", "holds other files"});
+  EXPECT_TRUE(readFile(scan) == readFile(input));
+  EXPECT_EQ(readFile(note), "a note");
+  EXPECT_FALSE(exists(path("survey/tiles/lock")));
+}
+
 TEST_F(TileFaults, VeryUnevenCloudsAreRefused)
 {
   TilePointCloud uneven;

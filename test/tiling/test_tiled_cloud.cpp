@@ -231,6 +231,27 @@ TEST_F(TiledClouds, RefuseWhatCannotBe)
             std::string::npos);
 }
 
+TEST_F(TiledClouds, LeaveOtherFilesAlone)
+{
+  const std::string other = temporary.path() + "/other";
+  std::filesystem::create_directory(other);
+  std::ofstream(other + "/000001.bin.2.tmp") << "mine";
+  const auto begin = [&](const std::string& where) {
+    return refusal([&] { TiledCloud(where, sources(), {200, 0.0, "x"}, *team); });
+  };
+  EXPECT_NE(begin(other).find("holds other files"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(other + "/000001.bin.2.tmp"));
+  // What was put into a directory of tiles stays there, too.
+  for (const char* const name : {"/a.tmp", "/tiles/b.tmp", "/tiles/000001.bin.2.tmp"})
+    std::ofstream(directory + name) << "text";
+  divide();
+  EXPECT_FALSE(std::filesystem::exists(directory + "/tiles/000001.bin.2.tmp"));
+  EXPECT_NE(refusal([&] { cloud->remove(); }).find("cannot be removed"),
+            std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(directory + "/a.tmp"));
+  EXPECT_TRUE(std::filesystem::exists(directory + "/tiles/b.tmp"));
+}
+
 TEST_F(TiledClouds, CanBeRemoved)
 {
   cloud->remove();
