@@ -301,18 +301,45 @@ TEST_F(TileFaults, OtherFormatsComeBack)
 
 #ifdef PCL_SHAPE_MPIEXEC
 
+Outcome
+runRanks(const std::string& ranks, const Words& command)
+{
+  Words words{"--allow-run-as-root", "--oversubscribe", "-n", ranks};
+  words.push_back(pathOf("pcl_shape_tiles"));
+  words.insert(words.end(), command.begin(), command.end());
+  return runProgram(PCL_SHAPE_MPIEXEC, words);
+}
+
 TEST_F(TileFaults, RanksOfMpiGiveTheSame)
 {
   expectSuccess(tiles("whole"));
   for (const std::string ranks : {"1", "2", "4"}) {
     const std::string out = "ranks" + ranks;
-    Words words{"--allow-run-as-root", "--oversubscribe", "-n", ranks};
-    words.push_back(pathOf("pcl_shape_tiles"));
-    for (const std::string& word : command(out))
-      words.push_back(word);
-    const Outcome outcome = runProgram(PCL_SHAPE_MPIEXEC, words);
+    const Outcome outcome = runRanks(ranks, command(out));
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_TRUE(output(out) == output("whole")) << ranks << " ranks";
+  }
+}
+
+TEST_F(TileFaults, RanksOfMpiRepairDamage)
+{
+  expectSuccess(tiles("whole"));
+  EXPECT_EQ(runRanks("3", command("out", {"-keep_tiles"})).status, 0);
+  fs::remove(path("out/room.pcd"));
+  fs::remove(path("out/tiles/fields/000003.bin"));
+  const Outcome outcome = runRanks("3", command("out"));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(output("out") == output("whole"));
+}
+
+TEST_F(TileFaults, ARankOfMpiThatFailsSaysWhy)
+{
+  write(input, TilePointCloud(cloud.begin(), cloud.begin() + 9));
+  for (const std::string ranks : {"1", "2"}) {
+    const Outcome outcome = runRanks(ranks, command("few" + ranks));
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    EXPECT_NE(outcome.err.find("at least 13"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("MPI_Finalize"), std::string::npos) << outcome.err;
   }
 }
 
