@@ -317,7 +317,11 @@ public:
     if (!decisions_.count(name) && team_.isFirst())
       add({{"event", "decision"}, {"name", name}, {"value", find()}});
     refresh();
-    return decisions_.at(name);
+    const auto found = decisions_.find(name);
+    if (found == decisions_.end())
+      throw TilingError(directory_ + ": has no decision on " + name +
+                        "; expected the first rank to write one");
+    return found->second;
   }
 
   /** What this class has made; the manifest is the last to go, so that a directory is
@@ -483,9 +487,9 @@ private:
   compute(const std::string& name, const std::function<Bytes(std::size_t)>& function)
   {
     team_.meet(); // before the first one adds files that others count as missing
+    // What is missing is asked by each rank for itself, and file systems may answer
+    // differently: the list of the first one counts, so that all of them run.
     const std::vector<std::size_t> missing = missingOf(name);
-    if (missing.empty())
-      return;
     names_.insert(name);
     makeDirectory(directory_ + '/' + name);
     std::string failure;
