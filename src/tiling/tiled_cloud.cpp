@@ -17,6 +17,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -25,6 +26,7 @@
 #include <unistd.h>
 
 #include <sys/file.h>
+#include <sys/stat.h>
 
 namespace fs = std::filesystem;
 
@@ -45,26 +47,25 @@ public:
   explicit Lock(const std::string& directory)
   {
     const std::string path = directory + '/' + lock_name;
-    constexpr mode_t by_umask = 0666;
-    descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, by_umask);
-    if (descriptor_ < 0)
-      throw TilingError(path + ": cannot be written: " + std::strerror(errno));
     // The processes of a run that was killed a moment ago may take that long to end.
     constexpr int attempts = 20;
     constexpr useconds_t pause = 100000; // microseconds
-    int locked = ::flock(descriptor_, LOCK_EX | LOCK_NB);
-    for (int i = 0; locked != 0 && errno == EWOULDBLOCK && i < attempts; ++i) {
-      ::usleep(pause);
-      locked = ::flock(descriptor_, LOCK_EX | LOCK_NB);
-    }
-    if (locked != 0) {
-      const int error = errno;
+    for (int attempt = 0;; ++attempt) {
+      open(path);
+      if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) {
+        if (isStillAt(path))
+          return;
+      }
+      else if (errno != EWOULDBLOCK) {
+        const int error = errno;
+        ::close(descriptor_);
+        throw TilingError(directory + ": cannot be locked: " + std::strerror(error));
+      }
       ::close(descriptor_);
-      throw TilingError(
-          directory + ": " +
-          (error == EWOULDBLOCK
-               ? "another run is using it; expected to be alone"
-               : std::string("cannot be locked: ") + std::strerror(error)));
+      if (attempt == attempts)
+        throw TilingError(directory +
+                          ": another run is using it; expected to be alone");
+      ::usleep(pause);
     }
   }
   ~Lock() { ::close(descriptor_); }
@@ -72,6 +73,26 @@ public:
   Lock& operator=(const Lock&) = delete;
 
 private:
+  void
+  open(const std::string& path)
+  {
+    constexpr mode_t by_umask = 0666;
+    descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, by_umask);
+    if (descriptor_ < 0)
+      throw TilingError(path + ": cannot be written: " + std::strerror(errno));
+  }
+
+  /** A run that ended after the file was opened has removed it: then the lock is one of
+   * a file that nobody else finds. */
+  bool
+  isStillAt(const std::string& path) const
+  {
+    struct stat locked {
+    }, there{};
+    return ::fstat(descriptor_, &locked) == 0 && ::stat(path.c_str(), &there) == 0 &&
+           locked.st_ino == there.st_ino && locked.st_dev == there.st_dev;
+  }
+
   int descriptor_ = -1;
 };
 
@@ -84,12 +105,6 @@ makeDirectory(const std::string& path)
     throw TilingError(path + ": cannot be made: " + error.message());
 }
 
-bool
-isFinite(const Position& p)
-{
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
 std::array<float, 3>
 floatsOf(const Position& point, const Position& offset)
 {
@@ -97,6 +112,13 @@ floatsOf(const Position& point, const Position& offset)
   for (std::size_t axis = 0; axis < 3; ++axis)
     floats[axis] = static_cast<float>(point[axis] - offset[axis]);
   return floats;
+}
+
+/** What is finite in double may be too large for float. */
+bool
+isFinite(const std::array<float, 3>& p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
 std::vector<fs::path>
@@ -268,7 +290,7 @@ public:
     const TileFile& own = fileOf(tile);
     TilePoints points{own.points(), 0};
     points.own = points.points.size();
-    const Box around = own.box().grown(halo);
+    const Box around = own.box().grown(halo + roundingOf(own.box(), halo));
     for (std::size_t other = 0; other < plan().points.size(); ++other)
       if (other != tile && plan().points[other] > 0 &&
           around.meets(fileOf(other).box()))
@@ -345,6 +367,7 @@ public:
     }
     removeFile(directory_ + '/' + manifest_name);
     removeFile(directory_ + '/' + lock_name);
+    lock_.reset(); // NFS keeps a removed file in its directory until it is closed
     removeFile(directory_);
   }
 
@@ -370,8 +393,14 @@ private:
   void
   readRecords()
   {
-    for (const Record& record : manifest_->records())
-      read(record);
+    try {
+      for (const Record& record : manifest_->records())
+        read(record);
+    }
+    catch (const Record::exception& error) {
+      throw TilingError(directory_ + '/' + manifest_name + ": has an unknown record (" +
+                        error.what() + "); expected a manifest of this version");
+    }
   }
 
   void
@@ -435,10 +464,11 @@ private:
     for (const auto& source : sources_)
       source->read([&](const Position* points, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) {
-          const bool is_finite = isFinite(points[i]);
+          const std::array<float, 3> floats = floatsOf(points[i], offset_);
+          const bool is_finite = isFinite(floats);
           ++(is_finite ? finite : not_finite);
           if (is_finite)
-            cells.add(floatsOf(points[i], offset_).data());
+            cells.add(floats.data());
         }
       });
     if (finite == 0)
@@ -581,10 +611,10 @@ private:
     for (const auto& source : sources_)
       source->read([&](const Position* points, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) {
-          if (!isFinite(points[i]))
+          const std::array<float, 3> floats = floatsOf(points[i], offset());
+          if (!isFinite(floats))
             continue;
-          const std::size_t b =
-              bucket_of[plan().tree.tileOf(floatsOf(points[i], offset()).data())];
+          const std::size_t b = bucket_of[plan().tree.tileOf(floats.data())];
           if (b == no_bucket)
             continue;
           buckets[b].push_back(points[i]);
@@ -598,6 +628,23 @@ private:
     if (!haveBuckets(tiles))
       throw TilingError(directory + ": the sources have other points than before; "
                                     "expected sources that do not change");
+  }
+
+  /** Neighbors are found in float: by how much two coordinates there may be nearer than
+   * in double. Without a halo there are no neighbors. */
+  double
+  roundingOf(const Box& box, double halo) const
+  {
+    if (halo <= 0.0)
+      return 0.0;
+    double largest = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      largest = std::max({largest,
+                          std::abs(box.low[axis] - offset()[axis]),
+                          std::abs(box.high[axis] - offset()[axis])});
+    // Each of the two coordinates by half an epsilon, and their difference.
+    constexpr double share = 2.0 * std::numeric_limits<float>::epsilon();
+    return share * (largest + halo);
   }
 
   const TileFile&
@@ -684,6 +731,12 @@ std::size_t
 TiledCloud::tileOf(const Position& point) const
 {
   return state_->plan().tree.tileOf(floatsOf(point, state_->offset()).data());
+}
+
+bool
+TiledCloud::holds(const Position& point) const
+{
+  return isFinite(floatsOf(point, state_->offset()));
 }
 
 TilePoints
