@@ -37,6 +37,7 @@ using pcl::tiling::TileSettings;
 constexpr double bytes_of_point = 250.0;
 constexpr double fixed_bytes = 200e6; // of the program, and of points on their way
 constexpr double least_memory = 300e6;
+constexpr double most_points = 1e9; // of a tile: they are counted in 32 bits
 
 TileWanted
 wantedOf(const Arguments& arguments)
@@ -76,8 +77,8 @@ TileSettings
 settingsOf(const Arguments& arguments, const TileWanted& wanted)
 {
   TileSettings settings;
-  settings.max_points =
-      static_cast<std::uint64_t>((memoryOf(arguments) - fixed_bytes) / bytes_of_point);
+  settings.max_points = static_cast<std::uint64_t>(
+      std::min((memoryOf(arguments) - fixed_bytes) / bytes_of_point, most_points));
   settings.max_edge = arguments.number("tile", positive_length).value_or(0.0);
   nlohmann::ordered_json parameters;
   for (const TileField& field : fieldsOf(wanted))
@@ -204,6 +205,7 @@ public:
       cloud.setOffset(offset(cloud));
       cloud.partition();
     });
+    sayOffset(cloud.offset());
     compute(cloud);
     if (team_.isFirst())
       report_.time("join", [&] {
@@ -231,6 +233,7 @@ private:
     for (const std::string& output : outputs_)
       requireWritable(output);
     checkJsonPath(arguments_, inputs_);
+    checkJsonPath(arguments_, outputs_);
   }
 
   pcl::tiling::Position
@@ -241,6 +244,18 @@ private:
     const std::string text = cloud.decide(
         "offset", [&] { return nlohmann::ordered_json(offsetOf(sources_)).dump(); });
     return nlohmann::ordered_json::parse(text);
+  }
+
+  void
+  sayOffset(const pcl::tiling::Position& offset) const
+  {
+    if (!team_.isFirst() || offset == pcl::tiling::Position{})
+      return;
+    logLine(arguments_.app() + ": " + arguments_.text("output_dir") + ": offset " +
+            nlohmann::json(offset).dump() + " is subtracted from the coordinates" +
+            (arguments_.has("offset") ? ""
+                                      : ", which are too large for float (see "
+                                        "-offset)"));
   }
 
   void
@@ -325,10 +340,10 @@ main(int argc, char** argv)
   CommandLine command_line(
       "pcl_shape_tiles",
       "in.pcd... -output_dir D",
-      "Normals, edges and INAD of clouds that need not fit into memory: the inputs are "
-      "one cloud,\ndivided into tiles. D gets a cloud of each input's name with the "
-      "fields that are asked for;\nwithout any those of -edges and -types. A run that "
-      "was ended goes on with the same command.");
+      "Divide clouds that need not fit into memory into tiles, and compute normals, "
+      "edges and INAD:\nthe inputs are one cloud. D gets a cloud of each input's name "
+      "with the fields that are asked\nfor; without any those of -edges and -types. A "
+      "run that was ended goes on with the same command.");
   command_line.option("output_dir", "D", "for the outputs, and for tiles in D/tiles")
       .flag("normals", "add normal_x normal_y normal_z curvature")
       .flag("edges", "add edge_likelihood (NaN unknown) and edge: 1 on creases")

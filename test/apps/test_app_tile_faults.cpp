@@ -74,7 +74,8 @@ protected:
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   }
 
-  /** \brief Run until the manifest has so many lines, then SIGKILL. */
+  /** \brief Run until the manifest has so many lines, then SIGKILL. With -keep_tiles a
+   * run that has ended by then leaves what one that was killed leaves, too. */
   void
   killAt(std::size_t lines, const std::string& out, const Words& more = {}) const
   {
@@ -93,10 +94,9 @@ TEST_F(TileFaults, RunsThatAreKilledGoOn)
   const std::size_t all = countLines("whole");
   ASSERT_GT(all, 60U);
   for (const std::string processes : {"1", "2"})
-    for (const std::size_t share : {3U, 8U}) {
+    for (const std::size_t share : {2U, 5U}) { // early: else it may end before
       const std::string out = "killed" + processes + std::to_string(share);
-      killAt(all * share / 10, out, {"-processes", processes});
-      EXPECT_FALSE(exists(path(out) + "/room.pcd"));
+      killAt(all * share / 10, out, {"-processes", processes, "-keep_tiles"});
       const std::size_t before = countLines(out);
       expectSuccess(tiles(out, {"-processes", processes, "-keep_tiles"}));
       EXPECT_EQ(countLines(out), all) << before << " before"; // nothing is done twice
@@ -109,14 +109,14 @@ TEST_F(TileFaults, KilledAgainAndAgain)
   expectSuccess(tiles("whole", {"-keep_tiles"}));
   const std::size_t all = countLines("whole");
   for (std::size_t lines = 3; lines < all; lines += all / 4)
-    killAt(lines, "out", {"-processes", "2"});
+    killAt(lines, "out", {"-processes", "2", "-keep_tiles"});
   expectSuccess(tiles("out"));
   EXPECT_TRUE(output("out") == output("whole"));
 }
 
 TEST_F(TileFaults, OtherParametersAndInputsAreRefused)
 {
-  killAt(40, "out");
+  killAt(40, "out", {"-keep_tiles"});
   expectRefused(tiles("out", {"-edges"}), 1, {"out/tiles", "parameters"});
   expectRefused(tiles("out", {"-memory", "1G"}), 1, {"out/tiles", "max_points"});
   cloud[5][0] += 0.01;
@@ -153,7 +153,7 @@ TEST_F(TileFaults, DamageIsRepaired)
 
 TEST_F(TileFaults, AChangedManifestIsRefused)
 {
-  killAt(40, "out");
+  killAt(40, "out", {"-keep_tiles"});
   std::string text = readFile(manifest("out"));
   const std::size_t place = text.find("\"bytes\":") + 8;
   text[place] = text[place] == '9' ? '8' : '9';
@@ -165,6 +165,7 @@ TEST_F(TileFaults, TwoRunsExcludeEachOther)
 {
   RunningApp app("pcl_shape_tiles", command("out"));
   app.waitUntil([&] { return countLines("out") > 3; });
+  app.stop();
   expectRefused(tiles("out"), 1, {"another run"});
 }
 
@@ -199,6 +200,7 @@ TEST_F(TileFaults, WhatCannotBeIsRefused)
   expectRefused(tiles("out", {"-memory", "3"}), 2, {"-memory", "'3'", "300M"});
   expectRefused(tiles("out", {"-processes", "0"}), 2, {"-processes"});
   expectRefused(tiles("out", {"-inad", "-1"}), 2, {"-inad"});
+  expectRefused(tiles("out", {"-json", path("out/room.pcd")}), 2, {"-json"});
   write(input, TilePointCloud(cloud.begin(), cloud.begin() + 9));
   expectRefused(tiles("out"), 1, {"9 different places", "at least 13"});
 }
@@ -252,7 +254,9 @@ TEST_F(TileFaults, LargeCoordinatesGiveTheSameFields)
     p[1] += 5.6e6;
   }
   write(input, far, true);
-  expectSuccess(find("far"));
+  const Outcome outcome = find("far");
+  expectSuccessOrWarnings(outcome);
+  EXPECT_NE(outcome.err.find("is subtracted"), std::string::npos) << outcome.err;
   const auto near_cloud = pcl::app::decodePcd("near", output("near"));
   const auto far_cloud = pcl::app::decodePcd("far", output("far"));
   for (const char* const name : {"edge", "edge_type"}) {
