@@ -205,7 +205,8 @@ public:
       cloud.setOffset(offset(cloud));
       cloud.partition();
     });
-    sayOffset(cloud.offset());
+    if (team_.isFirst())
+      logOffset(arguments_, directory, cloud.offset());
     compute(cloud);
     if (team_.isFirst())
       report_.time("join", [&] {
@@ -244,18 +245,6 @@ private:
     const std::string text = cloud.decide(
         "offset", [&] { return nlohmann::ordered_json(offsetOf(sources_)).dump(); });
     return nlohmann::ordered_json::parse(text);
-  }
-
-  void
-  sayOffset(const pcl::tiling::Position& offset) const
-  {
-    if (!team_.isFirst() || offset == pcl::tiling::Position{})
-      return;
-    logLine(arguments_.app() + ": " + arguments_.text("output_dir") + ": offset " +
-            nlohmann::json(offset).dump() + " is subtracted from the coordinates" +
-            (arguments_.has("offset") ? ""
-                                      : ", which are too large for float (see "
-                                        "-offset)"));
   }
 
   void
