@@ -37,6 +37,7 @@ using pcl::tiling::TileSettings;
 constexpr double bytes_of_point = 250.0;
 constexpr double fixed_bytes = 200e6; // of the program, and of points on their way
 constexpr double least_memory = 300e6;
+constexpr double most_points = 1e9; // of a tile: they are counted in 32 bits
 
 TileWanted
 wantedOf(const Arguments& arguments)
@@ -76,8 +77,8 @@ TileSettings
 settingsOf(const Arguments& arguments, const TileWanted& wanted)
 {
   TileSettings settings;
-  settings.max_points =
-      static_cast<std::uint64_t>((memoryOf(arguments) - fixed_bytes) / bytes_of_point);
+  settings.max_points = static_cast<std::uint64_t>(
+      std::min((memoryOf(arguments) - fixed_bytes) / bytes_of_point, most_points));
   settings.max_edge = arguments.number("tile", positive_length).value_or(0.0);
   nlohmann::ordered_json parameters;
   for (const TileField& field : fieldsOf(wanted))
@@ -104,6 +105,21 @@ outputOf(const std::string& directory, const std::string& input)
   return (fs::path(directory) / name).string();
 }
 
+std::string
+tilesOf(const std::string& output_dir)
+{
+  return (fs::path(output_dir) / "tiles").string();
+}
+
+bool
+isBelow(const std::string& path, const std::string& directory)
+{
+  const fs::path whole = fs::weakly_canonical(path);
+  const fs::path above = fs::weakly_canonical(directory);
+  return std::mismatch(above.begin(), above.end(), whole.begin(), whole.end()).first ==
+         above.end();
+}
+
 std::vector<std::string>
 outputsOf(const Arguments& arguments, const std::vector<std::string>& inputs)
 {
@@ -112,11 +128,15 @@ outputsOf(const Arguments& arguments, const std::vector<std::string>& inputs)
   std::vector<std::string> outputs;
   std::set<std::string> names;
   for (const std::string& input : inputs) {
-    const std::string output = outputOf(arguments.text("output_dir"), input);
+    const std::string output_dir = arguments.text("output_dir");
+    const std::string output = outputOf(output_dir, input);
     std::error_code error;
     if (fs::equivalent(input, output, error) && !error)
       throw UsageError("output '" + output +
                        "' is an input; expected another -output_dir");
+    if (isBelow(input, tilesOf(output_dir)))
+      throw UsageError("input '" + input + "' is in " + tilesOf(output_dir) +
+                       ", where tiles go; expected another -output_dir");
     if (!names.insert(output).second)
       throw UsageError("output '" + output +
                        "' is that of two inputs; expected inputs of different names");
@@ -177,7 +197,7 @@ public:
     const bool keeps = arguments_.has("keep_tiles");
     if (team_.isFirst())
       prepare(directory);
-    TiledCloud cloud(directory + "/tiles",
+    TiledCloud cloud(tilesOf(directory),
                      {sources_.begin(), sources_.end()},
                      settingsOf(arguments_, wanted_),
                      team_);
@@ -185,6 +205,8 @@ public:
       cloud.setOffset(offset(cloud));
       cloud.partition();
     });
+    if (team_.isFirst())
+      logOffset(arguments_, directory, cloud.offset());
     compute(cloud);
     if (team_.isFirst())
       report_.time("join", [&] {
@@ -212,6 +234,7 @@ private:
     for (const std::string& output : outputs_)
       requireWritable(output);
     checkJsonPath(arguments_, inputs_);
+    checkJsonPath(arguments_, outputs_);
   }
 
   pcl::tiling::Position
@@ -306,10 +329,10 @@ main(int argc, char** argv)
   CommandLine command_line(
       "pcl_shape_tiles",
       "in.pcd... -output_dir D",
-      "Normals, edges and INAD of clouds that need not fit into memory: the inputs are "
-      "one cloud,\ndivided into tiles. D gets a cloud of each input's name with the "
-      "fields that are asked for;\nwithout any those of -edges and -types. A run that "
-      "was ended goes on with the same command.");
+      "Divide clouds that need not fit into memory into tiles, and compute normals, "
+      "edges and INAD:\nthe inputs are one cloud. D gets a cloud of each input's name "
+      "with the fields that are asked\nfor; without any those of -edges and -types. A "
+      "run that was ended goes on with the same command.");
   command_line.option("output_dir", "D", "for the outputs, and for tiles in D/tiles")
       .flag("normals", "add normal_x normal_y normal_z curvature")
       .flag("edges", "add edge_likelihood (NaN unknown) and edge: 1 on creases")

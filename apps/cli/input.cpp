@@ -99,6 +99,19 @@ floatsOfBin(const Arguments& arguments)
 }
 
 void
+logOffset(const Arguments& arguments,
+          const std::string& cloud,
+          const std::array<double, 3>& offset)
+{
+  if (offset == std::array<double, 3>{})
+    return;
+  logLine(
+      arguments.app() + ": " + cloud + ": offset " + toText(offset) +
+      " is subtracted from the coordinates" +
+      (givenOffset(arguments) ? "" : ", which are too large for float (see -offset)"));
+}
+
+void
 chooseOffset(const Arguments& arguments, CloudFile& cloud, Report& report)
 {
   if (!findField(cloud, "x") || !findField(cloud, "y") || !findField(cloud, "z"))
@@ -114,13 +127,8 @@ chooseOffset(const Arguments& arguments, CloudFile& cloud, Report& report)
     // Nobody scans over such a distance: a viewpoint at the origin is none.
     const auto& v = cloud.viewpoint;
     cloud.is_view_known = v[0] != 0.0f || v[1] != 0.0f || v[2] != 0.0f;
-    logLine(arguments.app() + ": " + cloud.path + ": offset " + toText(cloud.offset) +
-            " is subtracted from the coordinates, which are too large for float (see "
-            "-offset)");
   }
-  else if (has_offset)
-    logLine(arguments.app() + ": " + cloud.path + ": offset " + toText(cloud.offset) +
-            " is subtracted from the coordinates");
+  logOffset(arguments, cloud.path, cloud.offset);
   if (given || has_doubles)
     report.setJson("parameters", "offset", cloud.offset);
   if (!has_doubles || given)

@@ -37,6 +37,11 @@ readInput(const Arguments& arguments, const std::string& path, Report& report);
 /** \brief Choose the offset of a cloud that was read already. */
 void chooseOffset(const Arguments& arguments, CloudFile& cloud, Report& report);
 
+/** \brief Say which offset a cloud has, if it has one. */
+void logOffset(const Arguments& arguments,
+               const std::string& cloud,
+               const std::array<double, 3>& offset);
+
 /** \brief -floats, or 0. */
 unsigned floatsOfBin(const Arguments& arguments);
 

@@ -148,7 +148,10 @@ forEachText(const std::string& path, const PointRows& rows, const Part& part)
   File file(path, rows.begin);
   std::string text;
   for (std::uint64_t begin = 0; begin < size;) {
-    const bool has_more = file.read(text_bytes, text);
+    // Short lines: a part of the text has more of them than a part of the cloud.
+    const bool is_enough =
+        text.size() >= text_bytes && text.find('\n') != std::string::npos;
+    const bool has_more = is_enough || file.read(text_bytes, text);
     if (!has_more && !text.empty() && text.back() != '\n')
       text += '\n';
     const Lines lines =

@@ -83,7 +83,9 @@ public:
   }
   ~Ranks() override
   {
-    if (std::uncaught_exceptions() == 0)
+    int is_over = 0; // endMpi() may have been called
+    MPI_Finalized(&is_over);
+    if (std::uncaught_exceptions() == 0 && !is_over)
       MPI_Finalize();
   }
   Ranks(const Ranks&) = delete;

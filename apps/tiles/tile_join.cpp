@@ -12,7 +12,6 @@
 #include <pcl/features/normal_3d.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <fstream>
 
@@ -202,11 +201,8 @@ private:
     }
     const std::vector<Position> points = coordinatesOf(part);
     Columns columns(fields_);
-    for (const Position& p : points) {
-      const bool is_finite =
-          std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-      columns.add(is_finite ? rows_[cloud_.tileOf(p)].next() : nullptr);
-    }
+    for (const Position& p : points)
+      columns.add(cloud_.holds(p) ? rows_[cloud_.tileOf(p)].next() : nullptr);
     if (wanted_.normals)
       setNormals(part, turnedNormals(columns, points, part));
     constexpr std::size_t of_normals = 4;

@@ -78,6 +78,15 @@ public:
     }
   }
 
+  std::size_t
+  size() const
+  {
+    struct stat status {};
+    if (::fstat(descriptor_, &status) != 0)
+      fail(path_, "read", errno);
+    return static_cast<std::size_t>(status.st_size);
+  }
+
   /** Some file systems notice only here that the disk is full. What a machine loses
    * that is switched off is noticed by the checksums. */
   void
@@ -119,23 +128,21 @@ writeWhole(const std::string& path, const Bytes& bytes)
     File file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
     file.write(bytes.data(), bytes.size());
     file.finish();
+    if (std::rename(temporary.c_str(), path.c_str()) != 0)
+      fail(path, "written", errno);
   }
   catch (...) {
     ::unlink(temporary.c_str());
     throw;
   }
-  if (std::rename(temporary.c_str(), path.c_str()) != 0)
-    fail(path, "written", errno);
 }
 
 Bytes
 readWhole(const std::string& path)
 {
-  const std::int64_t size = sizeOfFile(path);
-  if (size < 0)
-    fail(path, "read", ENOENT);
-  Bytes bytes(static_cast<std::size_t>(size));
-  File(path, O_RDONLY).readAt(0, bytes.data(), bytes.size());
+  File file(path, O_RDONLY); // before its size is asked for: NFS remembers old ones
+  Bytes bytes(file.size());
+  file.readAt(0, bytes.data(), bytes.size());
   return bytes;
 }
 
@@ -148,7 +155,9 @@ readAt(const std::string& path, std::uint64_t at, void* to, std::size_t size)
 void
 appendTo(const std::string& path, const void* data, std::size_t size)
 {
-  File(path, O_WRONLY | O_CREAT | O_APPEND).write(data, size);
+  File file(path, O_WRONLY | O_CREAT | O_APPEND);
+  file.write(data, size);
+  file.finish();
 }
 
 std::int64_t

@@ -61,8 +61,12 @@ Manifest::Manifest(const std::string& path, bool repairs) : path_(path)
                         "its directory to begin anew");
     records_.push_back(std::move(*record));
   }
-  if (repairs && begin < text.size())
-    std::filesystem::resize_file(path, begin);
+  if (!repairs || begin == text.size())
+    return;
+  std::error_code error;
+  std::filesystem::resize_file(path, begin, error);
+  if (error)
+    throw TilingError(path + ": cannot be written: " + error.message());
 }
 
 void

@@ -17,12 +17,16 @@
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <regex>
+#include <set>
 #include <unistd.h>
 
 #include <sys/file.h>
+#include <sys/stat.h>
 
 namespace fs = std::filesystem;
 
@@ -35,33 +39,33 @@ constexpr int format_version = 1;
 // Of points on their way to tiles; what is more goes to disk.
 constexpr std::size_t buffered_bytes = std::size_t{128} << 20;
 const std::string tiles_name = "tiles", buckets_name = "buckets";
+const std::string manifest_name = "manifest.jsonl", lock_name = "lock";
 
 /** Holds a file so that no other run does; it is released with the process. */
 class Lock {
 public:
   explicit Lock(const std::string& directory)
   {
-    const std::string path = directory + "/lock";
-    constexpr mode_t by_umask = 0666;
-    descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, by_umask);
-    if (descriptor_ < 0)
-      throw TilingError(path + ": cannot be written: " + std::strerror(errno));
+    const std::string path = directory + '/' + lock_name;
     // The processes of a run that was killed a moment ago may take that long to end.
     constexpr int attempts = 20;
     constexpr useconds_t pause = 100000; // microseconds
-    int locked = ::flock(descriptor_, LOCK_EX | LOCK_NB);
-    for (int i = 0; locked != 0 && errno == EWOULDBLOCK && i < attempts; ++i) {
-      ::usleep(pause);
-      locked = ::flock(descriptor_, LOCK_EX | LOCK_NB);
-    }
-    if (locked != 0) {
-      const int error = errno;
+    for (int attempt = 0;; ++attempt) {
+      open(path);
+      if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) {
+        if (isStillAt(path))
+          return;
+      }
+      else if (errno != EWOULDBLOCK) {
+        const int error = errno;
+        ::close(descriptor_);
+        throw TilingError(directory + ": cannot be locked: " + std::strerror(error));
+      }
       ::close(descriptor_);
-      throw TilingError(
-          directory + ": " +
-          (error == EWOULDBLOCK
-               ? "another run is using it; expected to be alone"
-               : std::string("cannot be locked: ") + std::strerror(error)));
+      if (attempt == attempts)
+        throw TilingError(directory +
+                          ": another run is using it; expected to be alone");
+      ::usleep(pause);
     }
   }
   ~Lock() { ::close(descriptor_); }
@@ -69,6 +73,26 @@ public:
   Lock& operator=(const Lock&) = delete;
 
 private:
+  void
+  open(const std::string& path)
+  {
+    constexpr mode_t by_umask = 0666;
+    descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, by_umask);
+    if (descriptor_ < 0)
+      throw TilingError(path + ": cannot be written: " + std::strerror(errno));
+  }
+
+  /** A run that ended after the file was opened has removed it: then the lock is one of
+   * a file that nobody else finds. */
+  bool
+  isStillAt(const std::string& path) const
+  {
+    struct stat locked {
+    }, there{};
+    return ::fstat(descriptor_, &locked) == 0 && ::stat(path.c_str(), &there) == 0 &&
+           locked.st_ino == there.st_ino && locked.st_dev == there.st_dev;
+  }
+
   int descriptor_ = -1;
 };
 
@@ -81,12 +105,6 @@ makeDirectory(const std::string& path)
     throw TilingError(path + ": cannot be made: " + error.message());
 }
 
-bool
-isFinite(const Position& p)
-{
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
 std::array<float, 3>
 floatsOf(const Position& point, const Position& offset)
 {
@@ -94,6 +112,70 @@ floatsOf(const Position& point, const Position& offset)
   for (std::size_t axis = 0; axis < 3; ++axis)
     floats[axis] = static_cast<float>(point[axis] - offset[axis]);
   return floats;
+}
+
+/** What is finite in double may be too large for float. */
+bool
+isFinite(const std::array<float, 3>& p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+std::vector<fs::path>
+entriesOf(const std::string& directory)
+{
+  std::error_code error;
+  std::vector<fs::path> entries;
+  for (fs::directory_iterator entry(directory, error), end; !error && entry != end;
+       entry.increment(error))
+    entries.push_back(entry->path());
+  if (error)
+    throw TilingError(directory + ": cannot be read: " + error.message());
+  return entries;
+}
+
+bool
+isThere(const std::string& path)
+{
+  std::error_code error;
+  return fs::exists(fs::symlink_status(path, error));
+}
+
+/** A directory with other files is that of somebody else: nothing there may be removed.
+ */
+void
+requireOwn(const std::string& directory)
+{
+  const std::vector<fs::path> entries = entriesOf(directory);
+  if (!isThere(directory + '/' + manifest_name) &&
+      std::any_of(entries.begin(), entries.end(), [](const fs::path& entry) {
+        return entry.filename() != lock_name;
+      }))
+    throw TilingError(directory +
+                      ": holds other files; expected a new or empty directory");
+}
+
+void
+removeFile(const fs::path& path)
+{
+  std::error_code error;
+  fs::remove(path, error);
+  if (error)
+    throw TilingError(path.string() + ": cannot be removed: " + error.message());
+}
+
+enum class FileOfTile { none, complete, unfinished };
+
+/** By its name: 000012.bin, or 000012.bin.345.tmp while process 345 writes it. */
+FileOfTile
+kindOf(const fs::path& path)
+{
+  static const std::regex names("[0-9]{6,}\\.bin(\\.[0-9]+\\.tmp)?");
+  std::smatch parts;
+  const std::string name = path.filename().string();
+  if (!std::regex_match(name, parts, names))
+    return FileOfTile::none;
+  return parts[1].matched ? FileOfTile::unfinished : FileOfTile::complete;
 }
 
 /** How the sources are divided. */
@@ -160,14 +242,15 @@ public:
       throw TilingError("0 points for a tile; expected at least one");
     if (team.isFirst()) {
       makeDirectory(directory);
+      requireOwn(directory);
       lock_.emplace(directory);
       removeUnfinished();
-      manifest_.emplace(directory + "/manifest.jsonl", true);
+      manifest_.emplace(directory + '/' + manifest_name, true);
       begin();
     }
     team.meet();
     if (!team.isFirst())
-      manifest_.emplace(directory + "/manifest.jsonl", false);
+      manifest_.emplace(directory + '/' + manifest_name, false);
     readRecords();
   }
 
@@ -207,7 +290,7 @@ public:
     const TileFile& own = fileOf(tile);
     TilePoints points{own.points(), 0};
     points.own = points.points.size();
-    const Box around = own.box().grown(halo);
+    const Box around = own.box().grown(halo + roundingOf(own.box(), halo));
     for (std::size_t other = 0; other < plan().points.size(); ++other)
       if (other != tile && plan().points[other] > 0 &&
           around.meets(fileOf(other).box()))
@@ -256,16 +339,36 @@ public:
     if (!decisions_.count(name) && team_.isFirst())
       add({{"event", "decision"}, {"name", name}, {"value", find()}});
     refresh();
-    return decisions_.at(name);
+    const auto found = decisions_.find(name);
+    if (found == decisions_.end())
+      throw TilingError(directory_ + ": has no decision on " + name +
+                        "; expected the first rank to write one");
+    return found->second;
   }
 
+  /** What this class has made; the manifest is the last to go, so that a directory is
+   * known until it is empty. */
   void
   remove()
   {
     team_.meet();
-    std::error_code error;
-    if (team_.isFirst() && fs::remove_all(directory_, error) > 0 && error)
-      throw TilingError(directory_ + ": cannot be removed: " + error.message());
+    if (!team_.isFirst())
+      return;
+    for (const auto& [name, results] : complete_)
+      names_.insert(name);
+    for (const std::string& name : names_) {
+      const std::string directory = directory_ + '/' + name;
+      if (!isThere(directory))
+        continue;
+      for (const fs::path& file : entriesOf(directory))
+        if (kindOf(file) != FileOfTile::none)
+          removeFile(file);
+      removeFile(directory);
+    }
+    removeFile(directory_ + '/' + manifest_name);
+    removeFile(directory_ + '/' + lock_name);
+    lock_.reset(); // NFS keeps a removed file in its directory until it is closed
+    removeFile(directory_);
   }
 
 private:
@@ -283,15 +386,21 @@ private:
     team_.meet();
     if (team_.isFirst())
       return;
-    manifest_.emplace(directory_ + "/manifest.jsonl", false);
+    manifest_.emplace(directory_ + '/' + manifest_name, false);
     readRecords();
   }
 
   void
   readRecords()
   {
-    for (const Record& record : manifest_->records())
-      read(record);
+    try {
+      for (const Record& record : manifest_->records())
+        read(record);
+    }
+    catch (const Record::exception& error) {
+      throw TilingError(directory_ + '/' + manifest_name + ": has an unknown record (" +
+                        error.what() + "); expected a manifest of this version");
+    }
   }
 
   void
@@ -335,14 +444,16 @@ private:
 
   /** Files that a killed run has not renamed. */
   void
-  removeUnfinished()
+  removeUnfinished() const
   {
-    std::vector<fs::path> unfinished;
-    for (const auto& entry : fs::recursive_directory_iterator(directory_))
-      if (entry.path().extension() == ".tmp")
-        unfinished.push_back(entry.path());
-    for (const fs::path& path : unfinished)
-      fs::remove(path);
+    for (const fs::path& entry : entriesOf(directory_)) {
+      std::error_code error;
+      if (!fs::is_directory(fs::symlink_status(entry, error)))
+        continue;
+      for (const fs::path& file : entriesOf(entry.string()))
+        if (kindOf(file) == FileOfTile::unfinished)
+          removeFile(file);
+    }
   }
 
   Plan
@@ -353,10 +464,11 @@ private:
     for (const auto& source : sources_)
       source->read([&](const Position* points, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) {
-          const bool is_finite = isFinite(points[i]);
+          const std::array<float, 3> floats = floatsOf(points[i], offset_);
+          const bool is_finite = isFinite(floats);
           ++(is_finite ? finite : not_finite);
           if (is_finite)
-            cells.add(floatsOf(points[i], offset_).data());
+            cells.add(floats.data());
         }
       });
     if (finite == 0)
@@ -405,9 +517,10 @@ private:
   compute(const std::string& name, const std::function<Bytes(std::size_t)>& function)
   {
     team_.meet(); // before the first one adds files that others count as missing
+    // What is missing is asked by each rank for itself, and file systems may answer
+    // differently: the list of the first one counts, so that all of them run.
     const std::vector<std::size_t> missing = missingOf(name);
-    if (missing.empty())
-      return;
+    names_.insert(name);
     makeDirectory(directory_ + '/' + name);
     std::string failure;
     team_.run(
@@ -446,7 +559,7 @@ private:
          {"bytes", std::stoull(result.substr(0, space))},
          {"check", result.substr(space + 1)}});
     if (name == tiles_name)
-      fs::remove(pathOf(buckets_name, tile));
+      removeFile(pathOf(buckets_name, tile));
   }
 
   /** Points to buckets, one for each tile, in the order of the sources; a bucket
@@ -478,8 +591,10 @@ private:
   fillBuckets(const std::vector<std::size_t>& tiles)
   {
     const std::string directory = directory_ + '/' + buckets_name;
-    fs::remove_all(directory);
     makeDirectory(directory);
+    for (const fs::path& file : entriesOf(directory))
+      if (kindOf(file) != FileOfTile::none)
+        removeFile(file);
     constexpr std::size_t no_bucket = ~std::size_t{0};
     std::vector<std::size_t> bucket_of(plan().points.size(), no_bucket);
     for (std::size_t b = 0; b < tiles.size(); ++b)
@@ -496,10 +611,10 @@ private:
     for (const auto& source : sources_)
       source->read([&](const Position* points, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) {
-          if (!isFinite(points[i]))
+          const std::array<float, 3> floats = floatsOf(points[i], offset());
+          if (!isFinite(floats))
             continue;
-          const std::size_t b =
-              bucket_of[plan().tree.tileOf(floatsOf(points[i], offset()).data())];
+          const std::size_t b = bucket_of[plan().tree.tileOf(floats.data())];
           if (b == no_bucket)
             continue;
           buckets[b].push_back(points[i]);
@@ -513,6 +628,23 @@ private:
     if (!haveBuckets(tiles))
       throw TilingError(directory + ": the sources have other points than before; "
                                     "expected sources that do not change");
+  }
+
+  /** Neighbors are found in float: by how much two coordinates there may be nearer than
+   * in double. Without a halo there are no neighbors. */
+  double
+  roundingOf(const Box& box, double halo) const
+  {
+    if (halo <= 0.0)
+      return 0.0;
+    double largest = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      largest = std::max({largest,
+                          std::abs(box.low[axis] - offset()[axis]),
+                          std::abs(box.high[axis] - offset()[axis])});
+    // Each of the two coordinates by half an epsilon, and their difference.
+    constexpr double share = 2.0 * std::numeric_limits<float>::epsilon();
+    return share * (largest + halo);
   }
 
   const TileFile&
@@ -533,6 +665,7 @@ private:
   Position offset_{};
   std::optional<Plan> plan_;
   std::map<std::string, std::map<std::size_t, Complete>> complete_;
+  std::set<std::string> names_{tiles_name, buckets_name}; ///< of directories
   std::map<std::string, std::string> decisions_;
   std::vector<std::unique_ptr<TileFile>> files_;
 };
@@ -598,6 +731,12 @@ std::size_t
 TiledCloud::tileOf(const Position& point) const
 {
   return state_->plan().tree.tileOf(floatsOf(point, state_->offset()).data());
+}
+
+bool
+TiledCloud::holds(const Position& point) const
+{
+  return isFinite(floatsOf(point, state_->offset()));
 }
 
 TilePoints

@@ -124,11 +124,21 @@ RunningApp::waitUntil(const std::function<bool()>& condition)
       return;
     if (waitpid(process_, nullptr, WNOHANG) != 0) {
       process_ = -1;
+      if (condition())
+        return; // it came true, and then the app ended
       throw std::runtime_error("the app ended before what was waited for");
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   throw std::runtime_error("what was waited for did not happen within a minute");
+}
+
+void
+RunningApp::stop() const
+{
+  if (process_ < 0)
+    throw std::runtime_error("the app has ended; expected it to run");
+  ::kill(process_, SIGSTOP);
 }
 
 void

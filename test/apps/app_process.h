@@ -43,6 +43,9 @@ public:
   /** \throws std::runtime_error if the app ends before, or after a minute */
   void waitUntil(const std::function<bool()>& condition);
 
+  /** \brief SIGSTOP: it is there, and does nothing. */
+  void stop() const;
+
   /** \brief SIGKILL, and wait for the end. */
   void kill();
 

@@ -4,6 +4,7 @@
 
 #include "app_test.h"
 #include "io/any_cloud.h"
+#include "io/cloud_stream.h"
 #include "io/pcd.h"
 #include "io/ply.h"
 
@@ -16,6 +17,9 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+
+#include <sys/resource.h>
 
 namespace {
 
@@ -177,6 +181,40 @@ TEST_F(Streams, ALimitOfTheFileSizeLeavesNothing)
   EXPECT_EQ(outcome.status, -SIGXFSZ) << outcome.err;
   EXPECT_NE(outcome.err.find("SIGXFSZ"), std::string::npos) << outcome.err;
   EXPECT_EQ(files(), Words{"in.pcd"});
+}
+
+long
+mostKilobytes()
+{
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+TEST_F(Streams, ManyShortLinesNeedLittleMemory)
+{
+  constexpr std::size_t lines = 6'000'000; // 36 MB
+  const std::string cloud = path("short.pcd");
+  {
+    std::string header = asciiCloud("x y z", "F F F", {"0 0 0"});
+    for (const std::string word : {"WIDTH 1\n", "POINTS 1\n"})
+      header.replace(header.find(word) + word.size() - 2, 1, std::to_string(lines));
+    std::ofstream out(cloud);
+    out << header;
+    for (std::size_t i = 1; i < lines; ++i)
+      out << "0 0 0\n";
+  }
+  const CloudStream stream(cloud);
+  std::size_t points = 0, parts = 0;
+  long before = 0;
+  stream.forEachPart([&](const CloudFile& part) {
+    points += part.size();
+    constexpr std::size_t warm = 4; // after these parts all buffers are there
+    if (++parts == warm)
+      before = mostKilobytes();
+  });
+  EXPECT_EQ(points, lines);
+  EXPECT_LT(mostKilobytes() - before, 12'000);
 }
 
 } // namespace

@@ -167,6 +167,7 @@ withTrouble(TilePointCloud points)
   for (std::size_t i = 0; i < size / 200; ++i)
     points.push_back({nan, 1.0, 2.0});
   points.push_back({1.0, std::numeric_limits<double>::infinity(), 2.0});
+  points.push_back({1.0, 2.0, 1e300}); // finite, but not as float
   return points;
 }
 

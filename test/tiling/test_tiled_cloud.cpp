@@ -114,15 +114,36 @@ TEST_F(TiledClouds, HaveAllPointsAround)
         low[axis] = std::min(low[axis], of_tile.points[i][axis]);
         high[axis] = std::max(high[axis], of_tile.points[i][axis]);
       }
-    std::vector<Position> expected;
-    for (const Position& p : points)
-      if (p[0] >= low[0] - halo && p[0] <= high[0] + halo && p[1] >= low[1] - halo &&
-          p[1] <= high[1] + halo && p[2] >= low[2] - halo && p[2] <= high[2] + halo)
-        expected.push_back(p);
-    std::sort(expected.begin(), expected.end());
+    const auto around = [&](double distance) {
+      std::vector<Position> found;
+      for (const Position& p : points)
+        if (p[0] >= low[0] - distance && p[0] <= high[0] + distance &&
+            p[1] >= low[1] - distance && p[1] <= high[1] + distance &&
+            p[2] >= low[2] - distance && p[2] <= high[2] + distance)
+          found.push_back(p);
+      std::sort(found.begin(), found.end());
+      return found;
+    };
+    constexpr double rounding = 2e-5; // of float, of coordinates up to 50
+    const std::vector<Position> least = around(halo), most = around(halo + rounding);
     std::sort(of_tile.points.begin(), of_tile.points.end());
-    EXPECT_EQ(of_tile.points, expected);
+    const auto& loaded = of_tile.points;
+    EXPECT_TRUE(
+        std::includes(loaded.begin(), loaded.end(), least.begin(), least.end()));
+    EXPECT_TRUE(std::includes(most.begin(), most.end(), loaded.begin(), loaded.end()));
   }
+}
+
+TEST_F(TiledClouds, HaveTheNeighborsOfFloats)
+{
+  // As floats, which are half a millimeter apart there, the points are 1 m apart.
+  const TiledCloud::Sources two{std::make_shared<MemorySource>(
+      "two", std::vector<Position>{{4999.9998, 0.0, 0.0}, {5001.0002, 0.0, 0.0}})};
+  TiledCloud of_two(temporary.path() + "/two", two, {1, 0.0, "x"}, *team);
+  of_two.partition();
+  ASSERT_EQ(of_two.size(), 2U);
+  EXPECT_EQ(of_two.load(0, 1.0).points.size(), 2U);
+  EXPECT_EQ(of_two.load(0, 0.99).points.size(), 1U);
 }
 
 TEST_F(TiledClouds, GoOnWithWhatIsMissing)
@@ -213,6 +234,22 @@ TEST_F(TiledClouds, AreUsedByOneRun)
   EXPECT_NE(error.find("another run"), std::string::npos) << error;
 }
 
+TEST_F(TiledClouds, CountWhatIsTooLargeForFloat)
+{
+  points[20] = {1e300, 0.0, 0.0};
+  points[21] = {0.0, -std::numeric_limits<double>::max(), 0.0};
+  cloud.reset();
+  std::filesystem::remove_all(directory);
+  divide();
+  EXPECT_EQ(cloud->countNotFinite(), 3U);
+  EXPECT_FALSE(cloud->holds(points[20]));
+  EXPECT_TRUE(cloud->holds(points[22]));
+  std::size_t count = 0;
+  for (std::size_t tile = 0; tile < cloud->size(); ++tile)
+    count += cloud->load(tile, 0.0).own;
+  EXPECT_EQ(count, points.size() - 3);
+}
+
 TEST_F(TiledClouds, RefuseWhatCannotBe)
 {
   EXPECT_FALSE(
@@ -229,6 +266,27 @@ TEST_F(TiledClouds, RefuseWhatCannotBe)
               TiledCloud(other, none, {}, *team).partition();
             }).find("none of 3 points"),
             std::string::npos);
+}
+
+TEST_F(TiledClouds, LeaveOtherFilesAlone)
+{
+  const std::string other = temporary.path() + "/other";
+  std::filesystem::create_directory(other);
+  std::ofstream(other + "/000001.bin.2.tmp") << "mine";
+  const auto begin = [&](const std::string& where) {
+    return refusal([&] { TiledCloud(where, sources(), {200, 0.0, "x"}, *team); });
+  };
+  EXPECT_NE(begin(other).find("holds other files"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(other + "/000001.bin.2.tmp"));
+  // What was put into a directory of tiles stays there, too.
+  for (const char* const name : {"/a.tmp", "/tiles/b.tmp", "/tiles/000001.bin.2.tmp"})
+    std::ofstream(directory + name) << "text";
+  divide();
+  EXPECT_FALSE(std::filesystem::exists(directory + "/tiles/000001.bin.2.tmp"));
+  EXPECT_NE(refusal([&] { cloud->remove(); }).find("cannot be removed"),
+            std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(directory + "/a.tmp"));
+  EXPECT_TRUE(std::filesystem::exists(directory + "/tiles/b.tmp"));
 }
 
 TEST_F(TiledClouds, CanBeRemoved)

@@ -62,7 +62,7 @@ public:
 
   std::size_t size() const;
 
-  /** \brief How many points are not finite. */
+  /** \brief How many points are not finite, or too large for float. */
   std::uint64_t countNotFinite() const;
 
   std::uint64_t countFinite() const;
@@ -80,11 +80,16 @@ public:
    * points, meters. */
   double typicalDistance() const;
 
-  /** \brief The tile of a point. */
+  /** \brief Whether a point is of a tile: whether it is finite as floats, after the
+   * offset is subtracted. */
+  bool holds(const Position& point) const;
+
+  /** \brief The tile of a point that holds() is true for. */
   std::size_t tileOf(const Position& point) const;
 
   /** \brief A tile with the points within a distance of it.
-   * \param[in] halo meters, along each axis from the box of the tile's points */
+   * \param[in] halo meters, along each axis from the box of the tile's points; a little
+   * more is loaded, by which floats are rounded */
   TilePoints load(std::size_t tile, double halo) const;
 
   /** \brief What is computed of a tile: any bytes. */
