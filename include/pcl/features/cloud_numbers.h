@@ -28,7 +28,8 @@ struct CloudNumbers {
   double noise = 0.0;       ///< in spacings, see ShapeField
   double noise_level = 0.0; ///< see ShapeField
   double noise_correlation = 0.0; ///< how sure it is that neighbors share noise, 0 to 1
-  std::array<float, 3> low{}, high{}; ///< the box that holds the finite points
+  std::array<float, 3> low{};     ///< of the box that holds the finite points
+  std::array<float, 3> high{};    ///< of the same box
 };
 
 /** \brief What parts of a cloud add to its noise; the order of parts does not matter.
@@ -37,6 +38,7 @@ struct NoiseMeasures {
   std::vector<float> variations;            ///< of the surface around some points
   std::array<std::vector<float>, 8> angles; ///< between normals, for several radii
 
+  /** \brief Add those of another part. \param[in] other is kept */
   PCL_SHAPE_EXPORTS void add(const NoiseMeasures& other);
 };
 
@@ -53,7 +55,8 @@ PCL_SHAPE_EXPORTS float spacingAt(float middle, double distance);
 class PCL_SHAPE_EXPORTS PartOfCloud {
 public:
   /** \param[in] places they are not copied
-   * \param[in] is_measured one for each place */
+   * \param[in] is_measured one for each place
+   * \param[in] threads 0 for all */
   PartOfCloud(const XYZView& places,
               const std::vector<bool>& is_measured,
               unsigned threads);
@@ -67,7 +70,8 @@ public:
   NoiseMeasures measureNoise(const CloudNumbers& numbers, std::uint64_t places) const;
 
   /** \brief Normals of all places, of either sign, and their curvature; four numbers
-   * each, NaN unknown. \param[in] radius in local spacings */
+   * each, NaN unknown. \param[in] numbers of the whole cloud
+   * \param[in] radius in local spacings */
   std::vector<float> normals(const CloudNumbers& numbers, double radius) const;
 
 private:

@@ -45,10 +45,14 @@ struct TileSettings {
  * All methods throw a TilingError that says what is wrong. */
 class TiledCloud {
 public:
+  /** \brief What the points are read from, one after the other. */
   using Sources = std::vector<std::shared_ptr<const PointSource>>;
 
   /** \brief The directory is made if it does not exist. One run at a time uses it.
-   * \param[in] directory of tiles and results alone */
+   * \param[in] directory of tiles and results alone
+   * \param[in] sources of all points
+   * \param[in] settings how large tiles are, and what else decides
+   * \param[in] team the processes that share the work */
   TiledCloud(const std::string& directory,
              const Sources& sources,
              const TileSettings& settings,
@@ -60,13 +64,16 @@ public:
   /** \brief Divide the sources, as far as that was not done before. */
   void partition();
 
+  /** \brief How many tiles there are. */
   std::size_t size() const;
 
   /** \brief How many points are not finite, or too large for float. */
   std::uint64_t countNotFinite() const;
 
+  /** \brief How many points are in tiles. */
   std::uint64_t countFinite() const;
 
+  /** \brief How many points a tile has. */
   std::uint64_t pointsOf(std::size_t tile) const;
 
   /** \brief What to subtract from coordinates before they become floats, as
@@ -88,6 +95,7 @@ public:
   std::size_t tileOf(const Position& point) const;
 
   /** \brief A tile with the points within a distance of it.
+   * \param[in] tile from 0 to size() - 1
    * \param[in] halo meters, along each axis from the box of the tile's points; a little
    * more is loaded, by which floats are rounded */
   TilePoints load(std::size_t tile, double halo) const;
@@ -98,6 +106,8 @@ public:
 
   /** \brief Compute what is missing of a result, the largest tiles first.
    * \param[in] name of letters, digits and underscores
+   * \param[in] halo see load()
+   * \param[in] function called for each tile that is missing
    * \throws TilingError with the first error, after the other tiles are done */
   void run(const std::string& name, double halo, const Function& function);
 
@@ -108,7 +118,8 @@ public:
   std::string pathOf(const std::string& name, std::size_t tile) const;
 
   /** \brief A value that the first process finds and all of them use; kept in the
-   * manifest, so that it is found once. \param[in] find not called if it is known */
+   * manifest, so that it is found once. \param[in] name of the value
+   * \param[in] find not called if it is known */
   std::string decide(const std::string& name, const std::function<std::string()>& find);
 
   /** \brief Remove tiles and results. */
