@@ -71,8 +71,8 @@ coordinateScale(const DoubleXYZ& points, std::size_t of_points = 0)
   const auto isFinite = [](const std::array<double, 3>& p) {
     return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
   };
-  const auto count = static_cast<std::size_t>(
-      std::count_if(points.begin(), points.end(), isFinite));
+  const auto count =
+      static_cast<std::size_t>(std::count_if(points.begin(), points.end(), isFinite));
   std::vector<double> values; // along the axis that was asked for last
   values.reserve(count);
   std::size_t axis = 3;
