@@ -26,8 +26,8 @@ public:
 
   /** \brief Called in the first process, for each task as it ends. \param[in] error
    * empty if there was none */
-  using Report = std::function<
-      void(std::size_t task, const std::string& result, const std::string& error)>;
+  using Report = std::function<void(
+      std::size_t task, const std::string& result, const std::string& error)>;
 
   virtual ~Team() = default;
 
@@ -39,8 +39,9 @@ public:
   }
 
   /** \brief Do tasks, those at the front of the list first. */
-  virtual void
-  run(const std::vector<std::size_t>& tasks, const Work& work, const Report& report) = 0;
+  virtual void run(const std::vector<std::size_t>& tasks,
+                   const Work& work,
+                   const Report& report) = 0;
 
   /** \brief Wait until all ranks are here. */
   virtual void
