@@ -20,8 +20,10 @@ namespace {
 using namespace segmentation;
 using Eigen::Vector3f;
 
-// A corner needs creases that differ near it, where fits see all of its faces ...
-constexpr float near_fits = 0.75f;
+// A corner needs creases that differ near it: within half a fit, where fits see all of
+// its faces, and a spacing more, for in the middle no two planes explain three faces
+// ...
+constexpr float near_fits = 0.5f, near_spacings_more = 1.0f;
 // ... and creases that differ leading there from one to two fits away, where fits see
 // two faces and directions are right,
 constexpr float far_fits = 2.0f;
@@ -56,14 +58,15 @@ isCorner(const ShapeField& edges, const PointGrid& creases, std::size_t i)
 {
   const Vector3f center = positionOf(edges.points, i);
   const float fit = fitSpacings(edges.noise_level) * edges.spacings[i];
+  const float near_reach = near_fits * fit + near_spacings_more * edges.spacings[i];
   const float off = line_spacings * edges.spacings[i];
   const auto direction = [&](std::uint32_t k) {
     return Vector3f(Eigen::Map<const Vector3f>(edges.creases[k].direction.data()));
   };
   Directions near;
-  creases.forEachWithin(center,
-                        near_fits * fitSpacings(edges.noise_level) * edges.spacings[i],
-                        [&](std::uint32_t k, float) { near.push_back(direction(k)); });
+  creases.forEachWithin(center, near_reach, [&](std::uint32_t k, float) {
+    near.push_back(direction(k));
+  });
   if (!differ(near))
     return false;
   Directions leading;
