@@ -174,6 +174,12 @@ fitCrease(const Patch& patch)
 }
 
 float
+wedgeDeviation(const Patch& patch, const CreaseFit& crease)
+{
+  return std::sqrt(crease.wedge_squares / static_cast<float>(patch.points.size()));
+}
+
+float
 planeDeviation(const Patch& patch, const CreaseFit& crease)
 {
   return std::sqrt(crease.plane_squares / static_cast<float>(patch.points.size()));

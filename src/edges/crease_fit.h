@@ -32,8 +32,10 @@ struct CreaseFit {
  * 2000). \return nothing where there are too few points, or planes that are parallel */
 std::optional<CreaseFit> fitCrease(const Patch& patch);
 
-/** \brief Root mean square distance of the points from the nearer plane, in spacings.
- */
+/** \brief Root mean square distance of the points from the wedge, in spacings. */
+float wedgeDeviation(const Patch& patch, const CreaseFit& crease);
+
+/** \brief The same from the nearer plane: less where planes cross. */
 float planeDeviation(const Patch& patch, const CreaseFit& crease);
 
 /** \brief How much better the wedge explains the points than a quadric does, which has

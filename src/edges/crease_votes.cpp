@@ -23,9 +23,13 @@ constexpr float max_evidence = 4.0f;       // 55 to 1: no point alone decides
 // Twice the radius of INAD: clean surface on both sides of the edge.
 constexpr float fit_spacings = 2.0f, fit_per_noise = 10.0f;
 constexpr std::size_t fit_points = 40; // more gave nothing
-// Half the mean distance between points, and twice the noise: beyond, two planes do not
-// describe the points, as in two sheets.
-constexpr float max_plane_deviation = 0.25f, max_plane_noise = 2.0f;
+// Where creases are crowded, that holds more than two planes: then a little more than
+// normals need is tried.
+constexpr float short_fit_spacings = 1.4f, short_fit_per_noise = 5.0f;
+// Spacings, and multiples of the noise: two planes explain no more than a wedge.
+constexpr float clear_deviation = 0.1f, clear_noise = 1.3f;
+// The same beyond which two planes do not describe the points: as in two sheets.
+constexpr float max_plane_deviation = 1.0f / 6.0f, max_plane_noise = 2.0f;
 // That a wedge explains a patch better than a smooth surface counts by half, for
 // neighbors share points; less 2, which the choice among wedges gains by chance.
 constexpr float fit_weight = 0.5f, fit_chance = 2.0f;
@@ -46,14 +50,15 @@ public:
   , whiteness_(whiteness)
   , grid_(grid)
   , reach_(patchSpacings(edges.noise, edges.noise_level))
+  , short_reach_(short_fit_spacings +
+                 short_fit_per_noise * static_cast<float>(edges.noise_level))
   {}
 
   /** Without evidence where there is no crease. */
   Vote
   vote(std::size_t candidate, float evidence)
   {
-    fillPatch(candidate);
-    const std::optional<CreaseFit> crease = fitCrease(patch_);
+    const std::optional<CreaseFit> crease = clearFit(candidate);
     if (!crease || crease->angle < min_angle || crease->foot.norm() > reach_ ||
         isNoPair(*crease))
       return {};
@@ -73,7 +78,7 @@ public:
   }
 
 private:
-  /** Two sheets, or faces of several creases. */
+  /** Two sheets, or faces of several creases, that two planes do not describe. */
   bool
   isNoPair(const CreaseFit& crease) const
   {
@@ -82,9 +87,29 @@ private:
     return whiteness_ > 0.0f && planeDeviation(patch_, crease) > max_deviation;
   }
 
+  /** Within the reach or, if that is no wedge and noise does not explain it, less. */
+  std::optional<CreaseFit>
+  clearFit(std::size_t candidate)
+  {
+    fillPatch(candidate, reach_);
+    std::optional<CreaseFit> crease = fitCrease(patch_);
+    const float clear =
+        std::max(clear_deviation, clear_noise * static_cast<float>(edges_.noise));
+    if (whiteness_ == 0.0f || (crease && wedgeDeviation(patch_, *crease) <= clear))
+      return crease;
+    const Patch wide = std::move(patch_);
+    fillPatch(candidate, short_reach_);
+    const std::optional<CreaseFit> near = fitCrease(patch_);
+    if (near &&
+        (!crease || wedgeDeviation(patch_, *near) < wedgeDeviation(wide, *crease)))
+      return near;
+    patch_ = wide;
+    return crease;
+  }
+
   /** Some of the points around a candidate. */
   void
-  fillPatch(std::size_t candidate)
+  fillPatch(std::size_t candidate, float reach)
   {
     patch_.points.clear();
     patch_.normals.clear();
@@ -92,7 +117,7 @@ private:
     const float spacing = edges_.spacings[candidate];
     const Vector3f center = positionOf(input_.points, candidate);
     grid_.forEachWithin(
-        center, reach_ * spacing, [&](std::uint32_t i, float) { found_.push_back(i); });
+        center, reach * spacing, [&](std::uint32_t i, float) { found_.push_back(i); });
     const std::size_t step = std::max<std::size_t>(1, found_.size() / fit_points);
     for (std::size_t k = 0; k < found_.size(); k += step) {
       const Vector3f normal = edges_.normals[found_[k]];
@@ -108,7 +133,7 @@ private:
   const ShapeField& edges_;
   float whiteness_;
   const PointGrid& grid_;
-  float reach_; ///< spacings
+  float reach_, short_reach_; ///< spacings
   std::vector<std::uint32_t> found_;
   Patch patch_;
 };
