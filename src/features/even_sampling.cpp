@@ -5,10 +5,10 @@
 #include "features/even_sampling.h"
 
 #include "common/finite.h"
+#include "geometry/point_grid.h"
 #include "geometry/voxel_means.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -18,17 +18,14 @@
 namespace pcl::detail {
 namespace {
 
-using Cell = std::array<std::int32_t, 3>;
-
 // Spacings are sorted into levels, two to an octave.
 constexpr double levels_per_octave = 2.0;
 // A change by more than a factor of 1.4 to 2 over this many spacings of the sparser
 // part is a step: neighborhoods are up to 7 spacings wide, on either side of a point.
 constexpr double reach_spacings = 6.0;
 constexpr int max_level_step = 1;
-constexpr std::size_t min_points = 4;  // fewer in a cell are strays
+constexpr std::size_t min_points = 4;  // fewer within reach are strays
 constexpr double voxel_spacings = 0.5; // the mean distance of points at random
-constexpr double max_cell = 1 << 30;
 constexpr int no_level = std::numeric_limits<int>::min();
 
 double
@@ -46,43 +43,44 @@ levelOf(float spacing)
              : no_level;
 }
 
-Cell
-cellOf(const float* point, double size)
-{
-  Cell cell{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    cell[axis] = static_cast<std::int32_t>(
-        std::clamp(std::floor(point[axis] / size), -max_cell, max_cell));
-  return cell;
-}
+/** Points of a level, to find the denser ones near them. */
+class Level {
+public:
+  Level(const XYZView& points, const std::vector<std::size_t>& members, double spacing)
+  : reach_(static_cast<float>(reach_spacings * spacing))
+  , positions_(positionsOf(points, members))
+  , grid_({positions_.data(), 3, members.size()}, reach_)
+  {}
 
-/** The cells that hold enough points of a level, and those around them; sorted. */
-std::vector<Cell>
-cellsAround(const XYZView& points, const std::vector<std::size_t>& members, double size)
-{
-  std::vector<Cell> of_points;
-  of_points.reserve(members.size());
-  for (const std::size_t i : members)
-    of_points.push_back(cellOf(points[i], size));
-  std::sort(of_points.begin(), of_points.end());
-  std::vector<Cell> cells;
-  for (std::size_t begin = 0, end = 0; begin < of_points.size(); begin = end) {
-    const Cell& cell = of_points[begin];
-    while (end < of_points.size() && of_points[end] == cell)
-      ++end;
-    if (end - begin < min_points)
-      continue;
-    for (std::int32_t x = -1; x <= 1; ++x)
-      for (std::int32_t y = -1; y <= 1; ++y)
-        for (std::int32_t z = -1; z <= 1; ++z)
-          cells.push_back({cell[0] + x, cell[1] + y, cell[2] + z});
+  bool
+  isNear(const float* point) const
+  {
+    std::size_t count = 0;
+    return grid_.anyWithin(
+        Eigen::Map<const Eigen::Vector3f>(point),
+        reach_,
+        [&](std::uint32_t, const Eigen::Vector3f&) { return ++count == min_points; });
   }
-  std::sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  return cells;
-}
 
-/** The level that each point should have: its own, or about that of what is near. */
+private:
+  static std::vector<float>
+  positionsOf(const XYZView& points, const std::vector<std::size_t>& members)
+  {
+    std::vector<float> positions;
+    positions.reserve(3 * members.size());
+    for (const std::size_t i : members)
+      positions.insert(positions.end(), points[i], points[i] + 3);
+    return positions;
+  }
+
+  float reach_; ///< meters
+  std::vector<float> positions_;
+  segmentation::PointGrid grid_;
+};
+
+/** The level that each point should have: its own, or a step below that of sparser
+ * points near it; a step above points that are denser still, as far as these are near.
+ */
 std::vector<int>
 wantedLevels(const XYZView& points, const std::vector<int>& levels)
 {
@@ -91,13 +89,21 @@ wantedLevels(const XYZView& points, const std::vector<int>& levels)
     if (levels[i] != no_level)
       members[levels[i]].push_back(i);
   std::vector<int> wanted = levels;
-  for (const auto& [level, of_level] : members) {
-    const double size = reach_spacings * spacingOf(level);
-    const std::vector<Cell> cells = cellsAround(points, of_level, size);
-    for (std::size_t i = 0; i < levels.size(); ++i)
-      if (wanted[i] != no_level && wanted[i] < level - max_level_step &&
-          std::binary_search(cells.begin(), cells.end(), cellOf(points[i], size)))
-        wanted[i] = level;
+  for (auto& [level, of_level] : members) {
+    const auto is_raised = [&, here = level](std::size_t i) {
+      return wanted[i] != here;
+    };
+    of_level.erase(std::remove_if(of_level.begin(), of_level.end(), is_raised),
+                   of_level.end());
+    if (of_level.size() < min_points)
+      continue;
+    const int below = level - max_level_step;
+    const Level sparse(points, of_level, spacingOf(level));
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (wanted[i] != no_level && wanted[i] < below && sparse.isNear(points[i])) {
+        wanted[i] = below;
+        members[below].push_back(i);
+      }
   }
   return wanted;
 }

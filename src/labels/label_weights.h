@@ -14,8 +14,8 @@ struct LabelWeights {
   std::array<double, 5> features;
 };
 
-constexpr LabelWeights planar_weights{0.1392, {0.3308, 1.487, 0.1223, 2.463, 0.988}};
-constexpr LabelWeights curved_weights{-1.256, {1.567, 0.09238, 0.0297, 2.821, 0}};
-constexpr LabelWeights edge_weights{-2.191, {0.7165, 0.5148, 3.479, 2.875, 2.393}};
+constexpr LabelWeights planar_weights{-1.11, {0.594, 1.44, 0.4828, 1.769, 0.1914}};
+constexpr LabelWeights curved_weights{0.7913, {0.65, 1.044, 0, 4.616, 0.05914}};
+constexpr LabelWeights edge_weights{-7.072, {0.9283, 1.576, 3.113, 2.915, 1.419}};
 
 } // namespace pcl::segmentation

@@ -9,6 +9,7 @@
 #include "edges/edge_detection.h"
 #include "features/even_sampling.h"
 #include "geometry/voxel_means.h"
+#include "segmentation/uneven_field.h"
 #include "surfaces/surface_classification.h"
 
 #include <pcl/features/distinct_points.h>
@@ -138,12 +139,15 @@ baseOf(const FieldRequest& request)
             max_unknown * static_cast<double>(countFinite(request.surface)) ||
         request.has_normals || request.of_cloud)
       return {std::move(field), false};
-    const auto even = std::make_shared<const std::vector<float>>(
-        evenSampling(request.surface, plainSpacings(request, finderAmong({}))));
-    ShapeField evened = fieldOf(
-        request, even, {even->data(), 3, even->size() / 3}, finderAmong(*even), true);
-    if (countUnknown(request.surface, evened, request.threads) < unknown)
-      return {std::move(evened), true};
+    const std::vector<float> spacings = plainSpacings(request, finderAmong({}));
+    const std::vector<float> even = evenSampling(request.surface, spacings);
+    const ShapeField means = fieldOf(
+        request, nullptr, {even.data(), 3, even.size() / 3}, finderAmong(even), true);
+    if (countUnknown(request.surface, means, request.threads) < unknown) {
+      field = fieldOf(
+          request, request.surface_owner, request.surface, finderAmong({}), true);
+      takeFromMeans(means, spacings, request.threads, field);
+    }
     return {std::move(field), false};
   }
   const auto means = std::make_shared<const std::vector<float>>(

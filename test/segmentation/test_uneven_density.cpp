@@ -126,10 +126,62 @@ TEST(EvenSampling, KeepsWhatIsEvenAndThinsWhatIsDenseBesideIt)
   EXPECT_LT(thinned, 160u);
 }
 
-TEST(EvenSampling, LeavesAnEvenCloudAsItIs)
+/** Rows of five points whose spacing grows by a factor from each row to the next. */
+std::vector<float>
+growingSpacings(float factor, std::vector<float>& points)
+{
+  std::vector<float> spacings;
+  float x = 0.0f;
+  for (float d = 0.001f; d < 0.02f; d *= factor) {
+    for (const float y : {-2.0f, -1.0f, 0.0f, 1.0f, 2.0f}) {
+      points.insert(points.end(), {x, y * d, 0.0f});
+      spacings.push_back(d);
+    }
+    x += d;
+  }
+  return spacings;
+}
+
+TEST(EvenSampling, LeavesASlowChangeAsItIsAndGradesAQuickOne)
+{
+  // As on a table that a camera sees at a small angle: twice in 35 spacings.
+  std::vector<float> slow;
+  const std::vector<float> slow_spacings = growingSpacings(1.02f, slow);
+  EXPECT_EQ(detail::evenSampling({slow.data(), 3, slow.size() / 3}, slow_spacings),
+            slow);
+  // Twice in 4 spacings: thinned, but by no more than the change over its neighborhood.
+  std::vector<float> quick;
+  const std::vector<float> quick_spacings = growingSpacings(1.2f, quick);
+  const std::vector<float> even =
+      detail::evenSampling({quick.data(), 3, quick.size() / 3}, quick_spacings);
+  EXPECT_LT(even.size(), quick.size());
+  EXPECT_GT(even.size(), quick.size() / 3);
+}
+
+TEST(UnevenField, DensePointsKeepTheirSpacingAndSparseOnesHaveTheirs)
 {
   std::mt19937 random(7);
-  EXPECT_FALSE(fieldOf(floorWithStripe(1.0f, random)).base);
+  const float times = 5.0f;
+  const Cloud::Ptr cloud = floorWithStripe(times, random);
+  const ShapeField field = fieldOf(cloud);
+  std::size_t dense = 0, coarse = 0, sparse = 0, fine = 0;
+  for (std::size_t i = 0; i < cloud->size(); ++i) {
+    const PointXYZ& p = (*cloud)[i];
+    if (p.z > 0.0f || p.y > 0.8f) // the floor, away from the wall
+      continue;
+    if (p.x > stripe_from + spacing && p.x < stripe_to - spacing) {
+      ++dense; // the distance to the 12th neighbor is two mean distances
+      coarse += field.spacings[i] > 3.0f * spacing / times ? 1 : 0;
+    }
+    else if (p.x < stripe_from - 3.0f * spacing) {
+      ++sparse;
+      fine += field.spacings[i] < 1.2f * spacing ? 1 : 0;
+    }
+  }
+  ASSERT_GT(dense, 1000u);
+  ASSERT_GT(sparse, 100u);
+  EXPECT_LT(100 * coarse, dense);
+  EXPECT_LT(100 * fine, sparse);
 }
 
 } // namespace

@@ -80,7 +80,7 @@ struct ShapeField {
   double resolution = 0.0; ///< meters, 0 for the cloud's own
   /** \brief What the values were computed for, if these are not the cloud's own points:
    * the voxel means at the resolution, the points of another search surface, or, if
-   * points are equal, one for each place, or an even sampling of an uneven cloud.
+   * points are equal, one for each place.
    * Without a base no two points are equal. */
   ConstPtr base;
   std::vector<std::int32_t>

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// The field of an uneven cloud: from its points, and from means that even it out.
+
+#pragma once
+
+#include <pcl/segmentation/shape_field.h>
+
+#include <vector>
+
+namespace pcl::detail {
+
+/** \brief Take the values of means that stand for a field's points, and their creases,
+ * except where the means are coarser than the points: there they serve the sparser
+ * points beside. \param[in] spacings of the points, as they are, meters */
+void takeFromMeans(const ShapeField& means,
+                   const std::vector<float>& spacings,
+                   unsigned threads,
+                   ShapeField& field);
+
+} // namespace pcl::detail
