@@ -158,7 +158,7 @@ noiseOf(const Neighborhoods& neighborhoods, const std::vector<float>& spacings)
 {
   const XYZView& points = neighborhoods.input();
   return noiseOfVariations(
-      variationsAt(noisePoints(points, points.size), neighborhoods, spacings));
+      variationsAt(noisePoints(points, countFinite(points)), neighborhoods, spacings));
 }
 
 pcl::Indices

@@ -40,7 +40,7 @@ hashOf(const float* point)
 pcl::Indices
 somePoints(const XYZView& points, std::size_t count)
 {
-  return somePoints(points, count, points.size);
+  return somePoints(points, count, kernels::countFinite(points));
 }
 
 pcl::Indices

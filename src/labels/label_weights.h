@@ -14,8 +14,8 @@ struct LabelWeights {
   std::array<double, 5> features;
 };
 
-constexpr LabelWeights planar_weights{-1.11, {0.594, 1.44, 0.4828, 1.769, 0.1914}};
-constexpr LabelWeights curved_weights{0.7913, {0.65, 1.044, 0, 4.616, 0.05914}};
-constexpr LabelWeights edge_weights{-7.072, {0.9283, 1.576, 3.113, 2.915, 1.419}};
+constexpr LabelWeights planar_weights{-1.149, {0.5816, 1.486, 0.4877, 1.749, 0.1644}};
+constexpr LabelWeights curved_weights{0.9056, {0.6163, 1.054, 0, 4.817, 0.1101}};
+constexpr LabelWeights edge_weights{-7.229, {0.8824, 1.607, 2.842, 2.911, 1.218}};
 
 } // namespace pcl::segmentation

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <tuple>
 
@@ -564,6 +565,30 @@ TEST_F(OneField, OfASearchSurface)
   ASSERT_EQ(queries->size(), labels.labels.size());
   EXPECT_GT(std::count(labels.labels.begin(), labels.labels.end(), 1U), 500);
   EXPECT_EQ(0.0f, labels.confidence.back());
+}
+
+TEST_F(OneField, PointsThatAreNotFiniteDoNotMatter)
+{
+  const auto with_gaps = make_shared<Cloud>();
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const PointXYZ& point : *cloud_) {
+    with_gaps->push_back(point);
+    with_gaps->push_back(PointXYZ(nan, nan, nan));
+  }
+  with_gaps->is_dense = false;
+  Estimation estimation;
+  const auto field = fieldOf(estimation, with_gaps);
+  const auto everyOther = [](const Numbers& numbers) {
+    Numbers finite;
+    for (std::size_t i = 0; i < numbers.size(); i += 2)
+      finite.push_back(numbers[i]);
+    return finite;
+  };
+  EXPECT_EQ(field_->noise, field->noise);
+  EXPECT_EQ(field_->noise_level, field->noise_level);
+  EXPECT_TRUE(sameBits(field_->edge_likelihood, everyOther(field->edge_likelihood)));
+  for (std::size_t c = 0; c < field->likelihoods.size(); ++c)
+    EXPECT_TRUE(sameBits(field_->likelihoods[c], everyOther(field->likelihoods[c])));
 }
 
 TEST_F(OneField, ThreadsDoNotMatter)
