@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(Places,
                                          Place{StreetPlace::Canopy, "canopy", 0.97},
                                          Place{StreetPlace::Bumps, "bumps", 0.95},
                                          Place{StreetPlace::Deck, "deck", 0.95},
-                                         Place{StreetPlace::Country, "country", 0.88}),
+                                         Place{StreetPlace::Country, "country", 0.97}),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(GroundOfWetStreets, MirroredPointsBelowItAreNone)
