@@ -220,27 +220,33 @@ coarseGround(const GroundCells& cells,
   return planes;
 }
 
-/** Moves the sets that are at the height of the ground nearest to them from the
- * candidates to the ground, by vote.
+/** Moves the sets that are at the height of the ground nearest to them, or so far below
+ * that a slope may lead there, from the candidates to the ground, by vote. Nothing but
+ * ground is below the ground; the slope itself may be hidden behind its crest.
  * \param[in] coarse tells heights along the ground; without, the planes of patches do
  * \return whether there were any */
 bool
 addLowSets(const GroundCells& cells,
            const GroundPatches& all,
            const std::vector<CoarsePlane>& coarse,
-           float max_step,
+           const GroundParameters& parameters,
            std::vector<Candidate>& candidates,
            std::vector<char>& ground)
 {
   struct Votes {
     std::size_t patches = 0, low = 0, high = 0;
   };
+  const float steepest = std::tan(parameters.max_slope);
   const auto isLow = [&](std::size_t base, std::size_t patch) {
     const GroundPatch &a = all.patches[base], &b = all.patches[patch];
-    if (coarse.empty())
-      return a.continuesTo(b, max_step);
-    const CoarsePlane& plane = coarse[cells.bins[base] / bins_per_octave];
-    return std::abs(plane.above(b) - plane.above(a)) <= a.maxRise(b.x, b.y, max_step);
+    const double rise = [&] {
+      if (coarse.empty())
+        return double{a.above(b.x, b.y, b.z)};
+      const CoarsePlane& plane = coarse[cells.bins[base] / bins_per_octave];
+      return plane.above(b) - plane.above(a);
+    }();
+    return std::abs(rise) <= a.maxRise(b.x, b.y, parameters.max_step) ||
+           (rise < 0.0 && a.z - b.z <= steepest * std::hypot(b.x - a.x, b.y - a.y));
   };
   std::vector<Votes> votes(ground.size());
   for (const Candidate& c : candidates) {
@@ -338,7 +344,7 @@ connectedGround(const GroundCells& cells,
         candidates.push_back({i, line, of.set_of[i]});
     }
   }
-  while (addLowSets(cells, all, coarse, max_step, candidates, ground)) {
+  while (addLowSets(cells, all, coarse, parameters, candidates, ground)) {
   }
   std::vector<GroundPatch> fitted = all.patches;
   forEachCell(cells, threads, [&](std::size_t i) {

@@ -81,6 +81,13 @@ INSTANTIATE_TEST_SUITE_P(Places,
                                          Place{StreetPlace::Country, "country", 0.97}),
                          [](const auto& info) { return std::string(info.param.name); });
 
+TEST(GroundOfFields, ALowerOneBehindABankIsFound)
+{
+  const Sensor forward{LidarPattern::Rosette120, 64};
+  const scene::LidarScan scan = scanOf(StreetPlace::Country, forward, 502);
+  EXPECT_GE(f1(likelihoodsOf(cloudOf(scan)), scan.ground), 0.97);
+}
+
 TEST(GroundOfWetStreets, MirroredPointsBelowItAreNone)
 {
   for (const unsigned beams : {16U, 64U}) {
