@@ -8,10 +8,12 @@
 #include "cli/filter_app.h"
 #include "cli/report.h"
 #include "evaluation/evaluation_tasks.h"
+#include "evaluation/objects.h"
 #include "io/any_cloud.h"
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
 
 namespace {
@@ -109,11 +111,50 @@ evaluateInstancePoints(const TaskPoints& selected, Report& report)
   report.setNumber("", "mean_matched_iou", evaluation.mean_matched_iou);
 }
 
+/** \throws UsageError for an option of another task */
+ObjectRules
+objectRules(const Arguments& arguments, const std::string& task)
+{
+  for (const char* option : {"parts", "min_points"})
+    if (arguments.has(option) && task != "objects")
+      throw UsageError("-" + std::string(option) + " with -task '" + task +
+                       "'; expected -task objects");
+  constexpr std::uint64_t max = std::numeric_limits<std::uint32_t>::max();
+  ObjectRules rules;
+  rules.parts = static_cast<std::uint32_t>(
+      arguments.integer("parts", 1, max).value_or(rules.parts));
+  rules.min_points = arguments.integer("min_points", 1, max).value_or(rules.min_points);
+  return rules;
+}
+
+void
+evaluateObjectPoints(const TaskPoints& selected,
+                     const ObjectRules& rules,
+                     Report& report)
+{
+  const ObjectEvaluation evaluation = evaluateObjects(selected.points, rules);
+  printScore("overlap", evaluation.overlap);
+  std::printf("objects %llu, instances %llu, found with an IoU of %.1f: %llu (%.3f)\n",
+              static_cast<unsigned long long>(evaluation.objects),
+              static_cast<unsigned long long>(evaluation.instances),
+              min_found_iou,
+              static_cast<unsigned long long>(evaluation.found),
+              evaluation.foundShare());
+  report.setCount("parameters", "parts", rules.parts);
+  report.setCount("parameters", "min_points", rules.min_points);
+  reportScore("overlap", evaluation.overlap, report);
+  report.setCount("", "objects", evaluation.objects);
+  report.setCount("", "predicted_instances", evaluation.instances);
+  report.setCount("", "found", evaluation.found);
+  report.setNumber("", "found_share", evaluation.foundShare());
+}
+
 /** -out is for tasks of one class against the rest. */
 void
 checkOut(const Arguments& arguments, const std::string& task)
 {
-  if (arguments.has("out") && (task == "instance" || task == "label"))
+  if (arguments.has("out") &&
+      (task == "instance" || task == "objects" || task == "label"))
     throw UsageError("-out with -task '" + task +
                      "'; expected -task edge, planar, curved or ground");
   checkOutputPath(arguments, "out", arguments.operands(2));
@@ -139,6 +180,7 @@ run(const Arguments& arguments)
   const auto& operands = arguments.operands(2);
   const std::string task = arguments.choice("task", taskNames());
   checkOut(arguments, task);
+  const ObjectRules rules = objectRules(arguments, task);
   const std::string convention = arguments.choice("convention", {"strict", "paper"});
   arguments.threads();
   checkJsonPath(arguments, {operands[0], operands[1], arguments.text("out")});
@@ -176,6 +218,8 @@ run(const Arguments& arguments)
   printHeading(selected, truth.size());
   if (task == "instance")
     evaluateInstancePoints(selected, report);
+  else if (task == "objects")
+    evaluateObjectPoints(selected, rules, report);
   else
     evaluateClasses(selected, report);
   if (task == "label")
@@ -198,7 +242,17 @@ main(int argc, char** argv)
                            "class-mean IoU, accuracy.\nAn unknown prediction counts as "
                            "negative for every class.");
   command_line
-      .option("task", "T", "edge (default), planar, curved, instance, label or ground")
+      .option("task",
+              "T",
+              "edge (default), planar, curved, instance, objects, label or ground")
+      .option("parts",
+              "N",
+              "of -task objects: the truth's labels are N * object + part, e.g. 10 "
+              "(default 1)")
+      .option("min_points",
+              "N",
+              "of -task objects: objects of fewer points need not be found (default "
+              "300)")
       .option("convention",
               "C",
               "strict (default): creases' surroundings left out; paper: creases are "

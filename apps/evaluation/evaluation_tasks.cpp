@@ -61,8 +61,19 @@ struct Task {
   std::vector<ClassScore> classes;
 };
 
+/** Generated scenes have instances; data sets of objects call them labels. */
+std::string
+fieldOfObjects(const CloudFile& truth)
+{
+  if (findField(truth, "instance"))
+    return "instance";
+  if (findField(truth, "label"))
+    return "label";
+  throw InputError(truth.path + ": no field of objects; expected instance or label");
+}
+
 Task
-taskOf(const std::string& name, Convention convention)
+taskOf(const std::string& name, Convention convention, const CloudFile& truth)
 {
   const bool paper = convention == Convention::paper;
   const ClassScore planar_class{"planar", planar, {}};
@@ -91,7 +102,8 @@ taskOf(const std::string& name, Convention convention)
         "ground", "ground", Unknown::likelihood_nan, zero_or_one, {{"ground", 1, {}}}};
   if (name == "label")
     return {"label", "label", Unknown::label_zero, known_label, {}};
-  return {"instance", "instance", Unknown::never, every_label, {}};
+  const std::string field = name == "objects" ? fieldOfObjects(truth) : "instance";
+  return {field, "instance", Unknown::never, every_label, {}};
 }
 
 [[noreturn]] void
@@ -187,7 +199,7 @@ const std::vector<std::string>&
 taskNames()
 {
   static const std::vector<std::string> names{
-      "edge", "planar", "curved", "instance", "label", "ground"};
+      "edge", "planar", "curved", "instance", "objects", "label", "ground"};
   return names;
 }
 
@@ -197,7 +209,7 @@ selectPoints(const std::string& task_name,
              const CloudFile& predicted,
              const CloudFile& truth)
 {
-  const Task task = taskOf(task_name, convention);
+  const Task task = taskOf(task_name, convention, truth);
   const auto coordinates = samePoints(predicted, truth);
   const bool of_scene = task_name == "label" && isScene(truth);
   const Labels truths =

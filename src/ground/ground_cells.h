@@ -32,6 +32,7 @@ struct GroundCells {
   std::vector<std::uint32_t> places; ///< of the points, each once
   std::vector<float> x, y, z;        ///< of the points, z along "up", meters
   float slope_x = 0.0f, slope_y = 0.0f; ///< of the plane that z is measured from
+  float sensor_z = 0.0f;                ///< of the sensor, above that plane
   float extent = 1.0f;                  ///< coordinates are not much larger, meters
 
   std::size_t

@@ -4,6 +4,8 @@
 
 #include "common/finite.h"
 #include "common/number_text.h"
+#include "common/parallel.h"
+#include "common/statistics.h"
 #include "ground/ground_growth.h"
 #include "ground/ground_level.h"
 #include "ground/obstacle_feet.h"
@@ -12,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace pcl {
 namespace {
@@ -22,6 +25,9 @@ using namespace segmentation;
 constexpr float noises = 5.0f;
 constexpr float min_tolerance = 0.2f;
 constexpr float max_tolerance = 0.5f;
+// Where the ground around is rough, as grass of 15 cm is, more is within its blades.
+constexpr float max_rough_tolerance = 0.75f;
+constexpr float deviations = 1.48f; // of a normal distribution, in a median distance
 // Of the tolerance, for feet: the lowest centimeters of a wall are as high as ground.
 constexpr float foot_share = 0.15f;
 
@@ -52,8 +58,60 @@ groundNoise(const GroundCells& cells,
   std::size_t step = 0;
   for (std::uint32_t below = 0; step < steps && 2 * (below += counts[step]) < sum;)
     ++step;
-  constexpr float deviations = 1.48f; // of a normal distribution, in a median distance
   return deviations * limit * (static_cast<float>(step) + 0.5f) / steps;
+}
+
+/** The standard deviation of the points of each cell within a step of its plane, by the
+ * median, without feet; 0 where there is no ground. */
+std::vector<float>
+noiseOfCells(const GroundCells& cells,
+             const GroundPatches& all,
+             const std::vector<char>& ground,
+             const std::vector<char>& feet,
+             float max_step,
+             unsigned threads)
+{
+  std::vector<float> noise(cells.size(), 0.0f);
+  forEachCell(cells, threads, [&](std::size_t cell) {
+    if (!ground[cell])
+      return;
+    std::vector<float> distances;
+    for (std::size_t i = cells.begins[cell]; i < cells.begins[cell + 1]; ++i) {
+      const float above =
+          std::abs(all.patches[cell].above(cells.x[i], cells.y[i], cells.z[i]));
+      if (!feet[i] && above < max_step)
+        distances.push_back(above);
+    }
+    if (!distances.empty())
+      noise[cell] = deviations * median(std::move(distances));
+  });
+  return noise;
+}
+
+using NearPatches = std::array<std::uint32_t, 5>; ///< see nearGround()
+
+/** The noise where it is as large in all directions, as on grass. A wall's lowest
+ * points are in one row of cells; an opening, minimum and maximum, takes such rows
+ * away. */
+std::vector<float>
+roughness(const std::vector<float>& noise,
+          const std::vector<NearPatches>& near,
+          unsigned threads)
+{
+  const auto ofNeighbors = [&](const std::vector<float>& values, const auto& choose) {
+    std::vector<float> chosen(values.size(), 0.0f);
+    kernels::parallelForEach(values.size(), threads, [&](std::size_t cell) {
+      std::optional<float> value;
+      for (const std::uint32_t patch : near[cell])
+        if (patch != no_patch)
+          value = value ? choose(*value, values[patch]) : values[patch];
+      chosen[cell] = value.value_or(0.0f);
+    });
+    return chosen;
+  };
+  const auto lower = [](float a, float b) { return std::min(a, b); };
+  const auto higher = [](float a, float b) { return std::max(a, b); };
+  return ofNeighbors(ofNeighbors(noise, lower), higher);
 }
 
 /** What the points of a cell are compared with. */
@@ -61,7 +119,7 @@ struct NearSurfaces {
   const GroundCells& cells;
   const GroundPatches& all;
   std::size_t cell;
-  std::array<std::uint32_t, 5> patches; ///< see nearGround()
+  const NearPatches& patches;
   float max_step;
 
   /** The likelihood of a point on the ground surface that explains it best. */
@@ -107,12 +165,21 @@ detail::groundLikelihoods(const GroundQuery& query, const GroundParameters& para
   const float tolerance = std::clamp(noises * groundNoise(cells, all, ground, step),
                                      min_tolerance * step,
                                      max_tolerance * step);
+  std::vector<NearPatches> near(cells.size());
+  forEachCell(cells, query.threads, [&](std::size_t cell) {
+    near[cell] = nearGround(all, ground, cell);
+  });
+  const std::vector<float> rough = roughness(
+      noiseOfCells(cells, all, ground, feet, step, query.threads), near, query.threads);
   std::vector<float> of_places(places.x.size());
   forEachCell(cells, query.threads, [&](std::size_t cell) {
-    const NearSurfaces near{cells, all, cell, nearGround(all, ground, cell), step};
+    const NearSurfaces surfaces{cells, all, cell, near[cell], step};
+    const float of_cell =
+        std::max(tolerance, std::min(noises * rough[cell], max_rough_tolerance * step));
     for (std::size_t i = cells.begins[cell]; i < cells.begins[cell + 1]; ++i)
-      of_places[cells.places[i]] =
-          near.likelihoodOf(i, tolerance, feet[i] ? foot_share : 1.0f);
+      of_places[cells.places[i]] = feet[i]
+                                       ? surfaces.likelihoodOf(i, tolerance, foot_share)
+                                       : surfaces.likelihoodOf(i, of_cell, 1.0f);
   });
   std::vector<float> likelihoods(query.size, std::numeric_limits<float>::quiet_NaN());
   for (std::size_t i = 0; i < query.size; ++i)

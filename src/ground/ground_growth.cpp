@@ -7,6 +7,7 @@
 #include "common/disjoint_sets.h"
 
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 
 #include <utility>
 
@@ -220,27 +221,52 @@ coarseGround(const GroundCells& cells,
   return planes;
 }
 
-/** Moves the sets that are at the height of the ground nearest to them from the
- * candidates to the ground, by vote.
+/** The sets that are wider than vehicles in both directions. */
+std::vector<char>
+wideSets(const GroundPatches& all, const std::vector<Candidate>& candidates)
+{
+  constexpr float min_width = 5.0f; // meters: cars are shorter, trucks narrower
+  std::vector<Eigen::AlignedBox2f> boxes(all.patches.size());
+  for (const Candidate& c : candidates)
+    boxes[c.set].extend(
+        Eigen::Vector2f(all.patches[c.patch].x, all.patches[c.patch].y));
+  std::vector<char> wide;
+  for (const Eigen::AlignedBox2f& box : boxes)
+    wide.push_back(!box.isEmpty() && box.sizes().minCoeff() > min_width);
+  return wide;
+}
+
+/** Moves the sets that are at the height of the ground nearest to them, or where a
+ * slope may lead from there, from the candidates to the ground, by vote. Nothing but
+ * ground is below the ground, and what is above it is a field if it is wide and still
+ * below the sensor; the slope itself may be hidden behind its crest, or in a ditch.
  * \param[in] coarse tells heights along the ground; without, the planes of patches do
  * \return whether there were any */
 bool
 addLowSets(const GroundCells& cells,
            const GroundPatches& all,
            const std::vector<CoarsePlane>& coarse,
-           float max_step,
+           const GroundParameters& parameters,
            std::vector<Candidate>& candidates,
            std::vector<char>& ground)
 {
   struct Votes {
     std::size_t patches = 0, low = 0, high = 0;
   };
-  const auto isLow = [&](std::size_t base, std::size_t patch) {
-    const GroundPatch &a = all.patches[base], &b = all.patches[patch];
-    if (coarse.empty())
-      return a.continuesTo(b, max_step);
-    const CoarsePlane& plane = coarse[cells.bins[base] / bins_per_octave];
-    return std::abs(plane.above(b) - plane.above(a)) <= a.maxRise(b.x, b.y, max_step);
+  const float steepest = std::tan(parameters.max_slope);
+  const std::vector<char> wide = wideSets(all, candidates);
+  const auto isLow = [&](std::size_t base, const Candidate& c) {
+    const GroundPatch &a = all.patches[base], &b = all.patches[c.patch];
+    const double rise = [&] {
+      if (coarse.empty())
+        return double{a.above(b.x, b.y, b.z)};
+      const CoarsePlane& plane = coarse[cells.bins[base] / bins_per_octave];
+      return plane.above(b) - plane.above(a);
+    }();
+    return std::abs(rise) <= a.maxRise(b.x, b.y, parameters.max_step) ||
+           ((rise < 0.0 ||
+             (wide[c.set] && b.z < cells.sensor_z - parameters.max_step)) &&
+            std::abs(b.z - a.z) <= steepest * std::hypot(b.x - a.x, b.y - a.y));
   };
   std::vector<Votes> votes(ground.size());
   for (const Candidate& c : candidates) {
@@ -252,7 +278,7 @@ addLowSets(const GroundCells& cells,
           markedAside(cells, ground, c, Right),
           markedAside(cells, ground, c, Left)})
       if (base != no_patch)
-        ++(isLow(base, c.patch) ? of_set.low : of_set.high);
+        ++(isLow(base, c) ? of_set.low : of_set.high);
   }
   const auto isGround = [&](const Candidate& c) {
     const Votes& of_set = votes[c.set];
@@ -338,7 +364,7 @@ connectedGround(const GroundCells& cells,
         candidates.push_back({i, line, of.set_of[i]});
     }
   }
-  while (addLowSets(cells, all, coarse, max_step, candidates, ground)) {
+  while (addLowSets(cells, all, coarse, parameters, candidates, ground)) {
   }
   std::vector<GroundPatch> fitted = all.patches;
   forEachCell(cells, threads, [&](std::size_t i) {

@@ -206,6 +206,7 @@ level(const GroundParameters& parameters, unsigned threads, GroundCells& cells)
   cells.slope_x = static_cast<float>(plane->slope_x);
   cells.slope_y = static_cast<float>(plane->slope_y);
   const auto height = static_cast<float>(plane->height);
+  cells.sensor_z = -height;
   forEachCell(cells, threads, [&](std::size_t cell) {
     for (std::size_t i = cells.begins[cell]; i < cells.begins[cell + 1]; ++i)
       cells.z[i] -= height + cells.slope_x * cells.x[i] + cells.slope_y * cells.y[i];

@@ -8,6 +8,7 @@
 #include "instances/face_grouping.h"
 #include "instances/hollow_bodies.h"
 #include "instances/label_growth.h"
+#include "instances/open_boxes.h"
 #include "instances/smooth_pieces.h"
 #include "instances/support_planes.h"
 
@@ -119,8 +120,11 @@ findObjects(const InstanceInput& input, const InstanceLimits& limits)
   for (std::int32_t& label : grown)
     if (label >= 0)
       label = groups[static_cast<std::size_t>(label)];
-  if (!planes.empty())
-    joinInsides(input, planes.front().plane.normal, grown);
+  if (!planes.empty()) {
+    const Eigen::Vector3f& up = planes.front().plane.normal;
+    joinOpenBoxes(input, up, faces, contacts, groups, grown);
+    joinInsides(input, up, grown);
+  }
   sortLabels(input, limits.min_points, grown);
   return grown;
 }

@@ -8,6 +8,8 @@
 #include "common/parallel.h"
 #include "common/quiet.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,6 +31,11 @@ constexpr double described = 0.8;   // of a piece: less is nothing like primitiv
 constexpr float curved_gap = 1.25f; // primitives only resemble other curved surfaces
 constexpr float clearly_worse = 2.0f; // one primitive than two, both up to noise
 constexpr double both_sides = 0.25;   // of the larger side: noise makes less
+// Around the middle of a border of length L, a strip that goes on has 1.44 L^2
+// within 1.5 L on either side, a surface that only touches there half a disc, 3.5 L^2.
+constexpr float neck_reach = 1.5f;
+constexpr double min_neck_area = 2.25;
+constexpr double node_area = 2.25; // squares of spacings: nodes are 1.5 apart
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 using PartOfNode = std::vector<std::uint32_t>;
@@ -132,6 +139,7 @@ struct Border {
   double steps = 0.0;        ///< squared, between nodes, in spacings
   /** How far the nodes of either are before and behind the other's surface. */
   std::array<double, 2> before{}, behind{};
+  Eigen::AlignedBox3f places; ///< of the middles of the pairs
 };
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
@@ -162,6 +170,7 @@ addPair(const SurfaceNode& node,
   const Vector3f normal = 0.5f * (node.normal + sign * other.normal);
   const float step = normal.dot(other.position - node.position);
   ++border.pairs;
+  border.places.extend(middle);
   border.squared_gaps += (footOn(a, middle) - footOn(b, middle)).squaredNorm() / area;
   border.cosines += std::abs(normalOf(a, middle).dot(normalOf(b, middle)));
   border.steps += step * step / area;
@@ -220,12 +229,32 @@ crosses(const Border& border, float tolerance)
          is_on_both_sides(0) && is_on_both_sides(1);
 }
 
+/** Both parts are wider than their border: a bridge of few nodes where they touch. */
+bool
+isNeck(const SurfacePiece& piece,
+       const SurfacePart& a,
+       const SurfacePart& b,
+       const Border& border)
+{
+  const float length = border.places.diagonal().norm();
+  const auto isWide = [&](const SurfacePart& part) {
+    const auto near = std::count_if(part.nodes.begin(), part.nodes.end(), [&](auto k) {
+      return (piece.nodes[k].position - border.places.center()).norm() <
+             neck_reach * length;
+    });
+    return node_area * static_cast<double>(near) > min_neck_area * length * length;
+  };
+  return isWide(a) && isWide(b);
+}
+
 bool
 areOne(const SurfacePiece& piece,
        const SurfacePart& a,
        const SurfacePart& b,
        const Border& border)
 {
+  if (isNeck(piece, a, b, border))
+    return false;
   const bool is_smooth = isSmooth(border, piece);
   if (!isCurved(a) && !isCurved(b)) {
     const float limit =

@@ -4,10 +4,16 @@
 
 #include "app_test.h"
 #include "cli/errors.h"
+#include "evaluation/assignment.h"
 #include "evaluation/evaluation_tasks.h"
+#include "evaluation/objects.h"
 #include "io/pcd.h"
+#include "support/random.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <set>
 
 namespace {
 
@@ -165,6 +171,113 @@ TEST(Instances, MatchOnceFromHalfAnOverlap)
   expectScore(evaluation.instances, 2, 1, 1);
   expectScore(evaluation.points, 5, 4, 7);
   EXPECT_NEAR(evaluation.mean_matched_iou, (3.0 / 5.0 + 2.0 / 4.0) / 2.0, exact);
+}
+
+double
+gainOf(const std::vector<std::vector<double>>& gains)
+{
+  double gain = 0.0;
+  const auto columns = bestAssignment(gains);
+  std::set<std::size_t> used;
+  for (std::size_t row = 0; row < columns.size(); ++row)
+    if (columns[row]) {
+      EXPECT_TRUE(used.insert(*columns[row]).second);
+      gain += gains[row][*columns[row]];
+    }
+  return gain;
+}
+
+/** The best of all ways to give each row a column of a square. */
+double
+bestGainOf(const std::vector<std::vector<double>>& gains, std::size_t columns)
+{
+  std::vector<std::size_t> order(std::max(gains.size(), columns));
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  double best = 0.0;
+  do {
+    double gain = 0.0;
+    for (std::size_t row = 0; row < gains.size(); ++row)
+      if (order[row] < columns)
+        gain += gains[row][order[row]];
+    best = std::max(best, gain);
+  }
+  while (std::next_permutation(order.begin(), order.end()));
+  return best;
+}
+
+TEST(Assignment, IsTheBestOfAll)
+{
+  EXPECT_TRUE(bestAssignment({}).empty());
+  pcl::test::Random random(7);
+  for (const auto& [rows, columns] :
+       {std::pair{1, 1}, {3, 3}, {2, 5}, {5, 2}, {6, 6}, {4, 0}})
+    for (int trial = 0; trial < 20; ++trial) {
+      std::vector<std::vector<double>> gains(static_cast<std::size_t>(rows));
+      for (auto& row : gains)
+        for (int column = 0; column < columns; ++column)
+          row.push_back(std::max(0.0, random.uniform(-0.5, 1.0)));
+      EXPECT_NEAR(
+          gainOf(gains), bestGainOf(gains, static_cast<std::size_t>(columns)), exact)
+          << rows << " x " << columns;
+    }
+}
+
+TEST(Objects, AreMatchedAsAWholeAndCountedOverPoints)
+{
+  std::vector<LabelPair> points;
+  const auto add = [&](int count, std::uint32_t truth, std::uint32_t predicted) {
+    points.insert(points.end(), static_cast<std::size_t>(count), {truth, predicted});
+  };
+  // Instance 7 is best for both objects, but 1 can also have 8, and 2 nothing else.
+  add(500, 11, 7);
+  add(400, 12, 8);
+  add(500, 20, 7);
+  add(60, 20, 0);
+  add(299, 30, 9); // too small to be an object, but 9 is a false alarm
+  add(50, 5, 8);   // no object
+  const ObjectEvaluation evaluation = evaluateObjects(points, {10, 300});
+  EXPECT_EQ(evaluation.objects, 2u);
+  EXPECT_EQ(evaluation.instances, 3u);
+  expectScore(evaluation.overlap, 900, 849, 560);
+  EXPECT_EQ(evaluation.found, 0u);
+  EXPECT_EQ(evaluateObjects(points, {10, 299}).found, 1u);
+  EXPECT_TRUE(std::isnan(evaluateObjects({{1, 1}}, {1, 2}).foundShare()));
+}
+
+TEST_F(Tasks, ObjectsAreLabelsOfTheTruthIfItHasNoInstances)
+{
+  const std::string predicted = file(
+      "p.pcd",
+      asciiCloud(
+          "x y z instance", "F F F U", {"0 0 1 1", "0 0 1 1", "0 0 1 1", "0 0 1 0"}));
+  const auto truth = [&](const std::string& name, const std::string& field) {
+    return file(name,
+                asciiCloud("x y z " + field,
+                           "F F F U",
+                           {"0 0 1 21", "0 0 1 21", "0 0 1 20", "0 0 1 1"}));
+  };
+  const auto outcome = runApp("pcl_shape_evaluate",
+                              {predicted,
+                               truth("t.pcd", "label"),
+                               "-task",
+                               "objects",
+                               "-parts",
+                               "10",
+                               "-min_points",
+                               "2",
+                               "-json",
+                               path("json")});
+  expectSuccess(outcome);
+  EXPECT_NE(outcome.out.find("objects 1, instances 1"), std::string::npos);
+  EXPECT_NE(readFile(path("json")).find("\"found\": 1"), std::string::npos);
+  expectRefused(runApp("pcl_shape_evaluate",
+                       {predicted, truth("s.pcd", "segment"), "-task", "objects"}),
+                1,
+                {"s.pcd", "instance or label"});
+  expectRefused(runApp("pcl_shape_evaluate",
+                       {predicted, predicted, "-task", "edge", "-parts", "10"}),
+                2,
+                {"-parts", "'edge'", "expected -task objects"});
 }
 
 TEST_F(Tasks, CloudsOfOtherSizesAreRefused)

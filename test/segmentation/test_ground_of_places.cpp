@@ -78,8 +78,17 @@ INSTANTIATE_TEST_SUITE_P(Places,
                                          Place{StreetPlace::Canopy, "canopy", 0.97},
                                          Place{StreetPlace::Bumps, "bumps", 0.95},
                                          Place{StreetPlace::Deck, "deck", 0.95},
-                                         Place{StreetPlace::Country, "country", 0.88}),
+                                         Place{StreetPlace::Country, "country", 0.97}),
                          [](const auto& info) { return std::string(info.param.name); });
+
+TEST(GroundOfFields, BehindABankOrADitchTheyAreFound)
+{
+  const Sensor forward{LidarPattern::Rosette120, 64};
+  for (const std::uint64_t seed : {502U, 804U}) { // a lower field, a higher one
+    const scene::LidarScan scan = scanOf(StreetPlace::Country, forward, seed);
+    EXPECT_GE(f1(likelihoodsOf(cloudOf(scan)), scan.ground), 0.97) << seed;
+  }
+}
 
 TEST(GroundOfWetStreets, MirroredPointsBelowItAreNone)
 {

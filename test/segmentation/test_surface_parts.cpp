@@ -116,6 +116,26 @@ TEST(PartBorders, OnePlaneInTwoPartsIsOne)
   EXPECT_EQ(range(0, 200), groups[0]);
 }
 
+TEST(PartBorders, WidePartsThatABridgeJoinsStay)
+{
+  const Surface bridge = floorPatch(30, 10.5, 0, 1, 6, 1.5);
+  const Surface other = together(bridge, floorPatch(31.6, 0, 0, 20, 20, 1.5));
+  EXPECT_EQ(
+      2U,
+      joined(floorPatch(0, 0, 0, 20, 20, 1.5), levelAt(0.0f), other, levelAt(0.0f))
+          .size());
+}
+
+TEST(PartBorders, AStripGoesOnThroughItsShortSide)
+{
+  EXPECT_EQ(1U,
+            joined(floorPatch(0, 0, 0, 40, 5, 1.5),
+                   levelAt(0.0f),
+                   floorPatch(60, 0, 0, 40, 5, 1.5),
+                   levelAt(0.0f))
+                .size());
+}
+
 TEST(PartBorders, AStepAndARightAngleStay)
 {
   EXPECT_EQ(2U,

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Inner walls by their concave edges, outer walls and floors by where they are.
+
+#include "instances/open_boxes.h"
+
+#include "common/disjoint_sets.h"
+#include "common/statistics.h"
+#include "geometry/point_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace pcl::segmentation {
+namespace {
+
+using detail::InstanceInput;
+using Eigen::Vector3f;
+
+constexpr std::size_t max_points = 500;  // of a body: more change little
+constexpr std::size_t min_points = 30;   // fewer are a rim, or noise
+constexpr float max_upright = 0.8f;      // of a wall's normal: steeper than 37 degrees
+constexpr float min_share = 0.8f;        // of the points: some are at a rim
+constexpr float min_flat = 0.95f;        // length of the mean normal: one plane
+constexpr float max_corner = 0.5f;       // cosine of the normals of two sides of a box
+constexpr float min_edge = 0.5f;         // of the height: where two inner walls meet
+constexpr float max_rim_step = 0.15f;    // of the height: walls end at the same height
+constexpr float max_rim_spacings = 3.0f; // likewise, beyond the band of an edge
+// Walls are thin: as far as a tenth or so of the box, or the bands of two edges.
+constexpr float max_thickness = 0.15f, max_thickness_spacings = 6.0f;
+// Of the size of the inside, of which often only two walls are seen: a corner.
+constexpr float max_beyond = 2.0f;
+
+/** Points of the faces of one group, without its edges. */
+struct Body {
+  std::vector<Vector3f> points;
+  std::vector<Vector3f> normals;
+  Vector3f middle = Vector3f::Zero();
+  Vector3f facing = Vector3f::Zero(); ///< mean normal, shorter than 1 if curved
+  float low = 0.0f, high = 0.0f; ///< heights, but for the lowest and highest points
+  float spacing = 0.0f;
+  float upright = 0.0f; ///< share of the points on walls
+  float level = 0.0f;   ///< share of the points on floors and lids
+};
+
+Vector3f
+levelPart(const Vector3f& v, const Vector3f& up)
+{
+  return v - v.dot(up) * up;
+}
+
+Body
+bodyOf(const InstanceInput& input,
+       std::vector<std::uint32_t> members,
+       const Vector3f& up)
+{
+  sortByPosition(input.points, members);
+  const std::size_t step = (members.size() + max_points - 1) / max_points;
+  Body body;
+  std::vector<float> heights, spacings;
+  for (std::size_t k = 0; k < members.size(); k += step) {
+    body.points.push_back(positionOf(input.points, members[k]));
+    body.normals.push_back(normalOf(input, members[k]));
+    body.middle += body.points.back();
+    body.facing += body.normals.back();
+    heights.push_back(up.dot(body.points.back()));
+    spacings.push_back(input.spacings[members[k]]);
+    const float rise = up.dot(body.normals.back());
+    body.upright += std::abs(rise) < max_upright ? 1.0f : 0.0f;
+    body.level += rise >= max_upright ? 1.0f : 0.0f;
+  }
+  if (body.points.empty())
+    return body;
+  const auto count = static_cast<float>(body.points.size());
+  body.middle /= count;
+  body.facing /= count;
+  body.upright /= count;
+  body.level /= count;
+  body.spacing = median(std::move(spacings));
+  std::sort(heights.begin(), heights.end());
+  body.low = heights[heights.size() / 20];
+  body.high = heights[heights.size() - 1 - heights.size() / 20];
+  return body;
+}
+
+std::vector<Body>
+bodiesOf(const InstanceInput& input,
+         const Vector3f& up,
+         const Labels& faces,
+         const Labels& groups)
+{
+  std::vector<std::vector<std::uint32_t>> members(groups.size());
+  for (std::uint32_t i = 0; i < faces.size(); ++i) {
+    const std::int32_t group =
+        faces[i] < 0 ? -1 : groups[static_cast<std::size_t>(faces[i])];
+    if (group >= 0 && normalOf(input, i).allFinite())
+      members[static_cast<std::size_t>(group)].push_back(i);
+  }
+  std::vector<Body> bodies;
+  for (auto& of_label : members)
+    bodies.push_back(bodyOf(input, std::move(of_label), up));
+  return bodies;
+}
+
+/** Without a lid, which a closed box has. */
+bool
+isOpenWall(const Body& body)
+{
+  return body.points.size() >= min_points && body.upright >= min_share;
+}
+
+bool
+endAtOneHeight(const Body& a, const Body& b)
+{
+  const float height = std::max(a.high - a.low, b.high - b.low);
+  const float limit = std::max(max_rim_step * height,
+                               max_rim_spacings * std::max(a.spacing, b.spacing));
+  return std::abs(a.high - b.high) <= limit;
+}
+
+/** Two sides of an inside: they meet at an upright concave edge. */
+bool
+areInnerWalls(const Body& a, const Body& b, float concave)
+{
+  const float height = std::min(a.high - a.low, b.high - b.low);
+  return isOpenWall(a) && isOpenWall(b) && a.facing.norm() > min_flat &&
+         b.facing.norm() > min_flat && std::abs(a.facing.dot(b.facing)) < max_corner &&
+         endAtOneHeight(a, b) && concave * a.spacing > min_edge * height &&
+         a.facing.dot(b.middle - a.middle) > 0.0f &&
+         b.facing.dot(a.middle - b.middle) > 0.0f;
+}
+
+/** Some walls, or their points, as one. */
+Body
+together(const std::vector<Body>& bodies, const std::vector<std::size_t>& some)
+{
+  Body all;
+  all.low = std::numeric_limits<float>::infinity();
+  all.high = -all.low;
+  for (const std::size_t k : some) {
+    const Body& body = bodies[k];
+    all.points.insert(all.points.end(), body.points.begin(), body.points.end());
+    all.normals.insert(all.normals.end(), body.normals.begin(), body.normals.end());
+    all.low = std::min(all.low, body.low);
+    all.high = std::max(all.high, body.high);
+    all.spacing = std::max(all.spacing, body.spacing);
+    all.middle += body.middle / static_cast<float>(some.size());
+  }
+  return all;
+}
+
+/** Level, from a middle. */
+float
+farthest(const Body& body, const Vector3f& middle, const Vector3f& up)
+{
+  float radius = 0.0f;
+  for (const Vector3f& point : body.points)
+    radius = std::max(radius, levelPart(point - middle, up).norm());
+  return radius;
+}
+
+/** The nearest two sampled points. */
+float
+distanceBetween(const Body& a, const Body& b)
+{
+  float nearest = std::numeric_limits<float>::infinity();
+  for (const Vector3f& p : a.points)
+    for (const Vector3f& q : b.points)
+      nearest = std::min(nearest, (p - q).squaredNorm());
+  return std::sqrt(nearest);
+}
+
+/** The share of the points that face away from a middle. */
+float
+outwardShare(const Body& body, const Vector3f& middle, const Vector3f& up)
+{
+  std::size_t outward = 0;
+  for (std::size_t k = 0; k < body.points.size(); ++k)
+    outward += levelPart(body.points[k] - middle, up).dot(body.normals[k]) > 0.0f;
+  return static_cast<float>(outward) / static_cast<float>(body.points.size());
+}
+
+/** Around an inside, back to back with it. */
+bool
+isOutside(const Body& body, const Body& inside, const Vector3f& up)
+{
+  if (!isOpenWall(body) || !endAtOneHeight(body, inside) ||
+      outwardShare(body, inside.middle, up) < min_share)
+    return false;
+  const float size = farthest(inside, inside.middle, up);
+  const float limit =
+      std::max(max_thickness * size, max_thickness_spacings * inside.spacing);
+  return farthest(body, inside.middle, up) < max_beyond * size &&
+         distanceBetween(body, inside) < limit;
+}
+
+/** Between inner walls, at their feet. */
+bool
+isFloor(const Body& body, const Body& inside, const Vector3f& up)
+{
+  const float limit = max_thickness_spacings * inside.spacing;
+  if (body.points.size() < min_points || body.level < min_share ||
+      std::abs(body.high - inside.low) >
+          std::max(limit, max_rim_step * (inside.high - inside.low)) ||
+      distanceBetween(body, inside) > limit)
+    return false;
+  return farthest(body, inside.middle, up) <
+         farthest(inside, inside.middle, up) + limit;
+}
+
+/** The insides, as lists of bodies: inner walls that meet. */
+std::vector<std::vector<std::size_t>>
+insidesOf(const std::vector<Body>& bodies,
+          const std::map<std::pair<std::size_t, std::size_t>, float>& concave)
+{
+  DisjointSets sets(bodies.size());
+  for (const auto& [pair, length] : concave)
+    if (areInnerWalls(bodies[pair.first], bodies[pair.second], length))
+      sets.unite(static_cast<std::uint32_t>(pair.first),
+                 static_cast<std::uint32_t>(pair.second));
+  std::map<std::size_t, std::vector<std::size_t>> by_root;
+  for (std::uint32_t k = 0; k < bodies.size(); ++k)
+    by_root[sets.find(k)].push_back(k);
+  std::vector<std::vector<std::size_t>> insides;
+  for (auto& [root, walls] : by_root)
+    if (walls.size() > 1)
+      insides.push_back(std::move(walls));
+  return insides;
+}
+
+} // namespace
+
+void
+joinOpenBoxes(const InstanceInput& input,
+              const Vector3f& up,
+              const Labels& faces,
+              const std::vector<FaceContact>& contacts,
+              const Labels& groups,
+              Labels& labels)
+{
+  const std::vector<Body> bodies = bodiesOf(input, up, faces, groups);
+  std::map<std::pair<std::size_t, std::size_t>, float> concave;
+  for (const FaceContact& contact : contacts) {
+    const auto [a, b] = std::minmax(groups[static_cast<std::size_t>(contact.first)],
+                                    groups[static_cast<std::size_t>(contact.second)]);
+    if (a >= 0 && a != b)
+      concave[{static_cast<std::size_t>(a), static_cast<std::size_t>(b)}] +=
+          contact.concave - contact.convex;
+  }
+  std::vector<std::int32_t> joined(bodies.size());
+  for (std::size_t k = 0; k < joined.size(); ++k)
+    joined[k] = static_cast<std::int32_t>(k);
+  for (const std::vector<std::size_t>& walls : insidesOf(bodies, concave)) {
+    const Body inside = together(bodies, walls);
+    const auto name = static_cast<std::int32_t>(walls.front());
+    for (const std::size_t wall : walls)
+      joined[wall] = name;
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      if (joined[k] == static_cast<std::int32_t>(k) &&
+          (isOutside(bodies[k], inside, up) || isFloor(bodies[k], inside, up)))
+        joined[k] = name;
+  }
+  for (std::int32_t& label : labels)
+    if (label >= 0)
+      label = joined[static_cast<std::size_t>(label)];
+}
+
+} // namespace pcl::segmentation
