@@ -182,10 +182,12 @@ def find_json(tree):
     build.write()
 
 
-def add_tool(tree, name, library):
-    """A command-line tool, behind the one that estimates normals."""
+def add_tool(tree, name, neighbor, libraries, json):
+    """A command-line tool, behind one that is there: `neighbor` is how that one is linked."""
     build = BuildFile(tree / "tools" / "CMakeLists.txt")
-    mark = "  target_link_libraries (pcl_normal_estimation pcl_common pcl_io pcl_kdtree pcl_features)\n"
-    build.insert_after(mark, f"\n  PCL_ADD_EXECUTABLE(pcl_{name} COMPONENT ${{SUBSYS_NAME}} SOURCES {name}.cpp)\n"
-                             f"  target_link_libraries (pcl_{name} pcl_common pcl_io {library})\n")
+    text = (f"PCL_ADD_EXECUTABLE(pcl_{name} COMPONENT ${{SUBSYS_NAME}} SOURCES {name}.cpp)\n"
+            f"target_link_libraries (pcl_{name} pcl_common pcl_io {libraries})\n")
+    if json:
+        text = f"{IF_JSON}{textwrap.indent(text, '  ')}endif()\n"
+    build.insert_after(f"  target_link_libraries ({neighbor})\n", "\n" + textwrap.indent(text, "  "))
     build.write()

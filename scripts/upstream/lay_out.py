@@ -20,6 +20,12 @@ from upstream.series import ROOT, files_of_series  # noqa: E402
 TESTS = {1: "neighborhood_sweep", 3: "inad_estimation", 4: "normal_estimation_sweep", 5: "shape_model",
          6: "shape_detection", 7: "shape_instance_segmentation"}
 FIRST_WITH_JSON = 5
+# The tools: behind which others they come, what they are linked with, whether they need JSON.
+TOOLS = {
+    "inad_estimation": ("pcl_normal_estimation pcl_common pcl_io pcl_kdtree pcl_features", "pcl_features", False),
+    "shape_instance_segmentation": ("pcl_crf_segmentation pcl_common pcl_io pcl_segmentation",
+                                    "pcl_features pcl_segmentation", True),
+}
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.M)
 MADE_BY_CMAKE = {"pcl/pcl_shape_exports.h", "pcl/pcl_shape_alignment.h"}
 SCENES = f"""
@@ -104,7 +110,7 @@ def lay_extras(names, tree):
     for name in names:
         path = pathlib.PurePosixPath(name)
         if name.startswith("tools/upstream/"):
-            build_files.add_tool(tree, path.stem, "pcl_features")
+            build_files.add_tool(tree, path.stem, *TOOLS[path.stem])
         elif name.startswith(tutorials.CONTENT):
             tutorials.lay_tutorial(path.stem, tree)
 

@@ -54,7 +54,7 @@ SERIES = [
         "src/instances/*", SEGMENTATION + "*instance*", SEGMENTATION + "impl/*instance*", "src/segmentation/*instance*",
         *named("test/segmentation/*{}*", "instance", "objects", "_face", "primitive", "small_surfaces", "surface_graph",
                "surface_p", "point_grid"),
-        "doc/tutorials/content/shape_instances.rst"]),
+        "tools/upstream/shape_instance_segmentation.cpp", "doc/tutorials/content/shape_instances.rst"]),
 ]
 
 

@@ -37,6 +37,7 @@ STAND_IN = {
     "test/features/CMakeLists.txt": "set(SUBSYS_NAME tests_features)\n",
     "test/segmentation/CMakeLists.txt": "set(SUBSYS_NAME tests_segmentation)\n",
     "tools/CMakeLists.txt":
+        "  target_link_libraries (pcl_crf_segmentation pcl_common pcl_io pcl_segmentation)\n"
         "  target_link_libraries (pcl_normal_estimation pcl_common pcl_io pcl_kdtree pcl_features)\n",
     "doc/tutorials/content/index.rst":
         ".. _features_tutorial:\n\n.. _filtering_tutorial:\n\n.. _segmentation_tutorial:\n\n.. _surface_tutorial:\n",
