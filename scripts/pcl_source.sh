@@ -22,12 +22,11 @@ configure_pcl() {
   cmake -S "$source" -B "$build" -G Ninja "${options[@]}" "${@:3}" "${more[@]}"
 }
 
-# find_pcl_source DIRECTORY: its absolute path, if it is a source tree of PCL.
-find_pcl_source() {
+# check_pcl_source DIRECTORY: fail unless it is a source tree of PCL.
+check_pcl_source() {
   if [[ ! -f $1/PCLConfig.cmake.in ]]; then
     echo "$1 is no source tree of PCL: expected one with PCLConfig.cmake.in, as of" \
       "'git clone https://github.com/PointCloudLibrary/pcl'" >&2
     return 2
   fi
-  realpath "$1"
 }

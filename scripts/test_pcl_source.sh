@@ -7,10 +7,11 @@
 # OPTIONS, PCL_OPTIONS: more of CMake's for pcl_shape and for PCL (-DPCL_NO_PRECOMPILE=ON makes
 # its build shorter); TARGETS: build only these; TESTS: a regular expression, only these tests.
 set -euo pipefail
+pcl=$(realpath -m "${1:?usage: scripts/test_pcl_source.sh PCL_SOURCE [default|64]}")
+build=$(realpath -m "${BUILD:-$(dirname "${BASH_SOURCE[0]}")/../build/pcl_source}")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/pcl_source.sh
-source=$(find_pcl_source "${1:?usage: scripts/test_pcl_source.sh PCL_SOURCE [default|64]}")
-build=$(realpath -m "${BUILD:-build/pcl_source}")
+check_pcl_source "$pcl"
 jobs=${JOBS:-$(nproc)}
 read -ra more <<<"${OPTIONS:-}"
 read -ra targets <<<"${TARGETS:-all}"
@@ -18,11 +19,11 @@ read -ra targets <<<"${TARGETS:-all}"
 # test_with NAME [OPTION OF PCL...]
 test_with() {
   local directory=$build/$1
-  configure_pcl "$source" "$directory/pcl" "-DCMAKE_INSTALL_PREFIX=$directory/prefix" "${@:2}"
+  configure_pcl "$pcl" "$directory/pcl" "-DCMAKE_INSTALL_PREFIX=$directory/prefix" "${@:2}"
   cmake --build "$directory/pcl" --parallel "$jobs" --target install
   local options=(-DCMAKE_BUILD_TYPE=Release -DPCL_SHAPE_WERROR=ON "-DCMAKE_PREFIX_PATH=$directory/prefix"
     "-DPCL_DIR=$(dirname "$(find "$directory/prefix" -name PCLConfig.cmake)")"
-    -DPCL_SHAPE_WITH_VISUALIZATION=OFF -DPCL_SHAPE_BUILD_BENCHMARKS=OFF
+    -DPCL_SHAPE_WITH_VISUALIZATION=OFF -DPCL_SHAPE_BUILD_BENCHMARKS=OFF -DPCL_SHAPE_BUILD_EXAMPLES=OFF
     "-DPCL_SHAPE_TEST_DATA=${PCL_SHAPE_TEST_DATA:-}")
   if command -v ccache >/dev/null; then
     options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)

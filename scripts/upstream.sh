@@ -7,15 +7,16 @@
 # JOBS: how many compilers at a time; PCL_OPTIONS: more of CMake's, such as
 # -DWITH_HIGHWAY=OFF, or -DPCL_NO_PRECOMPILE=ON for a shorter build.
 set -euo pipefail
+pcl=$(realpath -m "${1:?usage: scripts/upstream.sh PCL_SOURCE [PULL_REQUESTS]}")
+build=$(realpath -m "${BUILD:-$(dirname "${BASH_SOURCE[0]}")/../build/upstream}")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/pcl_source.sh
-source=$(find_pcl_source "${1:?usage: scripts/upstream.sh PCL_SOURCE [PULL_REQUESTS]}")
-build=$(realpath -m "${BUILD:-build/upstream}")
+check_pcl_source "$pcl"
 jobs=${JOBS:-$(nproc)}
 
 rm -rf "$build/pcl"
 mkdir -p "$build"
-cp -a "$source" "$build/pcl"
+cp -a "$pcl" "$build/pcl"
 scripts/upstream/lay_out.py "$build/pcl" "${@:2}"
 configure_pcl "$build/pcl" "$build/build" -DBUILD_global_tests=ON
 targets=(pcl_features pcl_segmentation test/features/all test/segmentation/all)

@@ -31,15 +31,20 @@ NOTE = """.. note::
 """
 # What the list says of each tutorial, and in which part of it.
 ABOUT = {
-    "inad_estimation": ("features", "In this tutorial we will learn how much the normals around a point differ, and what "
-                                    "that says about its surface."),
-    "normal_estimation_sweep": ("features", "In this tutorial we will replace NormalEstimationOMP by a class that gives the "
-                                            "same normals in a fraction of the time."),
-    "shape_model": ("segmentation", "In this tutorial we will learn models of surfaces from samples, and find these "
-                                    "surfaces in a scene."),
-    "shape_edge_detection": ("segmentation", "In this tutorial we will learn how to find creases, corners and borders in "
-                                             "unorganized point clouds."),
-    "shape_back_projection": ("segmentation", "In this tutorial we will learn how to tell planar from curved surfaces."),
+    "inad_estimation": (
+        "features", "In this tutorial we will learn how much the normals around a point differ, and what that says "
+                    "about its surface."),
+    "normal_estimation_sweep": (
+        "features", "In this tutorial we will replace NormalEstimationOMP by a class that gives the same normals in a "
+                    "fraction of the time."),
+    "shape_model": (
+        "segmentation", "In this tutorial we will learn models of surfaces from samples, and find these surfaces in a "
+                        "scene."),
+    "shape_edge_detection": (
+        "segmentation", "In this tutorial we will learn how to find creases, corners and borders in unorganized point "
+                        "clouds."),
+    "shape_back_projection": (
+        "segmentation", "In this tutorial we will learn how to tell planar from curved surfaces."),
     "shape_instances": ("segmentation", "In this tutorial we will learn how to find all cylinders in a scene."),
 }
 TITLE = re.compile(r"^(?:[=-]{4,}\n)?([^\n:.=][^\n]*)\n[=-]{4,}\n", re.M)

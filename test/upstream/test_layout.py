@@ -99,7 +99,8 @@ class Layout(unittest.TestCase):
                 folder = next(folder for folder in ROOTS if place.startswith(folder) and folder != "test/")
                 lists = self.text(folder + "CMakeLists.txt").replace("${SUBSYS_NAME}", folder.rstrip("/"))
                 if place.startswith("test/"):
-                    lists = "".join(self.text(f"test/{module}/CMakeLists.txt") for module in ("features", "segmentation"))
+                    lists = "".join(self.text(f"test/{module}/CMakeLists.txt")
+                                    for module in ("features", "segmentation"))
                 self.assertIn(place[len(folder):], lists)
 
     def test_includes_are_found(self):
