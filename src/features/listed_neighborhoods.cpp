@@ -22,12 +22,12 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 void
 collectNeighbors(const XYZView& surface,
-                 const std::vector<std::int32_t>& found,
+                 const pcl::Indices& found,
                  const float* q,
                  Neighbors& neighbors)
 {
   neighbors.clear();
-  for (const std::int32_t index : found) {
+  for (const pcl::index_t index : found) {
     const auto position = static_cast<std::uint32_t>(index);
     if (isFinite(surface[position]))
       neighbors.push_back(neighborAt(surface[position], q, position));
@@ -59,7 +59,7 @@ ListedNeighborhoods::forEachQuery(const Visit& visit) const
   constexpr std::size_t queries_a_task = 1024;
   const std::size_t tasks = (count + queries_a_task - 1) / queries_a_task;
   parallelFor(tasks, threads_, [&](std::size_t task) {
-    std::vector<std::int32_t> found;
+    pcl::Indices found;
     Neighbors neighbors;
     const std::size_t end = std::min(count, (task + 1) * queries_a_task);
     for (std::size_t i = task * queries_a_task; i < end; ++i) {

@@ -5,12 +5,12 @@
 #pragma once
 
 #include <pcl/features/neighborhood_sweep.h>
+#include <pcl/types.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <utility>
-#include <vector>
 
 namespace pcl::detail {
 
@@ -22,7 +22,7 @@ public:
   /** \brief Writes the indices of the surface points around the query that is at this
    * position of the results. Called from several threads at once, for finite queries
    * only. */
-  using Find = std::function<void(std::size_t position, std::vector<std::int32_t>&)>;
+  using Find = std::function<void(std::size_t position, pcl::Indices&)>;
 
   /** \param[in] surface the points that `find` finds; not copied
    * \param[in] find finds the neighbors */

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl/features/cloud_numbers.h>
-#include <pcl/features/shape_model.h>
+#include <pcl/features/inad_parameters.h>
 #include <pcl/features/xyz_view.h>
 #include <pcl/types.h>
 

@@ -21,6 +21,21 @@ namespace {
 
 using kernels::isFinite;
 
+// PCL can be built with other indices. Clouds of 2^31 points and more are refused, so
+// that all of them fit the engine's.
+constexpr bool has_engine_indices = std::is_same_v<pcl::index_t, std::int32_t>;
+
+/** \brief PCL's indices where they have the engine's type, else the narrow ones. */
+template <typename Index>
+const std::int32_t*
+eitherOf(const std::vector<Index>& indices, const std::vector<std::int32_t>& narrow)
+{
+  if constexpr (std::is_same_v<Index, std::int32_t>)
+    return indices.data();
+  else
+    return narrow.data();
+}
+
 std::string
 problemOfCloud(const std::string& name, const XYZView& points)
 {
@@ -137,7 +152,13 @@ Neighborhoods::Neighborhoods(const XYZView& input,
 , surface_(surface)
 , indices_(indices)
 , threads_(threads)
-{}
+{
+  if constexpr (!has_engine_indices) {
+    narrow_indices_.reserve(indices.size());
+    for (const pcl::index_t index : indices)
+      narrow_indices_.push_back(static_cast<std::int32_t>(index));
+  }
+}
 
 Neighborhoods
 Neighborhoods::among(const pcl::Indices& points) const
@@ -159,7 +180,7 @@ Neighborhoods::madeFor(const Arguments&... arguments) const
   for (std::size_t i = 0; is_all && i < indices_.size(); ++i)
     is_all = indices_[i] == static_cast<pcl::index_t>(i);
   if (!is_all)
-    engine.setQueryIndices(indices_.data(), indices_.size());
+    engine.setQueryIndices(eitherOf(indices_, narrow_indices_), indices_.size());
   engine.setNumberOfThreads(threads_);
   if constexpr (std::is_same_v<Engine, NeighborhoodSweep>)
     engine.setIndex(index_);

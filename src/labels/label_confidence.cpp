@@ -11,6 +11,8 @@
 #include "labels/label_evidence.h"
 #include "labels/label_weights.h"
 
+#include <pcl/features/shape_model.h>
+
 #include <algorithm>
 #include <cmath>
 

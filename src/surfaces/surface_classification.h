@@ -6,6 +6,7 @@
 
 #include "features/adaptive_inad.h"
 
+#include <pcl/features/shape_model.h>
 #include <pcl/segmentation/shape_field.h>
 
 namespace pcl::detail {

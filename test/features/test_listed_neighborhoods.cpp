@@ -21,9 +21,9 @@ protected:
   Listed()
   : surface_(plane(50, 0.1, random_))
   , neighborhoods_(surface_.points(),
-                   [this](std::size_t, std::vector<std::int32_t>& found) {
+                   [this](std::size_t, pcl::Indices& found) {
                      for (std::size_t i = 0; i < surface_.size(); ++i)
-                       found.push_back(static_cast<std::int32_t>(i));
+                       found.push_back(static_cast<pcl::index_t>(i));
                    })
   {}
 

@@ -15,6 +15,7 @@
 #include <pcl/search/search.h>
 #include <pcl/types.h>
 
+#include <cstdint>
 #include <cstring>
 #include <functional>
 #include <string>
@@ -123,7 +124,7 @@ finderOf(const typename pcl::search::Search<PointT>::Ptr& search,
  * See pcl::NeighborhoodSweep for what each method does. */
 class PCL_SHAPE_EXPORTS Neighborhoods {
 public:
-  /** \param[in] indices of the input, not copied */
+  /** \param[in] indices of the input, which must outlive this */
   Neighborhoods(const XYZView& input,
                 const XYZView& surface,
                 const pcl::Indices& indices,
@@ -173,15 +174,13 @@ public:
                           std::vector<float>& radii) const;
 
 private:
-  static_assert(sizeof(pcl::index_t) == sizeof(std::int32_t),
-                "PCL with 32-bit indices");
-
   template <typename Engine, typename... Arguments>
   Engine madeFor(const Arguments&... arguments) const;
 
   XYZView input_;
   XYZView surface_;
   const pcl::Indices& indices_;
+  std::vector<std::int32_t> narrow_indices_; ///< where PCL's have another type
   unsigned threads_;
   NeighborFinder finder_;
   SweepIndex::Ptr index_ = std::make_shared<SweepIndex>();

@@ -1,0 +1,146 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+# SPDX-FileCopyrightText: 2026 pcl_shape contributors
+"""The pull requests to PCL are complete, and laid where PCL looks for them. Without PCL: what they are laid into
+has only the lines that the layout looks for. scripts/upstream.sh builds them in PCL itself."""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "scripts"))
+
+from upstream.places import place_of  # noqa: E402
+from upstream.series import files_of_series  # noqa: E402
+
+MODULE = """set(SUBSYS_NAME {name})
+set(incs
+  "include/pcl/${{SUBSYS_NAME}}/own.h"
+)
+set(impl_incs
+  "include/pcl/${{SUBSYS_NAME}}/impl/own.hpp"
+)
+set(srcs
+  src/own.cpp
+)
+set(LIB_NAME "pcl_${{SUBSYS_NAME}}")
+PCL_ADD_LIBRARY(${{LIB_NAME}} COMPONENT ${{SUBSYS_NAME}} SOURCES ${{srcs}} ${{incs}} ${{impl_incs}})
+PCL_MAKE_PKGCONFIG(${{LIB_NAME}} COMPONENT ${{SUBSYS_NAME}})
+"""
+STAND_IN = {
+    "CMakeLists.txt": "project(PCL VERSION 1.2.3)\nfind_package(nanoflann 1.4.2 QUIET)\nif(TRUE)\nendif()\n",
+    "features/CMakeLists.txt": MODULE.format(name="features"),
+    "segmentation/CMakeLists.txt": MODULE.format(name="segmentation"),
+    "test/features/CMakeLists.txt": "set(SUBSYS_NAME tests_features)\n",
+    "test/segmentation/CMakeLists.txt": "set(SUBSYS_NAME tests_segmentation)\n",
+    "tools/CMakeLists.txt":
+        "  target_link_libraries (pcl_crf_segmentation pcl_common pcl_io pcl_segmentation)\n"
+        "  target_link_libraries (pcl_normal_estimation pcl_common pcl_io pcl_kdtree pcl_features)\n",
+    "doc/tutorials/content/index.rst":
+        ".. _features_tutorial:\n\n.. _filtering_tutorial:\n\n.. _segmentation_tutorial:\n\n.. _surface_tutorial:\n",
+    "doc/tutorials/content/images/pcl_logo.png": "",
+    "doc/tutorials/content/sources/own/CMakeLists.txt": "",
+}
+# Where a file's quoted includes are looked for, by the beginning of its place.
+ROOTS = {
+    "features/": ["features/src/shape"],
+    "segmentation/": ["segmentation/src/shape", "features/src/shape"],
+    "test/features/": ["test/features/shape", "features/src/shape"],
+    "test/segmentation/": ["test/segmentation/shape", "test/features/shape", "segmentation/src/shape",
+                           "features/src/shape"],
+    "tools/": [],
+}
+INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.M)
+ENDINGS = (".h", ".hpp", ".cpp", ".in")
+
+
+def lay_out(tree, *arguments):
+    return subprocess.run([ROOT / "scripts" / "upstream" / "lay_out.py", tree, *arguments], capture_output=True,
+                          text=True, check=False)
+
+
+class Layout(unittest.TestCase):
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.tree = pathlib.Path(directory.name)
+        for name, text in STAND_IN.items():
+            path = self.tree / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+
+    def text(self, name):
+        return (self.tree / name).read_text(encoding="utf-8")
+
+    def laid(self):
+        """The places of all C++ files that are there."""
+        return sorted(path.relative_to(self.tree).as_posix() for path in self.tree.rglob("*")
+                      if path.suffix in ENDINGS and "doc" not in path.relative_to(self.tree).parts)
+
+    def lay(self, *arguments):
+        result = lay_out(self.tree, *arguments)
+        self.assertEqual(0, result.returncode, result.stderr)
+        return result.stdout.split()
+
+    def test_every_file_has_its_place(self):
+        tests = self.lay()
+        self.assertEqual("neighborhood_sweep", tests[0])
+        expected = sorted(place_of(name) for _, names in files_of_series() for name in names
+                          if name.endswith(ENDINGS))
+        self.assertEqual(expected, self.laid())
+
+    def test_every_source_is_compiled_and_every_header_installed(self):
+        self.lay()
+        for place in self.laid():
+            if place.endswith((".cpp", ".hpp")) or "/include/" in place:
+                folder = next(folder for folder in ROOTS if place.startswith(folder) and folder != "test/")
+                lists = self.text(folder + "CMakeLists.txt").replace("${SUBSYS_NAME}", folder.rstrip("/"))
+                if place.startswith("test/"):
+                    lists = "".join(self.text(f"test/{module}/CMakeLists.txt")
+                                    for module in ("features", "segmentation"))
+                self.assertIn(place[len(folder):], lists)
+
+    def test_includes_are_found(self):
+        self.lay()
+        for place in self.laid():
+            folder = next(folder for folder in ROOTS if place.startswith(folder))
+            roots = [self.tree / root for root in ROOTS[folder]] + [(self.tree / place).parent]
+            for written in INCLUDE.findall(self.text(place)):
+                self.assertTrue(any((root / written).is_file() for root in roots), f"{place}: {written}")
+
+    def test_files_are_as_pcl_has_them(self):
+        self.lay()
+        for place in self.laid():
+            text = self.text(place)
+            self.assertTrue(text.startswith("/*\n * SPDX-License-Identifier: BSD-3-Clause\n *\n"), place)
+            self.assertIn("Point Cloud Library (PCL) - www.pointclouds.org", text)
+            for ours in ("PCL_SHAPE_EXPORTS", "pcl_shape_exports.h", "pcl_shape_alignment.h", "<gtest/gtest.h>"):
+                self.assertNotIn(ours, text, place)
+        self.assertIn("#ifndef PCL_NO_PRECOMPILE\nPCL_INSTANTIATE", self.text("features/src/shape/features/inad.cpp"))
+
+    def test_the_first_needs_neither_json_nor_highway(self):
+        self.assertEqual(["neighborhood_sweep"], self.lay("1"))
+        self.assertEqual(STAND_IN["CMakeLists.txt"], self.text("CMakeLists.txt"))
+        self.assertEqual(STAND_IN["segmentation/CMakeLists.txt"], self.text("segmentation/CMakeLists.txt"))
+        self.assertNotIn("HIGHWAY", self.text("features/CMakeLists.txt"))
+
+    def test_tutorials_are_listed_and_do_not_look_for_this_library(self):
+        self.lay()
+        index = self.text("doc/tutorials/content/index.rst")
+        self.assertLess(index.index(":ref:`inad_estimation`"), index.index("_filtering_tutorial"))
+        self.assertLess(index.index("_filtering_tutorial"), index.index(":ref:`shape_instances`"))
+        for path in (self.tree / "doc/tutorials/content/sources").rglob("CMakeLists.txt"):
+            self.assertNotIn("pcl_shape", path.read_text(encoding="utf-8"), path)
+
+    def test_refusals(self):
+        self.assertIn("it must be 1 to 7", lay_out(self.tree, "8").stderr)
+        self.lay("2")
+        self.assertIn("has the files already", lay_out(self.tree).stderr)
+        self.assertIn("no source tree of PCL", lay_out(self.tree / "doc").stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
