@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// pcl_shape_tiles: normals, edges and INAD of clouds larger than memory, tile by tile.
+// pcl_shape_tiles: normals, edges, surfaces and INAD of clouds larger than memory, tile
+// by tile.
 
 #include "cli/app.h"
 #include "cli/errors.h"
@@ -45,6 +46,7 @@ wantedOf(const Arguments& arguments)
   TileWanted wanted{arguments.has("normals"),
                     arguments.has("edges"),
                     arguments.has("types"),
+                    arguments.has("surfaces"),
                     arguments.number("inad", positive_length).value_or(0.0)};
   if (!wanted.needsNumbers() && wanted.inad_radius == 0.0)
     wanted.edges = wanted.types = true;
@@ -330,13 +332,15 @@ main(int argc, char** argv)
       "pcl_shape_tiles",
       "in.pcd... -output_dir D",
       "Divide clouds that need not fit into memory into tiles, and compute normals, "
-      "edges and INAD:\nthe inputs are one cloud. D gets a cloud of each input's name "
+      "edges, surfaces\nand INAD: the inputs are one cloud. D gets a cloud of each "
+      "input's name "
       "with the fields that are asked\nfor; without any those of -edges and -types. A "
       "run that was ended goes on with the same command.");
   command_line.option("output_dir", "D", "for the outputs, and for tiles in D/tiles")
       .flag("normals", "add normal_x normal_y normal_z curvature")
       .flag("edges", "add edge_likelihood (NaN unknown) and edge: 1 on creases")
       .flag("types", "add edge_type: 1 crease, 2 corner, 3 open boundary, 0 none")
+      .flag("surfaces", "add likelihood and surface: 1 planar, 2 curved, 0 unknown")
       .option("inad", "R", "add mu and sigma, with neighborhoods of R meters")
       .option("memory", "M", "of a process, about: 2G (default), 500M")
       .option("tile", "L", "the longest edge of a tile in meters (by -memory)")

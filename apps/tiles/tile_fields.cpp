@@ -9,6 +9,7 @@
 #include "detection/edges.h"
 #include "tiles/bytes.h"
 #include "tiles/tile_places.h"
+#include "tiles/tile_surfaces.h"
 
 #include <pcl/features/inad.h>
 #include <pcl/features/normal_3d_sweep.h>
@@ -28,6 +29,7 @@ using pcl::tiling::TilePoints;
 
 // Sums of floats are rounded; a neighbor at the very border must not be missed.
 constexpr double rounding = 1.001;
+constexpr std::size_t fields_of_surfaces = 2;
 constexpr std::uint32_t nan_bits = 0x7fc00000U; // as std::numeric_limits<float> has it
 
 std::uint32_t
@@ -45,6 +47,20 @@ public:
   : fields_(fields)
   , values_(points * fields)
   {}
+
+  /** The fields that were added to other rows. */
+  void
+  addRows(const std::vector<std::uint32_t>& rows, std::size_t fields)
+  {
+    for (std::size_t f = 0; f < fields; ++f)
+      add([&](std::size_t i) { return rows[i * fields + f]; });
+  }
+
+  const std::vector<std::uint32_t>&
+  values() const
+  {
+    return values_;
+  }
 
   /** The next field of every point. \param[in] value of a point, float or number */
   template <typename Value>
@@ -84,23 +100,54 @@ public:
   {}
 
   Bytes
-  operator()(const TilePoints& points, const pcl::tiling::Position& offset)
+  operator()(const TilePoints& points, const pcl::tiling::Position& offset) const
   {
-    Rows rows(points.own, fieldsOf(wanted_).size());
-    std::uint64_t unknown = 0;
+    TileFaces faces;
+    const Rows rows = rowsOf(points, offset, faces);
+    if (!wanted_.surfaces)
+      return rows.toBytes(faces.unknown);
+    faces.rows = rows.values();
+    return toBytes(faces);
+  }
+
+  /** The fields with surfaces, which are found last. */
+  Bytes
+  withSurfaces(const TiledCloud& cloud,
+               std::size_t tile,
+               const TilePoints& points,
+               const pcl::FacesAround::Noise& noise) const
+  {
+    const TileSurfaces surfaces =
+        surfacesOf(cloud, tile, points, *numbers_, noise, threads_);
+    const std::size_t fields = fieldsOf(wanted_).size();
+    Rows rows(points.own, fields);
+    rows.addRows(surfaces.rows, fields - fields_of_surfaces);
+    rows.add([&](std::size_t i) { return bitsOf(surfaces.likelihood[i]); });
+    rows.add([&](std::size_t i) { return surfaces.surface[i]; });
+    return rows.toBytes(0);
+  }
+
+private:
+  /** All fields but those of surfaces. */
+  Rows
+  rowsOf(const TilePoints& points,
+         const pcl::tiling::Position& offset,
+         TileFaces& faces) const
+  {
+    Rows rows(points.own,
+              fieldsOf(wanted_).size() - (wanted_.surfaces ? fields_of_surfaces : 0));
     if (wanted_.needsNumbers()) {
       const TilePlaces places = placesOf(points, offset);
       if (wanted_.normals)
         addNormals(places, rows);
-      if (wanted_.edges || wanted_.types)
-        unknown = addEdges(places, rows);
+      if (wanted_.needsEdges())
+        addEdges(places, rows, faces);
     }
     if (wanted_.inad_radius > 0.0)
       addInad(floatsOf(points, offset), rows);
-    return rows.toBytes(unknown);
+    return rows;
   }
 
-private:
   void
   addNormals(const TilePlaces& places, Rows& rows) const
   {
@@ -117,9 +164,8 @@ private:
       });
   }
 
-  /** \return how many of the tile's places have no edge likelihood */
-  std::uint64_t
-  addEdges(const TilePlaces& places, Rows& rows) const
+  pcl::ShapeField::ConstPtr
+  edgesOf(const TilePlaces& places) const
   {
     pcl::ShapeFieldEstimation<pcl::PointXYZ> estimation;
     estimation.setInputCloud(places.places);
@@ -128,6 +174,28 @@ private:
     estimation.setNumberOfThreads(threads_);
     const auto field = pcl::make_shared<pcl::ShapeField>();
     withPclErrors("tile", [&] { return estimation.compute(*field); });
+    return field;
+  }
+
+  void
+  addEdges(const TilePlaces& places, Rows& rows, TileFaces& faces) const
+  {
+    const pcl::ShapeField::ConstPtr field = edgesOf(places);
+    for (std::size_t i = 0; i < places.is_own.size(); ++i)
+      faces.unknown +=
+          places.is_own[i] && std::isnan(field->edge_likelihood[i]) ? 1 : 0;
+    if (wanted_.surfaces)
+      faces.part =
+          pcl::facesOfPart(*field, numbers_->of_cloud, places.is_own, threads_);
+    if (wanted_.edges || wanted_.types)
+      addEdges(places, field, rows);
+  }
+
+  void
+  addEdges(const TilePlaces& places,
+           const pcl::ShapeField::ConstPtr& field,
+           Rows& rows) const
+  {
     EdgeDetector detector;
     detector.setInputCloud(places.places);
     detector.setShapeField(field);
@@ -155,10 +223,6 @@ private:
       rows.add([&](std::size_t i) {
         return static_cast<std::uint32_t>(edges.types[placeOf(i)]);
       });
-    std::uint64_t unknown = 0;
-    for (std::size_t i = 0; i < places.is_own.size(); ++i)
-      unknown += places.is_own[i] && std::isnan(field->edge_likelihood[i]) ? 1 : 0;
-    return unknown;
   }
 
   void
@@ -198,7 +262,8 @@ haloOf(const TileWanted& wanted, const std::optional<TiledNumbers>& numbers)
     halo = std::max({halo,
                      wanted.normals ? reach.normals : 0.0,
                      wanted.edges ? reach.edges : 0.0,
-                     wanted.types ? reach.types : 0.0});
+                     wanted.types ? reach.types : 0.0,
+                     wanted.surfaces ? reach.faces : 0.0});
   }
   return halo;
 }
@@ -216,12 +281,33 @@ requireFew(std::uint64_t unknown, std::uint64_t places)
                      "cannot be done in tiles; expected at most 2 %");
 }
 
+/** \param[in] name of results that begin with the number of their tile */
+std::uint64_t
+unknownOf(TiledCloud& cloud, const std::string& name)
+{
+  return std::stoull(cloud.decide("unknown", [&] {
+    std::uint64_t count = 0;
+    for (std::size_t tile = 0; tile < cloud.size(); ++tile)
+      if (cloud.pointsOf(tile) > 0) {
+        const Bytes bytes = cloud.resultOf(name, tile);
+        count += ByteReader(bytes).take<std::uint64_t>();
+      }
+    return std::to_string(count);
+  }));
+}
+
 } // namespace
 
 bool
 TileWanted::needsNumbers() const
 {
-  return normals || edges || types;
+  return normals || needsEdges();
+}
+
+bool
+TileWanted::needsEdges() const
+{
+  return edges || types || surfaces;
 }
 
 std::vector<TileField>
@@ -240,6 +326,10 @@ fieldsOf(const TileWanted& wanted)
   if (wanted.inad_radius > 0.0)
     for (const char* const name : {"mu", "sigma"})
       fields.push_back({name, true, nan_bits});
+  if (wanted.surfaces) {
+    fields.push_back({"likelihood", true, nan_bits});
+    fields.push_back({"surface", false, 0});
+  }
   return fields;
 }
 
@@ -256,24 +346,19 @@ computeFields(TiledCloud& cloud,
               const std::optional<TiledNumbers>& numbers,
               unsigned threads)
 {
-  TileComputation computation(wanted, numbers, threads);
-  cloud.run(resultsName(),
-            haloOf(wanted, numbers),
-            [&](std::size_t, const TilePoints& points) {
-              return computation(points, cloud.offset());
-            });
-  if (!wanted.edges && !wanted.types)
-    return;
-  const std::string unknown = cloud.decide("unknown", [&] {
-    std::uint64_t count = 0;
-    for (std::size_t tile = 0; tile < cloud.size(); ++tile)
-      if (cloud.pointsOf(tile) > 0) {
-        const Bytes bytes = cloud.resultOf(resultsName(), tile);
-        count += ByteReader(bytes).take<std::uint64_t>();
-      }
-    return std::to_string(count);
+  const TileComputation computation(wanted, numbers, threads);
+  const std::string& name = wanted.surfaces ? facesName() : resultsName();
+  cloud.run(name, haloOf(wanted, numbers), [&](std::size_t, const TilePoints& points) {
+    return computation(points, cloud.offset());
   });
-  requireFew(std::stoull(unknown), numbers->places);
+  if (wanted.needsEdges())
+    requireFew(unknownOf(cloud, name), numbers->places);
+  if (!wanted.surfaces)
+    return;
+  const pcl::FacesAround::Noise noise = noiseOfFaces(cloud, *numbers, threads);
+  cloud.run(resultsName(), 0.0, [&](std::size_t tile, const TilePoints& points) {
+    return computation.withSurfaces(cloud, tile, points, noise);
+  });
 }
 
 } // namespace pcl::app

@@ -6,6 +6,7 @@
 
 #include "cli/errors.h"
 #include "tiles/bytes.h"
+#include "tiles/selection.h"
 #include "tiles/tile_places.h"
 
 #include <pcl/segmentation/cloud_reach.h>
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <string>
 
@@ -68,45 +68,6 @@ distancesOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
   distances.high = reader.take<std::array<float, 3>>();
   distances.distances = reader.takeAll<float>();
   return distances;
-}
-
-/** Floats of 0 and more are in the order of their bits. */
-std::uint32_t
-keyOf(float value)
-{
-  std::uint32_t key = 0;
-  std::memcpy(&key, &value, sizeof key);
-  return key;
-}
-
-/** The value that as many are below as the rank says. \param[in] forEach calls a
- * function for each value, which is not negative, and how many times it is there; it is
- * called twice */
-template <typename ForEach>
-float
-selected(std::uint64_t rank, const ForEach& forEach)
-{
-  constexpr int bits = 16;
-  constexpr std::uint32_t digit_mask = (1U << bits) - 1;
-  std::vector<std::uint64_t> counts(std::size_t{1} << bits, 0);
-  const auto find = [&] {
-    std::uint32_t digit = 0;
-    while (rank >= counts[digit])
-      rank -= counts[digit++];
-    return digit;
-  };
-  forEach(
-      [&](float value, std::uint64_t count) { counts[keyOf(value) >> bits] += count; });
-  const std::uint32_t high = find();
-  counts.assign(counts.size(), 0);
-  forEach([&](float value, std::uint64_t count) {
-    if (keyOf(value) >> bits == high)
-      counts[keyOf(value) & digit_mask] += count;
-  });
-  const std::uint32_t key = high << bits | find();
-  float value = 0.0f;
-  std::memcpy(&value, &key, sizeof value);
-  return value;
 }
 
 std::uint64_t

@@ -121,7 +121,7 @@ protected:
 TEST_P(EqualTiles, GiveTheFileOfTheWholeCloud)
 {
   const std::string file = whole(cloud());
-  const Words wanted{"-edges", "-types", "-normals"};
+  const Words wanted{"-edges", "-types", "-normals", "-surfaces"};
   const std::string expected = detected(file, wanted);
   std::size_t most = 0;
   for (const std::string& edge : edges()) {
@@ -140,10 +140,10 @@ TEST_P(EqualTiles, GiveTheFileOfTheWholeCloud)
 TEST_P(EqualTiles, GiveTheSameInAnyOrder)
 {
   const TilePointCloud points = cloud();
-  const Words wanted{"-edges", "-types"};
+  const Words wanted{"-edges", "-types", "-surfaces"};
   const std::string expected = detected(whole(points), wanted);
   const pcl::app::CloudFile of_whole = pcl::app::decodePcd("whole", expected);
-  const Words names{"edge_likelihood", "edge", "edge_type"};
+  const Words names{"edge_likelihood", "edge", "edge_type", "likelihood", "surface"};
   for (const unsigned seed : {1U, 2U}) {
     const std::vector<std::size_t> order = shuffled(points.size(), seed);
     const auto part = [&](std::size_t begin, std::size_t end) {
@@ -188,6 +188,19 @@ TEST_P(EqualTiles, GiveTheInadOfTheWholeCloud)
               0U)
         << "tiles of " << edge << " m";
   }
+}
+
+TEST_F(Tiles, HaveTheSurfacesOfACloudThatIsLongerThanTheyLook)
+{
+  constexpr std::size_t points = 120000;
+  const std::string file = whole(pathCloud(points));
+  const std::string expected = detected(file, {"-surfaces"});
+  const Bits surfaces = bitsOf(pcl::app::decodePcd("whole", expected), "surface");
+  for (const std::uint32_t surface : {1U, 2U})
+    EXPECT_GT(std::count(surfaces.begin(), surfaces.end(), surface), 1000);
+  expectSuccess(tiles({file}, {"-surfaces", "-tile", "13", "-json", path("json")}));
+  EXPECT_EQ(differences(readFile(path("out/cloud.pcd")), expected), 0U);
+  EXPECT_GT(count("tiles"), 4U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Clouds,
