@@ -6,6 +6,7 @@
 #include "cli/app.h"
 #include "cli/errors.h"
 #include "cli/filter_app.h"
+#include "detection/resolution.h"
 #include "io/any_cloud.h"
 #include "tiles/cloud_source.h"
 #include "tiles/mpi_team.h"
@@ -47,9 +48,14 @@ wantedOf(const Arguments& arguments)
                     arguments.has("edges"),
                     arguments.has("types"),
                     arguments.has("surfaces"),
-                    arguments.number("inad", positive_length).value_or(0.0)};
+                    arguments.number("inad", positive_length).value_or(0.0),
+                    resolutionOf(arguments)};
   if (!wanted.needsNumbers() && wanted.inad_radius == 0.0)
     wanted.edges = wanted.types = true;
+  for (const char* const of_points : {"normals", "inad"})
+    if (wanted.resolution > 0.0 && arguments.has(of_points))
+      throw UsageError("-" + std::string(of_points) +
+                       " is of the cloud's own points; leave it or -resolution out");
   return wanted;
 }
 
@@ -86,6 +92,7 @@ settingsOf(const Arguments& arguments, const TileWanted& wanted)
   for (const TileField& field : fieldsOf(wanted))
     parameters["fields"].push_back(field.name);
   parameters["inad"] = wanted.inad_radius;
+  parameters["resolution"] = wanted.resolution;
   parameters["offset"] = arguments.text("offset", "default");
   parameters["floats"] = floatsOfBin(arguments);
   settings.parameters = parameters.dump();
@@ -255,7 +262,8 @@ private:
     const unsigned threads = threadsOf(arguments_);
     std::optional<TiledNumbers> numbers;
     if (wanted_.needsNumbers())
-      report_.time("numbers", [&] { numbers = numbersOf(cloud, threads); });
+      report_.time("numbers",
+                   [&] { numbers = numbersOf(cloud, wanted_.resolution, threads); });
     report_.time("fields", [&] { computeFields(cloud, wanted_, numbers, threads); });
     if (!numbers)
       return;
@@ -347,6 +355,7 @@ main(int argc, char** argv)
       .option("processes", "N", "that work at the same time: 1 (default)")
       .flag("keep_tiles", "leave D/tiles there in the end")
       .option("format", "F", "of the outputs: binary (default), ascii");
+  addResolutionOption(command_line);
   addInputOptions(command_line);
   addCommonOptions(command_line);
   return runApp(command_line, argc, argv, run);

@@ -14,9 +14,12 @@
 #include <pcl/features/inad.h>
 #include <pcl/features/normal_3d_sweep.h>
 #include <pcl/segmentation/cloud_reach.h>
+#include <pcl/segmentation/means_of_parts.h>
 #include <pcl/segmentation/shape_field_estimation.h>
+#include <pcl/features/impl/neighborhoods.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -30,6 +33,8 @@ using pcl::tiling::TilePoints;
 // Sums of floats are rounded; a neighbor at the very border must not be missed.
 constexpr double rounding = 1.001;
 constexpr std::size_t fields_of_surfaces = 2;
+constexpr std::size_t fields_of_means = 4; // before all others: place and spacing
+const std::string means_name = "means";
 constexpr std::uint32_t nan_bits = 0x7fc00000U; // as std::numeric_limits<float> has it
 
 std::uint32_t
@@ -99,6 +104,7 @@ public:
   , threads_(threads)
   {}
 
+  /** Of its own points, or with a resolution of its own means. */
   Bytes
   operator()(const TilePoints& points, const pcl::tiling::Position& offset) const
   {
@@ -118,26 +124,38 @@ public:
                const pcl::FacesAround::Noise& noise) const
   {
     const TileSurfaces surfaces =
-        surfacesOf(cloud, tile, points, *numbers_, noise, threads_);
-    const std::size_t fields = fieldsOf(wanted_).size();
-    Rows rows(points.own, fields);
-    rows.addRows(surfaces.rows, fields - fields_of_surfaces);
+        surfacesOf(cloud, tile, points, *numbers_, noise, wanted_.resolution, threads_);
+    const std::size_t before = fieldsBeforeSurfaces();
+    Rows rows(surfaces.surface.size(), before + fields_of_surfaces);
+    rows.addRows(surfaces.rows, before);
     rows.add([&](std::size_t i) { return bitsOf(surfaces.likelihood[i]); });
     rows.add([&](std::size_t i) { return surfaces.surface[i]; });
     return rows.toBytes(0);
   }
 
 private:
+  std::size_t
+  fieldsBeforeSurfaces() const
+  {
+    return (wanted_.resolution > 0.0 ? fields_of_means : 0) + fieldsOf(wanted_).size() -
+           (wanted_.surfaces ? fields_of_surfaces : 0);
+  }
+
   /** All fields but those of surfaces. */
   Rows
   rowsOf(const TilePoints& points,
          const pcl::tiling::Position& offset,
          TileFaces& faces) const
   {
-    Rows rows(points.own,
-              fieldsOf(wanted_).size() - (wanted_.surfaces ? fields_of_surfaces : 0));
+    if (wanted_.resolution > 0.0) {
+      const TilePlaces places = placesOf(points, offset, wanted_.resolution);
+      Rows rows(places.own_places.size(), fieldsBeforeSurfaces());
+      addEdges(places, rows, faces);
+      return rows;
+    }
+    Rows rows(points.own, fieldsBeforeSurfaces());
     if (wanted_.needsNumbers()) {
-      const TilePlaces places = placesOf(points, offset);
+      const TilePlaces places = placesOf(points, offset, 0.0);
       if (wanted_.normals)
         addNormals(places, rows);
       if (wanted_.needsEdges())
@@ -184,11 +202,27 @@ private:
     for (std::size_t i = 0; i < places.is_own.size(); ++i)
       faces.unknown +=
           places.is_own[i] && std::isnan(field->edge_likelihood[i]) ? 1 : 0;
+    if (wanted_.resolution > 0.0)
+      addMeans(places, *field, rows);
     if (wanted_.surfaces)
       faces.part =
           pcl::facesOfPart(*field, numbers_->of_cloud, places.is_own, threads_);
     if (wanted_.edges || wanted_.types)
       addEdges(places, field, rows);
+  }
+
+  /** What points need to find the mean that stands for them. */
+  static void
+  addMeans(const TilePlaces& places, const pcl::ShapeField& field, Rows& rows)
+  {
+    const auto placeOf = [&](std::size_t i) {
+      return static_cast<std::size_t>(places.own_places[i]);
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      rows.add([&](std::size_t i) {
+        return bitsOf((*places.places)[placeOf(i)].data[axis]);
+      });
+    rows.add([&](std::size_t i) { return bitsOf(field.spacings[placeOf(i)]); });
   }
 
   void
@@ -253,7 +287,7 @@ private:
 };
 
 double
-haloOf(const TileWanted& wanted, const std::optional<TiledNumbers>& numbers)
+haloOfFields(const TileWanted& wanted, const std::optional<TiledNumbers>& numbers)
 {
   double halo = 2.0 * rounding * wanted.inad_radius; // INAD looks at neighbors' normals
   if (numbers) {
@@ -265,7 +299,77 @@ haloOf(const TileWanted& wanted, const std::optional<TiledNumbers>& numbers)
                      wanted.types ? reach.types : 0.0,
                      wanted.surfaces ? reach.faces : 0.0});
   }
-  return halo;
+  return haloOf(halo, wanted.resolution);
+}
+
+/** Means of some tiles with their fields. */
+class MeansAround {
+public:
+  MeansAround(const TileWanted& wanted) : fields_(fieldsOf(wanted)) {}
+
+  /** \param[in] bytes a result of means */
+  void
+  add(const Bytes& bytes)
+  {
+    const std::size_t row = fields_of_means + fields_.size();
+    std::vector<std::uint32_t> values((bytes.size() - result_header) /
+                                      sizeof(std::uint32_t));
+    if (!values.empty())
+      std::memcpy(
+          values.data(), bytes.data() + result_header, bytes.size() - result_header);
+    for (std::size_t at = 0; at < values.size(); at += row) {
+      std::array<float, fields_of_means> mean{};
+      std::memcpy(mean.data(), &values[at], sizeof mean);
+      positions_.insert(positions_.end(), mean.begin(), mean.begin() + 3);
+      spacings_.push_back(mean[3]);
+      for (std::size_t f = 0; f < fields_.size(); ++f)
+        values_.push_back(values[at + fields_of_means + f]);
+    }
+  }
+
+  Bytes
+  rowsAt(const pcl::XYZView& points, double resolution, unsigned threads) const
+  {
+    const std::vector<std::int32_t> means =
+        pcl::nearestMeans(points,
+                          {positions_.data(), 3, positions_.size() / 3},
+                          spacings_,
+                          resolution,
+                          threads);
+    Rows rows(points.size, fields_.size());
+    for (std::size_t f = 0; f < fields_.size(); ++f)
+      rows.add([&](std::size_t i) {
+        return means[i] < 0
+                   ? fields_[f].unknown
+                   : values_[static_cast<std::size_t>(means[i]) * fields_.size() + f];
+      });
+    return rows.toBytes(0);
+  }
+
+private:
+  std::vector<TileField> fields_;
+  std::vector<float> positions_, spacings_;
+  std::vector<std::uint32_t> values_;
+};
+
+/** From the fields of means to those of points. */
+void
+spreadMeans(TiledCloud& cloud,
+            const TileWanted& wanted,
+            const pcl::CloudNumbers& numbers,
+            unsigned threads)
+{
+  const double halo =
+      haloOf(rounding * pcl::reachOfMeans(numbers.distance, wanted.resolution),
+             wanted.resolution);
+  cloud.run(resultsName(), 0.0, [&](std::size_t tile, const TilePoints& points) {
+    MeansAround means(wanted);
+    means.add(cloud.resultOf(means_name, tile));
+    for (const std::size_t other : cloud.tilesAround(tile, halo))
+      means.add(cloud.resultOf(means_name, other));
+    const auto places = floatsOf(points, cloud.offset());
+    return means.rowsAt(pcl::detail::xyzOf(*places), wanted.resolution, threads);
+  });
 }
 
 /** Of a cloud in which many points get no answer, the whole would be sampled evenly:
@@ -347,18 +451,24 @@ computeFields(TiledCloud& cloud,
               unsigned threads)
 {
   const TileComputation computation(wanted, numbers, threads);
-  const std::string& name = wanted.surfaces ? facesName() : resultsName();
-  cloud.run(name, haloOf(wanted, numbers), [&](std::size_t, const TilePoints& points) {
-    return computation(points, cloud.offset());
-  });
-  if (wanted.needsEdges())
+  const std::string last = wanted.resolution > 0.0 ? means_name : resultsName();
+  const std::string name = wanted.surfaces ? facesName() : last;
+  cloud.run(
+      name, haloOfFields(wanted, numbers), [&](std::size_t, const TilePoints& points) {
+        return computation(points, cloud.offset());
+      });
+  if (wanted.needsEdges() && wanted.resolution == 0.0)
     requireFew(unknownOf(cloud, name), numbers->places);
-  if (!wanted.surfaces)
-    return;
-  const pcl::FacesAround::Noise noise = noiseOfFaces(cloud, *numbers, threads);
-  cloud.run(resultsName(), 0.0, [&](std::size_t tile, const TilePoints& points) {
-    return computation.withSurfaces(cloud, tile, points, noise);
-  });
+  if (wanted.surfaces) {
+    const pcl::FacesAround::Noise noise =
+        noiseOfFaces(cloud, *numbers, wanted.resolution, threads);
+    const double halo = haloOf(0.0, wanted.resolution);
+    cloud.run(last, halo, [&](std::size_t tile, const TilePoints& points) {
+      return computation.withSurfaces(cloud, tile, points, noise);
+    });
+  }
+  if (wanted.resolution > 0.0)
+    spreadMeans(cloud, wanted, numbers->of_cloud, threads);
 }
 
 } // namespace pcl::app

@@ -19,6 +19,7 @@ namespace pcl::app {
 struct TileWanted {
   bool normals = false, edges = false, types = false, surfaces = false;
   double inad_radius = 0.0; ///< meters, 0 for no INAD
+  double resolution = 0.0;  ///< meters, 0 for the cloud's own
 
   /** \brief Whether it needs the numbers of the whole cloud. */
   bool needsNumbers() const;

@@ -55,10 +55,12 @@ void
 addNeighbors(const TiledCloud& cloud,
              std::size_t tile,
              const TiledNumbers& numbers,
+             double resolution,
              FacesAround& faces)
 {
   const double halo =
-      pcl::reachOf(numbers.of_cloud, pcl::ShapeModel::defaultEdges()).surfaces;
+      haloOf(pcl::reachOf(numbers.of_cloud, pcl::ShapeModel::defaultEdges()).surfaces,
+             resolution);
   for (const std::size_t other : cloud.tilesAround(tile, halo)) {
     const Bytes bytes = cloud.resultOf(facesName(), other);
     ByteReader reader(bytes);
@@ -72,12 +74,13 @@ windowsOf(const TiledCloud& cloud,
           std::size_t tile,
           const TilePoints& points,
           const TiledNumbers& numbers,
+          double resolution,
           unsigned threads)
 {
-  const TilePlaces places = placesOf(points, cloud.offset());
+  const TilePlaces places = ownPlacesOf(points, cloud.offset(), resolution);
   const TileFaces own = facesOf(cloud, tile);
   FacesAround faces(own.part, places.view(), numbers.of_cloud, threads);
-  addNeighbors(cloud, tile, numbers, faces);
+  addNeighbors(cloud, tile, numbers, resolution, faces);
   Bytes bytes;
   for (const std::vector<float>& of_level : faces.residuals())
     putAll(of_level, bytes);
@@ -157,11 +160,16 @@ toBytes(const TileFaces& faces)
 }
 
 FacesAround::Noise
-noiseOfFaces(TiledCloud& cloud, const TiledNumbers& numbers, unsigned threads)
+noiseOfFaces(TiledCloud& cloud,
+             const TiledNumbers& numbers,
+             double resolution,
+             unsigned threads)
 {
-  cloud.run(windows_name, 0.0, [&](std::size_t tile, const TilePoints& points) {
-    return windowsOf(cloud, tile, points, numbers, threads);
-  });
+  cloud.run(windows_name,
+            haloOf(0.0, resolution),
+            [&](std::size_t tile, const TilePoints& points) {
+              return windowsOf(cloud, tile, points, numbers, resolution, threads);
+            });
   return Json::parse(cloud.decide("noise_of_faces",
                                   [&] { return Json(noiseOfWindows(cloud)).dump(); }));
 }
@@ -172,12 +180,15 @@ surfacesOf(const TiledCloud& cloud,
            const TilePoints& points,
            const TiledNumbers& numbers,
            const FacesAround::Noise& noise,
+           double resolution,
            unsigned threads)
 {
-  const TilePlaces places = placesOf(points, cloud.offset());
+  const TilePlaces places = ownPlacesOf(points, cloud.offset(), resolution);
   TileFaces own = facesOf(cloud, tile);
+  if (places.places->empty()) // the means of its voxels are of other tiles
+    return {};
   FacesAround faces(own.part, places.view(), numbers.of_cloud, threads);
-  addNeighbors(cloud, tile, numbers, faces);
+  addNeighbors(cloud, tile, numbers, resolution, faces);
   SurfaceDetector detector;
   detector.setInputCloud(places.places);
   detector.setShapeField(fieldOf(places, faces.likelihoods(noise)));

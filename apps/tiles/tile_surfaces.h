@@ -32,9 +32,10 @@ Bytes toBytes(const TileFaces& faces);
  * level. The windows of all tiles are measured, as far as that was not done before. */
 pcl::FacesAround::Noise noiseOfFaces(pcl::tiling::TiledCloud& cloud,
                                      const TiledNumbers& numbers,
+                                     double resolution,
                                      unsigned threads);
 
-/** \brief What the tile's own points get. */
+/** \brief What the tile's own points get, or with a resolution its own means. */
 struct TileSurfaces {
   std::vector<std::uint32_t> rows; ///< the other fields
   std::vector<float> likelihood;
@@ -46,6 +47,7 @@ TileSurfaces surfacesOf(const pcl::tiling::TiledCloud& cloud,
                         const pcl::tiling::TilePoints& points,
                         const TiledNumbers& numbers,
                         const pcl::FacesAround::Noise& noise,
+                        double resolution,
                         unsigned threads);
 
 } // namespace pcl::app

@@ -175,6 +175,22 @@ TEST_P(EqualTiles, GiveTheSameInAnyOrder)
   }
 }
 
+TEST_P(EqualTiles, GiveTheFileOfTheWholeCloudAtAResolution)
+{
+  const std::string file = whole(cloud());
+  const std::string name = GetParam();
+  const std::string resolution = name == "room" ? "0.12" : "0.25";
+  for (const Words& fields : {Words{"-types"}, Words{"-edges", "-surfaces"}}) {
+    Words wanted = fields;
+    wanted.insert(wanted.end(), {"-resolution", resolution});
+    const std::string expected = detected(file, wanted);
+    wanted.insert(wanted.end(), {"-tile", edges().front(), "-processes", "2"});
+    expectSuccess(tiles({file}, wanted));
+    EXPECT_EQ(differences(readFile(path("out/cloud.pcd")), expected), 0U)
+        << fields.back();
+  }
+}
+
 TEST_P(EqualTiles, GiveTheInadOfTheWholeCloud)
 {
   const std::string file = whole(cloud());
@@ -201,6 +217,22 @@ TEST_F(Tiles, HaveTheSurfacesOfACloudThatIsLongerThanTheyLook)
   expectSuccess(tiles({file}, {"-surfaces", "-tile", "13", "-json", path("json")}));
   EXPECT_EQ(differences(readFile(path("out/cloud.pcd")), expected), 0U);
   EXPECT_GT(count("tiles"), 4U);
+}
+
+TEST_F(Tiles, RefuseAResolutionThatDoesNotFit)
+{
+  constexpr std::size_t points = 2000;
+  const std::string file = whole(sheetCloud(points));
+  for (const char* const option : {"-normals", "-inad"}) {
+    Words options{"-resolution", "0.3", option};
+    if (options.back() == "-inad")
+      options.push_back("0.5");
+    expectRefused(tiles({file}, options), 2, {option, "own points", "-resolution"});
+  }
+  expectRefused(tiles({file}, {"-resolution", "30"}),
+                1,
+                {"resolution is 30 m", "less than the cloud's extent"});
+  expectRefused(tiles({file}, {"-resolution", "-1"}), 2, {"-resolution '-1'"});
 }
 
 INSTANTIATE_TEST_SUITE_P(Clouds,
