@@ -170,7 +170,9 @@ private:
   addNormals(const TilePlaces& places, Rows& rows) const
   {
     const pcl::CloudNumbers& numbers = numbers_->of_cloud;
-    const pcl::INADParameters radii = pcl::ShapeModel::defaultEdges().parameters();
+    const pcl::ShapeModel& model = wanted_.surfaces ? pcl::ShapeModel::defaultSurfaces()
+                                                    : pcl::ShapeModel::defaultEdges();
+    const pcl::INADParameters radii = model.parameters();
     const std::vector<float> normals =
         pcl::PartOfCloud(places.view(), places.is_own, threads_)
             .normals(numbers,
