@@ -37,6 +37,8 @@ using pcl::tiling::TileSettings;
 // Of a point of a tile, measured: its coordinates, what is computed of it, and its
 // share of the points around the tile.
 constexpr double bytes_of_point = 250.0;
+// Its halo is wider, and one in four is a piece of a face, with those around the tile.
+constexpr double bytes_with_surfaces = 350.0;
 constexpr double fixed_bytes = 200e6; // of the program, and of points on their way
 constexpr double least_memory = 300e6;
 constexpr double most_points = 1e9; // of a tile: they are counted in 32 bits
@@ -85,8 +87,9 @@ TileSettings
 settingsOf(const Arguments& arguments, const TileWanted& wanted)
 {
   TileSettings settings;
+  const double bytes = wanted.surfaces ? bytes_with_surfaces : bytes_of_point;
   settings.max_points = static_cast<std::uint64_t>(
-      std::min((memoryOf(arguments) - fixed_bytes) / bytes_of_point, most_points));
+      std::min((memoryOf(arguments) - fixed_bytes) / bytes, most_points));
   settings.max_edge = arguments.number("tile", positive_length).value_or(0.0);
   nlohmann::ordered_json parameters;
   for (const TileField& field : fieldsOf(wanted))
