@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// pcl_shape_tiles: normals, edges and INAD of clouds larger than memory, tile by tile.
+// pcl_shape_tiles: normals, edges, surfaces and INAD of clouds larger than memory, tile
+// by tile.
 
 #include "cli/app.h"
 #include "cli/errors.h"
 #include "cli/filter_app.h"
+#include "detection/resolution.h"
 #include "io/any_cloud.h"
 #include "tiles/cloud_source.h"
 #include "tiles/mpi_team.h"
@@ -35,6 +37,8 @@ using pcl::tiling::TileSettings;
 // Of a point of a tile, measured: its coordinates, what is computed of it, and its
 // share of the points around the tile.
 constexpr double bytes_of_point = 250.0;
+// Its halo is wider, and one in four is a piece of a face, with those around the tile.
+constexpr double bytes_with_surfaces = 350.0;
 constexpr double fixed_bytes = 200e6; // of the program, and of points on their way
 constexpr double least_memory = 300e6;
 constexpr double most_points = 1e9; // of a tile: they are counted in 32 bits
@@ -45,9 +49,15 @@ wantedOf(const Arguments& arguments)
   TileWanted wanted{arguments.has("normals"),
                     arguments.has("edges"),
                     arguments.has("types"),
-                    arguments.number("inad", positive_length).value_or(0.0)};
+                    arguments.has("surfaces"),
+                    arguments.number("inad", positive_length).value_or(0.0),
+                    resolutionOf(arguments)};
   if (!wanted.needsNumbers() && wanted.inad_radius == 0.0)
     wanted.edges = wanted.types = true;
+  for (const char* const of_points : {"normals", "inad"})
+    if (wanted.resolution > 0.0 && arguments.has(of_points))
+      throw UsageError("-" + std::string(of_points) +
+                       " is of the cloud's own points; leave it or -resolution out");
   return wanted;
 }
 
@@ -77,13 +87,15 @@ TileSettings
 settingsOf(const Arguments& arguments, const TileWanted& wanted)
 {
   TileSettings settings;
+  const double bytes = wanted.surfaces ? bytes_with_surfaces : bytes_of_point;
   settings.max_points = static_cast<std::uint64_t>(
-      std::min((memoryOf(arguments) - fixed_bytes) / bytes_of_point, most_points));
+      std::min((memoryOf(arguments) - fixed_bytes) / bytes, most_points));
   settings.max_edge = arguments.number("tile", positive_length).value_or(0.0);
   nlohmann::ordered_json parameters;
   for (const TileField& field : fieldsOf(wanted))
     parameters["fields"].push_back(field.name);
   parameters["inad"] = wanted.inad_radius;
+  parameters["resolution"] = wanted.resolution;
   parameters["offset"] = arguments.text("offset", "default");
   parameters["floats"] = floatsOfBin(arguments);
   settings.parameters = parameters.dump();
@@ -253,7 +265,8 @@ private:
     const unsigned threads = threadsOf(arguments_);
     std::optional<TiledNumbers> numbers;
     if (wanted_.needsNumbers())
-      report_.time("numbers", [&] { numbers = numbersOf(cloud, threads); });
+      report_.time("numbers",
+                   [&] { numbers = numbersOf(cloud, wanted_.resolution, threads); });
     report_.time("fields", [&] { computeFields(cloud, wanted_, numbers, threads); });
     if (!numbers)
       return;
@@ -330,19 +343,22 @@ main(int argc, char** argv)
       "pcl_shape_tiles",
       "in.pcd... -output_dir D",
       "Divide clouds that need not fit into memory into tiles, and compute normals, "
-      "edges and INAD:\nthe inputs are one cloud. D gets a cloud of each input's name "
+      "edges, surfaces\nand INAD: the inputs are one cloud. D gets a cloud of each "
+      "input's name "
       "with the fields that are asked\nfor; without any those of -edges and -types. A "
       "run that was ended goes on with the same command.");
   command_line.option("output_dir", "D", "for the outputs, and for tiles in D/tiles")
       .flag("normals", "add normal_x normal_y normal_z curvature")
       .flag("edges", "add edge_likelihood (NaN unknown) and edge: 1 on creases")
       .flag("types", "add edge_type: 1 crease, 2 corner, 3 open boundary, 0 none")
+      .flag("surfaces", "add likelihood and surface: 1 planar, 2 curved, 0 unknown")
       .option("inad", "R", "add mu and sigma, with neighborhoods of R meters")
       .option("memory", "M", "of a process, about: 2G (default), 500M")
       .option("tile", "L", "the longest edge of a tile in meters (by -memory)")
       .option("processes", "N", "that work at the same time: 1 (default)")
       .flag("keep_tiles", "leave D/tiles there in the end")
       .option("format", "F", "of the outputs: binary (default), ascii");
+  addResolutionOption(command_line);
   addInputOptions(command_line);
   addCommonOptions(command_line);
   return runApp(command_line, argc, argv, run);

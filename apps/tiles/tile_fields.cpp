@@ -9,13 +9,17 @@
 #include "detection/edges.h"
 #include "tiles/bytes.h"
 #include "tiles/tile_places.h"
+#include "tiles/tile_surfaces.h"
 
 #include <pcl/features/inad.h>
 #include <pcl/features/normal_3d_sweep.h>
 #include <pcl/segmentation/cloud_reach.h>
+#include <pcl/segmentation/means_of_parts.h>
 #include <pcl/segmentation/shape_field_estimation.h>
+#include <pcl/features/impl/neighborhoods.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -28,6 +32,9 @@ using pcl::tiling::TilePoints;
 
 // Sums of floats are rounded; a neighbor at the very border must not be missed.
 constexpr double rounding = 1.001;
+constexpr std::size_t fields_of_surfaces = 2;
+constexpr std::size_t fields_of_means = 4; // before all others: place and spacing
+const std::string means_name = "means";
 constexpr std::uint32_t nan_bits = 0x7fc00000U; // as std::numeric_limits<float> has it
 
 std::uint32_t
@@ -45,6 +52,20 @@ public:
   : fields_(fields)
   , values_(points * fields)
   {}
+
+  /** The fields that were added to other rows. */
+  void
+  addRows(const std::vector<std::uint32_t>& rows, std::size_t fields)
+  {
+    for (std::size_t f = 0; f < fields; ++f)
+      add([&](std::size_t i) { return rows[i * fields + f]; });
+  }
+
+  const std::vector<std::uint32_t>&
+  values() const
+  {
+    return values_;
+  }
 
   /** The next field of every point. \param[in] value of a point, float or number */
   template <typename Value>
@@ -83,29 +104,75 @@ public:
   , threads_(threads)
   {}
 
+  /** Of its own points, or with a resolution of its own means. */
   Bytes
-  operator()(const TilePoints& points, const pcl::tiling::Position& offset)
+  operator()(const TilePoints& points, const pcl::tiling::Position& offset) const
   {
-    Rows rows(points.own, fieldsOf(wanted_).size());
-    std::uint64_t unknown = 0;
-    if (wanted_.needsNumbers()) {
-      const TilePlaces places = placesOf(points, offset);
-      if (wanted_.normals)
-        addNormals(places, rows);
-      if (wanted_.edges || wanted_.types)
-        unknown = addEdges(places, rows);
-    }
-    if (wanted_.inad_radius > 0.0)
-      addInad(floatsOf(points, offset), rows);
-    return rows.toBytes(unknown);
+    TileFaces faces;
+    const Rows rows = rowsOf(points, offset, faces);
+    if (!wanted_.surfaces)
+      return rows.toBytes(faces.unknown);
+    faces.rows = rows.values();
+    return toBytes(faces);
+  }
+
+  /** The fields with surfaces, which are found last. */
+  Bytes
+  withSurfaces(const TiledCloud& cloud,
+               std::size_t tile,
+               const TilePoints& points,
+               const pcl::FacesAround::Noise& noise) const
+  {
+    const TileSurfaces surfaces =
+        surfacesOf(cloud, tile, points, *numbers_, noise, wanted_.resolution, threads_);
+    const std::size_t before = fieldsBeforeSurfaces();
+    Rows rows(surfaces.surface.size(), before + fields_of_surfaces);
+    rows.addRows(surfaces.rows, before);
+    rows.add([&](std::size_t i) { return bitsOf(surfaces.likelihood[i]); });
+    rows.add([&](std::size_t i) { return surfaces.surface[i]; });
+    return rows.toBytes(0);
   }
 
 private:
+  std::size_t
+  fieldsBeforeSurfaces() const
+  {
+    return (wanted_.resolution > 0.0 ? fields_of_means : 0) + fieldsOf(wanted_).size() -
+           (wanted_.surfaces ? fields_of_surfaces : 0);
+  }
+
+  /** All fields but those of surfaces. */
+  Rows
+  rowsOf(const TilePoints& points,
+         const pcl::tiling::Position& offset,
+         TileFaces& faces) const
+  {
+    if (wanted_.resolution > 0.0) {
+      const TilePlaces places = placesOf(points, offset, wanted_.resolution);
+      Rows rows(places.own_places.size(), fieldsBeforeSurfaces());
+      addEdges(places, rows, faces);
+      return rows;
+    }
+    Rows rows(points.own, fieldsBeforeSurfaces());
+    if (wanted_.needsNumbers()) {
+      const TilePlaces places = placesOf(points, offset, 0.0);
+      if (wanted_.normals)
+        addNormals(places, rows);
+      if (wanted_.needsEdges())
+        addEdges(places, rows, faces);
+    }
+    if (wanted_.inad_radius > 0.0)
+      addInad(floatsOf(points, offset), rows);
+    return rows;
+  }
+
   void
   addNormals(const TilePlaces& places, Rows& rows) const
   {
     const pcl::CloudNumbers& numbers = numbers_->of_cloud;
-    const pcl::INADParameters radii = pcl::ShapeModel::defaultEdges().parameters();
+    const pcl::ShapeModel& model = wanted_.surfaces ? pcl::ShapeModel::defaultSurfaces()
+                                                    : pcl::ShapeModel::defaultEdges();
+    const pcl::INADParameters radii = model.parameters();
     const std::vector<float> normals =
         pcl::PartOfCloud(places.view(), places.is_own, threads_)
             .normals(numbers,
@@ -117,9 +184,8 @@ private:
       });
   }
 
-  /** \return how many of the tile's places have no edge likelihood */
-  std::uint64_t
-  addEdges(const TilePlaces& places, Rows& rows) const
+  pcl::ShapeField::ConstPtr
+  edgesOf(const TilePlaces& places) const
   {
     pcl::ShapeFieldEstimation<pcl::PointXYZ> estimation;
     estimation.setInputCloud(places.places);
@@ -128,6 +194,44 @@ private:
     estimation.setNumberOfThreads(threads_);
     const auto field = pcl::make_shared<pcl::ShapeField>();
     withPclErrors("tile", [&] { return estimation.compute(*field); });
+    return field;
+  }
+
+  void
+  addEdges(const TilePlaces& places, Rows& rows, TileFaces& faces) const
+  {
+    const pcl::ShapeField::ConstPtr field = edgesOf(places);
+    for (std::size_t i = 0; i < places.is_own.size(); ++i)
+      faces.unknown +=
+          places.is_own[i] && std::isnan(field->edge_likelihood[i]) ? 1 : 0;
+    if (wanted_.resolution > 0.0)
+      addMeans(places, *field, rows);
+    if (wanted_.surfaces)
+      faces.part =
+          pcl::facesOfPart(*field, numbers_->of_cloud, places.is_own, threads_);
+    if (wanted_.edges || wanted_.types)
+      addEdges(places, field, rows);
+  }
+
+  /** What points need to find the mean that stands for them. */
+  static void
+  addMeans(const TilePlaces& places, const pcl::ShapeField& field, Rows& rows)
+  {
+    const auto placeOf = [&](std::size_t i) {
+      return static_cast<std::size_t>(places.own_places[i]);
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      rows.add([&](std::size_t i) {
+        return bitsOf((*places.places)[placeOf(i)].data[axis]);
+      });
+    rows.add([&](std::size_t i) { return bitsOf(field.spacings[placeOf(i)]); });
+  }
+
+  void
+  addEdges(const TilePlaces& places,
+           const pcl::ShapeField::ConstPtr& field,
+           Rows& rows) const
+  {
     EdgeDetector detector;
     detector.setInputCloud(places.places);
     detector.setShapeField(field);
@@ -155,10 +259,6 @@ private:
       rows.add([&](std::size_t i) {
         return static_cast<std::uint32_t>(edges.types[placeOf(i)]);
       });
-    std::uint64_t unknown = 0;
-    for (std::size_t i = 0; i < places.is_own.size(); ++i)
-      unknown += places.is_own[i] && std::isnan(field->edge_likelihood[i]) ? 1 : 0;
-    return unknown;
   }
 
   void
@@ -189,7 +289,7 @@ private:
 };
 
 double
-haloOf(const TileWanted& wanted, const std::optional<TiledNumbers>& numbers)
+haloOfFields(const TileWanted& wanted, const std::optional<TiledNumbers>& numbers)
 {
   double halo = 2.0 * rounding * wanted.inad_radius; // INAD looks at neighbors' normals
   if (numbers) {
@@ -198,9 +298,80 @@ haloOf(const TileWanted& wanted, const std::optional<TiledNumbers>& numbers)
     halo = std::max({halo,
                      wanted.normals ? reach.normals : 0.0,
                      wanted.edges ? reach.edges : 0.0,
-                     wanted.types ? reach.types : 0.0});
+                     wanted.types ? reach.types : 0.0,
+                     wanted.surfaces ? reach.faces : 0.0});
   }
-  return halo;
+  return haloOf(halo, wanted.resolution);
+}
+
+/** Means of some tiles with their fields. */
+class MeansAround {
+public:
+  MeansAround(const TileWanted& wanted) : fields_(fieldsOf(wanted)) {}
+
+  /** \param[in] bytes a result of means */
+  void
+  add(const Bytes& bytes)
+  {
+    const std::size_t row = fields_of_means + fields_.size();
+    std::vector<std::uint32_t> values((bytes.size() - result_header) /
+                                      sizeof(std::uint32_t));
+    if (!values.empty())
+      std::memcpy(
+          values.data(), bytes.data() + result_header, bytes.size() - result_header);
+    for (std::size_t at = 0; at < values.size(); at += row) {
+      std::array<float, fields_of_means> mean{};
+      std::memcpy(mean.data(), &values[at], sizeof mean);
+      positions_.insert(positions_.end(), mean.begin(), mean.begin() + 3);
+      spacings_.push_back(mean[3]);
+      for (std::size_t f = 0; f < fields_.size(); ++f)
+        values_.push_back(values[at + fields_of_means + f]);
+    }
+  }
+
+  Bytes
+  rowsAt(const pcl::XYZView& points, double resolution, unsigned threads) const
+  {
+    const std::vector<std::int32_t> means =
+        pcl::nearestMeans(points,
+                          {positions_.data(), 3, positions_.size() / 3},
+                          spacings_,
+                          resolution,
+                          threads);
+    Rows rows(points.size, fields_.size());
+    for (std::size_t f = 0; f < fields_.size(); ++f)
+      rows.add([&](std::size_t i) {
+        return means[i] < 0
+                   ? fields_[f].unknown
+                   : values_[static_cast<std::size_t>(means[i]) * fields_.size() + f];
+      });
+    return rows.toBytes(0);
+  }
+
+private:
+  std::vector<TileField> fields_;
+  std::vector<float> positions_, spacings_;
+  std::vector<std::uint32_t> values_;
+};
+
+/** From the fields of means to those of points. */
+void
+spreadMeans(TiledCloud& cloud,
+            const TileWanted& wanted,
+            const pcl::CloudNumbers& numbers,
+            unsigned threads)
+{
+  const double halo =
+      haloOf(rounding * pcl::reachOfMeans(numbers.distance, wanted.resolution),
+             wanted.resolution);
+  cloud.run(resultsName(), 0.0, [&](std::size_t tile, const TilePoints& points) {
+    MeansAround means(wanted);
+    means.add(cloud.resultOf(means_name, tile));
+    for (const std::size_t other : cloud.tilesAround(tile, halo))
+      means.add(cloud.resultOf(means_name, other));
+    const auto places = floatsOf(points, cloud.offset());
+    return means.rowsAt(pcl::detail::xyzOf(*places), wanted.resolution, threads);
+  });
 }
 
 /** Of a cloud in which many points get no answer, the whole would be sampled evenly:
@@ -216,12 +387,33 @@ requireFew(std::uint64_t unknown, std::uint64_t places)
                      "cannot be done in tiles; expected at most 2 %");
 }
 
+/** \param[in] name of results that begin with the number of their tile */
+std::uint64_t
+unknownOf(TiledCloud& cloud, const std::string& name)
+{
+  return std::stoull(cloud.decide("unknown", [&] {
+    std::uint64_t count = 0;
+    for (std::size_t tile = 0; tile < cloud.size(); ++tile)
+      if (cloud.pointsOf(tile) > 0) {
+        const Bytes bytes = cloud.resultOf(name, tile);
+        count += ByteReader(bytes).take<std::uint64_t>();
+      }
+    return std::to_string(count);
+  }));
+}
+
 } // namespace
 
 bool
 TileWanted::needsNumbers() const
 {
-  return normals || edges || types;
+  return normals || needsEdges();
+}
+
+bool
+TileWanted::needsEdges() const
+{
+  return edges || types || surfaces;
 }
 
 std::vector<TileField>
@@ -240,6 +432,10 @@ fieldsOf(const TileWanted& wanted)
   if (wanted.inad_radius > 0.0)
     for (const char* const name : {"mu", "sigma"})
       fields.push_back({name, true, nan_bits});
+  if (wanted.surfaces) {
+    fields.push_back({"likelihood", true, nan_bits});
+    fields.push_back({"surface", false, 0});
+  }
   return fields;
 }
 
@@ -256,24 +452,25 @@ computeFields(TiledCloud& cloud,
               const std::optional<TiledNumbers>& numbers,
               unsigned threads)
 {
-  TileComputation computation(wanted, numbers, threads);
-  cloud.run(resultsName(),
-            haloOf(wanted, numbers),
-            [&](std::size_t, const TilePoints& points) {
-              return computation(points, cloud.offset());
-            });
-  if (!wanted.edges && !wanted.types)
-    return;
-  const std::string unknown = cloud.decide("unknown", [&] {
-    std::uint64_t count = 0;
-    for (std::size_t tile = 0; tile < cloud.size(); ++tile)
-      if (cloud.pointsOf(tile) > 0) {
-        const Bytes bytes = cloud.resultOf(resultsName(), tile);
-        count += ByteReader(bytes).take<std::uint64_t>();
-      }
-    return std::to_string(count);
-  });
-  requireFew(std::stoull(unknown), numbers->places);
+  const TileComputation computation(wanted, numbers, threads);
+  const std::string last = wanted.resolution > 0.0 ? means_name : resultsName();
+  const std::string name = wanted.surfaces ? facesName() : last;
+  cloud.run(
+      name, haloOfFields(wanted, numbers), [&](std::size_t, const TilePoints& points) {
+        return computation(points, cloud.offset());
+      });
+  if (wanted.needsEdges() && wanted.resolution == 0.0)
+    requireFew(unknownOf(cloud, name), numbers->places);
+  if (wanted.surfaces) {
+    const pcl::FacesAround::Noise noise =
+        noiseOfFaces(cloud, *numbers, wanted.resolution, threads);
+    const double halo = haloOf(0.0, wanted.resolution);
+    cloud.run(last, halo, [&](std::size_t tile, const TilePoints& points) {
+      return computation.withSurfaces(cloud, tile, points, noise);
+    });
+  }
+  if (wanted.resolution > 0.0)
+    spreadMeans(cloud, wanted, numbers->of_cloud, threads);
 }
 
 } // namespace pcl::app

@@ -17,11 +17,13 @@ namespace pcl::app {
 
 /** \brief What is wanted of each point. */
 struct TileWanted {
-  bool normals = false, edges = false, types = false;
+  bool normals = false, edges = false, types = false, surfaces = false;
   double inad_radius = 0.0; ///< meters, 0 for no INAD
+  double resolution = 0.0;  ///< meters, 0 for the cloud's own
 
   /** \brief Whether it needs the numbers of the whole cloud. */
   bool needsNumbers() const;
+  bool needsEdges() const;
 };
 
 /** \brief A field of a result, four bytes a point. */

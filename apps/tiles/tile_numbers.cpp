@@ -6,15 +6,16 @@
 
 #include "cli/errors.h"
 #include "tiles/bytes.h"
+#include "tiles/selection.h"
 #include "tiles/tile_places.h"
 
 #include <pcl/segmentation/cloud_reach.h>
+#include <pcl/segmentation/means_of_parts.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <string>
 
@@ -39,9 +40,10 @@ Bytes
 measuredDistances(const TilePoints& points,
                   const pcl::tiling::Position& offset,
                   double reach,
+                  double resolution,
                   unsigned threads)
 {
-  const TilePlaces places = placesOf(points, offset);
+  const TilePlaces places = placesOf(points, offset, resolution);
   constexpr float far = std::numeric_limits<float>::infinity();
   std::array<float, 3> low{far, far, far}, high{-far, -far, -far};
   for (std::size_t i = 0; i < places.places->size(); ++i)
@@ -70,54 +72,34 @@ distancesOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
   return distances;
 }
 
-/** Floats of 0 and more are in the order of their bits. */
-std::uint32_t
-keyOf(float value)
-{
-  std::uint32_t key = 0;
-  std::memcpy(&key, &value, sizeof key);
-  return key;
-}
-
-/** The value that as many are below as the rank says. \param[in] forEach calls a
- * function for each value, which is not negative, and how many times it is there; it is
- * called twice */
-template <typename ForEach>
-float
-selected(std::uint64_t rank, const ForEach& forEach)
-{
-  constexpr int bits = 16;
-  constexpr std::uint32_t digit_mask = (1U << bits) - 1;
-  std::vector<std::uint64_t> counts(std::size_t{1} << bits, 0);
-  const auto find = [&] {
-    std::uint32_t digit = 0;
-    while (rank >= counts[digit])
-      rank -= counts[digit++];
-    return digit;
-  };
-  forEach(
-      [&](float value, std::uint64_t count) { counts[keyOf(value) >> bits] += count; });
-  const std::uint32_t high = find();
-  counts.assign(counts.size(), 0);
-  forEach([&](float value, std::uint64_t count) {
-    if (keyOf(value) >> bits == high)
-      counts[keyOf(value) & digit_mask] += count;
-  });
-  const std::uint32_t key = high << bits | find();
-  float value = 0.0f;
-  std::memcpy(&value, &key, sizeof value);
-  return value;
-}
-
 std::uint64_t
 middleOf(std::uint64_t count)
 {
   return count / 2; // the upper one of two, as the library's medians
 }
 
+/** Of points that are not finite: no voxel mean stands for them. */
+std::uint64_t
+unknownPlaces(const TiledCloud& cloud, double resolution)
+{
+  return resolution > 0.0 ? 0 : cloud.countNotFinite();
+}
+
+void
+checkResolution(double resolution,
+                const std::array<float, 3>& low,
+                const std::array<float, 3>& high)
+{
+  std::vector<float> corners(low.begin(), low.end());
+  corners.insert(corners.end(), high.begin(), high.end());
+  const std::string problem = pcl::problemOfResolution(resolution, corners);
+  if (!problem.empty())
+    throw InputError(problem);
+}
+
 /** Medians, the box and the number of places, of distances as far as the reach. */
 Json
-mediansOf(const TiledCloud& cloud, const std::string& name)
+mediansOf(const TiledCloud& cloud, const std::string& name, double resolution)
 {
   constexpr float far = std::numeric_limits<float>::infinity();
   std::array<float, 3> low{far, far, far}, high{-far, -far, -far};
@@ -136,6 +118,8 @@ mediansOf(const TiledCloud& cloud, const std::string& name)
       high[axis] = std::max(high[axis], of_tile.high[axis]);
     }
   });
+  if (resolution > 0.0)
+    checkResolution(resolution, low, high);
   if (places < min_places)
     throw InputError("the cloud has " + std::to_string(places) +
                      " different places; expected at least " +
@@ -150,9 +134,9 @@ mediansOf(const TiledCloud& cloud, const std::string& name)
       });
     }));
   // Points that are not finite count with the median, as in the whole cloud.
-  const std::uint64_t all = places + cloud.countNotFinite();
-  const float middle = selected(middleOf(all), [&](const auto& use) {
-    use(static_cast<float>(distance), cloud.countNotFinite());
+  const std::uint64_t unknown = unknownPlaces(cloud, resolution);
+  const float middle = selected(middleOf(places + unknown), [&](const auto& use) {
+    use(static_cast<float>(distance), unknown);
     forEachTile([&](const TileDistances& of_tile) {
       for (const float d : of_tile.distances)
         use(d, 1);
@@ -168,19 +152,24 @@ mediansOf(const TiledCloud& cloud, const std::string& name)
 
 /** The numbers that distances give, with a reach that was far enough for them. */
 TiledNumbers
-mediansOf(TiledCloud& cloud, unsigned threads)
+mediansOf(TiledCloud& cloud, double resolution, unsigned threads)
 {
-  double reach = first_reach * cloud.typicalDistance();
+  // Twelve neighbors of a mean are within some two voxels.
+  constexpr double first_voxels = 8.0;
+  double reach =
+      std::max(first_reach * cloud.typicalDistance(), first_voxels * resolution);
   if (!(reach > 0.0))
     reach = 1.0; // all points in one cell: it grows if that is too little
   for (int round = 0;; ++round) {
     const std::string name = "distances_" + std::to_string(round);
-    cloud.run(name, reach, [&](std::size_t, const TilePoints& points) {
-      return measuredDistances(points, cloud.offset(), reach, threads);
+    const double halo = haloOf(reach, resolution);
+    cloud.run(name, halo, [&](std::size_t, const TilePoints& points) {
+      return measuredDistances(points, cloud.offset(), reach, resolution, threads);
     });
     const Json medians =
-        Json::parse(cloud.decide("medians_" + std::to_string(round),
-                                 [&] { return mediansOf(cloud, name).dump(); }));
+        Json::parse(cloud.decide("medians_" + std::to_string(round), [&] {
+          return mediansOf(cloud, name, resolution).dump();
+        }));
     TiledNumbers numbers;
     numbers.of_cloud.distance = medians.at("distance");
     numbers.of_cloud.spacing = medians.at("spacing");
@@ -219,14 +208,15 @@ measuresOf(const Bytes& bytes)
 } // namespace
 
 TiledNumbers
-numbersOf(TiledCloud& cloud, unsigned threads)
+numbersOf(TiledCloud& cloud, double resolution, unsigned threads)
 {
-  TiledNumbers numbers = mediansOf(cloud, threads);
+  TiledNumbers numbers = mediansOf(cloud, resolution, threads);
   const double reach =
       pcl::reachOf(numbers.of_cloud, pcl::ShapeModel::defaultEdges()).noise;
-  const std::uint64_t all = numbers.places + cloud.countNotFinite();
-  cloud.run("noise", reach, [&](std::size_t, const TilePoints& points) {
-    const TilePlaces places = placesOf(points, cloud.offset());
+  const std::uint64_t all = numbers.places + unknownPlaces(cloud, resolution);
+  const double halo = haloOf(reach, resolution);
+  cloud.run("noise", halo, [&](std::size_t, const TilePoints& points) {
+    const TilePlaces places = placesOf(points, cloud.offset(), resolution);
     return toBytes(pcl::PartOfCloud(places.view(), places.is_own, threads)
                        .measureNoise(numbers.of_cloud, all));
   });

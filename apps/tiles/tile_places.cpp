@@ -4,9 +4,12 @@
 
 #include "tiles/tile_places.h"
 
+#include <pcl/segmentation/means_of_parts.h>
 #include <pcl/features/impl/neighborhoods.hpp>
 
+#include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace pcl::app {
 
@@ -29,8 +32,20 @@ floatsOf(const pcl::tiling::TilePoints& points, const pcl::tiling::Position& off
   return cloud;
 }
 
+namespace {
+
+pcl::PointCloud<pcl::PointXYZ>::Ptr
+cloudOf(const std::vector<float>& coordinates)
+{
+  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  for (std::size_t i = 0; i < coordinates.size(); i += 3)
+    cloud->emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
+  return cloud;
+}
+
 TilePlaces
-placesOf(const pcl::tiling::TilePoints& points, const pcl::tiling::Position& offset)
+distinctPlacesOf(const pcl::tiling::TilePoints& points,
+                 const pcl::tiling::Position& offset)
 {
   const auto cloud = floatsOf(points, offset);
   const pcl::DistinctPoints distinct = pcl::distinctPoints(pcl::detail::xyzOf(*cloud));
@@ -52,6 +67,53 @@ placesOf(const pcl::tiling::TilePoints& points, const pcl::tiling::Position& off
   result.is_own.assign(points.points.size(), false);
   std::fill_n(result.is_own.begin(), points.own, true);
   return result;
+}
+
+} // namespace
+
+TilePlaces
+placesOf(const pcl::tiling::TilePoints& points,
+         const pcl::tiling::Position& offset,
+         double resolution)
+{
+  TilePlaces places = distinctPlacesOf(points, offset);
+  if (resolution == 0.0)
+    return places;
+  pcl::MeansOfPart part = pcl::meansOfPart(places.view(), places.is_own, resolution);
+  places.places = cloudOf(part.means);
+  places.is_own = std::move(part.is_own);
+  places.own_places.clear();
+  for (std::size_t i = 0; i < places.is_own.size(); ++i)
+    if (places.is_own[i])
+      places.own_places.push_back(static_cast<std::int32_t>(i));
+  return places;
+}
+
+TilePlaces
+ownPlacesOf(const pcl::tiling::TilePoints& points,
+            const pcl::tiling::Position& offset,
+            double resolution)
+{
+  TilePlaces places = placesOf(points, offset, resolution);
+  if (resolution == 0.0) // the places of its own points come first
+    places.places->resize(static_cast<std::size_t>(
+        std::count(places.is_own.begin(), places.is_own.end(), true)));
+  else {
+    places.places = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*places.places,
+                                                                     places.own_places);
+    std::iota(places.own_places.begin(), places.own_places.end(), 0);
+  }
+  places.is_own.assign(places.places->size(), true);
+  return places;
+}
+
+double
+haloOf(double reach, double resolution)
+{
+  // A tile's own voxel reaches so far beyond its points, and so does one within reach;
+  // sums of floats are rounded.
+  constexpr double voxels = 2.0, rounding = 1.001;
+  return reach + rounding * voxels * resolution;
 }
 
 } // namespace pcl::app

@@ -28,7 +28,19 @@ struct TilePlaces {
 pcl::PointCloud<pcl::PointXYZ>::Ptr floatsOf(const pcl::tiling::TilePoints& points,
                                              const pcl::tiling::Position& offset);
 
+/** \brief The places, or with a resolution the voxel means that stand for them; its own
+ * ones count as the tile's points then. \param[in] resolution meters, 0 for none */
 TilePlaces placesOf(const pcl::tiling::TilePoints& points,
-                    const pcl::tiling::Position& offset);
+                    const pcl::tiling::Position& offset,
+                    double resolution);
+
+/** \brief The tile's own ones alone, in their order. */
+TilePlaces ownPlacesOf(const pcl::tiling::TilePoints& points,
+                       const pcl::tiling::Position& offset,
+                       double resolution);
+
+/** \brief How far points must be there so that the places within a reach of a tile's
+ * own ones are. */
+double haloOf(double reach, double resolution);
 
 } // namespace pcl::app

@@ -83,15 +83,6 @@ markBands(const std::vector<Agreement>& agreements,
   }
 }
 
-Bounds
-boundsOf(const FieldInput& input)
-{
-  if (!input.of_cloud)
-    return Bounds::of(input.points);
-  return {Eigen::Map<const Eigen::Array3f>(input.of_cloud->low.data()),
-          Eigen::Map<const Eigen::Array3f>(input.of_cloud->high.data())};
-}
-
 } // namespace
 
 void

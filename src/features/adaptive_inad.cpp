@@ -4,6 +4,8 @@
 
 #include "features/adaptive_inad.h"
 
+#include "common/statistics.h"
+
 #include <pcl/features/impl/neighborhoods.hpp>
 
 #include <numeric>
@@ -71,6 +73,28 @@ chosen(const std::vector<T>& values, const pcl::Indices& points)
 }
 
 } // namespace
+
+segmentation::Bounds
+boundsOf(const CloudNumbers& numbers)
+{
+  return {Eigen::Map<const Eigen::Array3f>(numbers.low.data()),
+          Eigen::Map<const Eigen::Array3f>(numbers.high.data())};
+}
+
+segmentation::Bounds
+boundsOf(const FieldInput& input)
+{
+  if (!input.of_cloud)
+    return segmentation::Bounds::of(input.points);
+  return boundsOf(*input.of_cloud);
+}
+
+float
+spacingOfCloud(const FieldInput& input, const std::vector<float>& spacings)
+{
+  return input.of_cloud ? input.of_cloud->spacing
+                        : segmentation::medianSpacing(spacings);
+}
 
 AdaptiveINAD
 adaptiveINAD(const FieldInput& input,

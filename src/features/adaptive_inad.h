@@ -5,6 +5,7 @@
 #pragma once
 
 #include "features/local_spacing.h"
+#include "geometry/point_grid.h"
 
 #include <Eigen/Core>
 
@@ -21,6 +22,16 @@ struct FieldInput {
   bool is_even = false; ///< the spacing changes slowly: it is taken as it is
   const CloudNumbers* of_cloud = nullptr; ///< of which the points are a part
 };
+
+/** \brief The box of a cloud's finite points. */
+segmentation::Bounds boundsOf(const CloudNumbers& numbers);
+
+/** \brief The box of the finite points, those of the whole cloud. */
+segmentation::Bounds boundsOf(const FieldInput& input);
+
+/** \brief The median of the spacings, of the whole cloud. \param[in] spacings of the
+ * points */
+float spacingOfCloud(const FieldInput& input, const std::vector<float>& spacings);
 
 /** \brief Normals and INAD; NaN unknown. */
 struct AdaptiveINAD {

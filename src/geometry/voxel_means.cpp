@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace pcl::detail {
 namespace {
@@ -46,6 +47,26 @@ sortedByCell(const XYZView& points, double size)
     return a.cell < b.cell;
   });
   return sorted;
+}
+
+/** use(begin, end) for the points of each voxel. */
+template <typename Use>
+void
+forEachVoxel(const std::vector<CellPoint>& sorted, const Use& use)
+{
+  for (auto begin = sorted.begin(), end = begin; begin != sorted.end(); begin = end) {
+    end = std::find_if(begin, sorted.end(), [&](const CellPoint& point) {
+      return point.cell != begin->cell;
+    });
+    use(begin, end);
+  }
+}
+
+bool
+isBefore(const XYZView& points, std::uint32_t a, std::uint32_t b)
+{
+  const float *p = points[a], *q = points[b];
+  return std::tie(p[0], p[1], p[2], a) < std::tie(q[0], q[1], q[2], b);
 }
 
 struct Size {
@@ -95,13 +116,12 @@ voxelMeans(const XYZView& points, double size)
   // Offsets within a cell are added up as integers: whatever the order of the points.
   constexpr double steps = 1 << 24;
   std::vector<float> means;
-  const std::vector<CellPoint> sorted = sortedByCell(points, size);
-  for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
-    const auto& cell = sorted[begin].cell;
+  forEachVoxel(sortedByCell(points, size), [&](const auto begin, const auto end) {
+    const auto& cell = begin->cell;
     std::array<std::int64_t, 3> sums{};
-    for (end = begin; end < sorted.size() && sorted[end].cell == cell; ++end)
+    for (auto at = begin; at != end; ++at)
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double cells = points[sorted[end].index][axis] / size;
+        const double cells = points[at->index][axis] / size;
         sums[axis] += std::llround((cells - cell[2 - axis]) * steps);
       }
     const auto count = static_cast<double>(end - begin);
@@ -109,8 +129,22 @@ voxelMeans(const XYZView& points, double size)
       const double offset = static_cast<double>(sums[axis]) / (count * steps);
       means.push_back(static_cast<float>((cell[2 - axis] + offset) * size));
     }
-  }
+  });
   return means;
+}
+
+std::vector<std::uint32_t>
+firstInVoxels(const XYZView& points, double size)
+{
+  std::vector<std::uint32_t> first;
+  forEachVoxel(sortedByCell(points, size), [&](const auto begin, const auto end) {
+    const auto least =
+        std::min_element(begin, end, [&](const CellPoint& a, const CellPoint& b) {
+          return isBefore(points, a.index, b.index);
+        });
+    first.push_back(least->index);
+  });
+  return first;
 }
 
 std::vector<std::int32_t>
@@ -129,7 +163,11 @@ representatives(const XYZView& queries,
     std::int32_t nearest = -1;
     float least = std::numeric_limits<float>::infinity();
     grid.forEachWithin(query, radius, [&](std::uint32_t i, float squared) {
-      if (squared < least && squared <= spacings[i] * spacings[i]) {
+      const bool is_nearer =
+          squared < least ||
+          (squared == least &&
+           isBefore(surface, i, static_cast<std::uint32_t>(nearest)));
+      if (is_nearer && squared < spacings[i] * spacings[i]) {
         least = squared;
         nearest = static_cast<std::int32_t>(i);
       }

@@ -21,8 +21,12 @@ std::string problemOfResolution(double resolution, const XYZView& points);
  * \param[in] size of a voxel; problemOfResolution() knows which are possible */
 std::vector<float> voxelMeans(const XYZView& points, double size);
 
+/** \brief For each of these means the point with the least coordinates in its voxel. */
+std::vector<std::uint32_t> firstInVoxels(const XYZView& points, double size);
+
 /** \brief For each query the surface point it stands for: the nearest one within its
- * reach, or -1. \param[in] reach one for each surface point, meters */
+ * reach, or -1; of two that are as near the one with the least coordinates. \param[in]
+ * reach one for each surface point, meters */
 std::vector<std::int32_t> representatives(const XYZView& queries,
                                           const XYZView& surface,
                                           const std::vector<float>& reach,

@@ -7,10 +7,15 @@
 #include "edges/edge_types.h"
 #include "features/local_spacing.h"
 #include "features/noise_level.h"
+#include "segmentation/evidence_reach.h"
+#include "surfaces/evidence_of_faces.h"
+#include "surfaces/face_evidence.h"
+#include "surfaces/surface_classification.h"
 
 #include <pcl/segmentation/cloud_reach.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl {
 namespace {
@@ -20,7 +25,60 @@ using namespace detail;
 // Sums of floats are rounded; a neighbor at the very border must not be missed.
 constexpr double rounding = 1.001;
 
+/** How far the first level of faces looks from the first point of a node. */
+double
+firstFacesReach(double cell, double most, double edges)
+{
+  const double diagonal = std::sqrt(3.0) * cell;
+  // Normals and links are made twice; each time of the nodes that follow.
+  return diagonal + 2.0 * segmentation::firstLink(cell, most) + diagonal + edges;
+}
+
+/** How far a node of a level looks, along each axis from its cell, to make its normal
+ * and its links: those of each level twice, by links into the next cells. */
+double
+levelReach(double first_cell, double link, std::size_t level)
+{
+  double reach = link + first_cell;
+  double cell = first_cell;
+  for (std::size_t l = 1; l <= level; ++l) {
+    cell *= 2.0;
+    reach += 2.0 * (link + cell);
+  }
+  return reach;
+}
+
+/** How far the windows look whose noise counts at the cell of a node, at any level. */
+double
+windowReach(const CloudNumbers& numbers, double most)
+{
+  double cell = segmentation::firstCell(numbers.noise, numbers.spacing);
+  const double link = segmentation::firstLink(cell, most);
+  double reach = 0.0;
+  const double first = cell;
+  for (std::size_t level = 0; level < segmentation::face_levels; ++level, cell *= 2.0) {
+    const double noise = 2.0 * segmentation::noiseCell(cell, numbers.spacing);
+    // From a place in the cell to its node, from there to nodes that noise is made of,
+    // to the nodes of their windows, and all of their cells.
+    reach = std::max(reach,
+                     cell + noise + segmentation::windowRadius(cell, most) + cell +
+                         levelReach(first, link, level));
+  }
+  return reach;
+}
+
 } // namespace
+
+double
+evidenceReach(const CloudNumbers& numbers)
+{
+  const double most = rounding * mostSpacing(numbers.distance);
+  const double cell =
+      rounding * segmentation::firstCell(numbers.noise, numbers.spacing);
+  const double nearest = segmentation::nearest_face_spacings * numbers.spacing;
+  return rounding * std::max(cell, nearest) +
+         segmentation::averaging_rounds * segmentation::firstLink(cell, most);
+}
 
 CloudReach
 reachOf(const CloudNumbers& numbers, const ShapeModel& edge_model)
@@ -44,6 +102,17 @@ reachOf(const CloudNumbers& numbers, const ShapeModel& edge_model)
   reach.types = std::max({reach.edges,
                           cornerSpacings(numbers.noise_level) * most + agreement,
                           boundarySpacings() * most + normal});
+  const double cell =
+      rounding * segmentation::firstCell(numbers.noise, numbers.spacing);
+  const double faces = std::max(firstFacesReach(cell, most, reach.edges),
+                                rounding * modelReach(numbers,
+                                                      ShapeModel::defaultSurfaces(),
+                                                      reach.edges,
+                                                      reach.normals));
+  reach.faces = std::sqrt(3.0) * cell + faces;
+  // Pieces are near by their first points, which are in the cell of their mean.
+  reach.surfaces =
+      evidenceReach(numbers) + rounding * windowReach(numbers, most) + 2.0 * cell;
   return reach;
 }
 

@@ -6,7 +6,6 @@
 
 #include "common/finite.h"
 #include "common/parallel.h"
-#include "common/statistics.h"
 #include "geometry/point_choice.h"
 #include "geometry/point_grid.h"
 
@@ -40,7 +39,9 @@ struct Nodes {
   Nodes(const FieldInput& input,
         const ShapeField& edges,
         const std::vector<Node>& nodes)
-  : grid(positionsOf(nodes), reach_spacings * median(edges.spacings))
+  : grid(positionsOf(nodes),
+         reach_spacings * spacingOfCloud(input, edges.spacings),
+         boundsOf(input))
   {
     for (const std::uint32_t k : grid.order()) {
       const std::size_t i = nodes[k].point;
@@ -165,6 +166,20 @@ forEachMean(const FieldInput& input,
 
 } // namespace
 
+double
+averagingReach(double spacing, double most_spacing)
+{
+  // Points that are beyond the radius, but in a cell within it, count nothing; sums
+  // are rounded as they are where the same points are there.
+  return rounds * reach_spacings * most_spacing + reach_spacings * spacing;
+}
+
+double
+evidencePointReach(double spacing)
+{
+  return std::sqrt(3.0) * node_spacings * spacing;
+}
+
 std::vector<std::uint32_t>
 knownPoints(const FieldInput& input, const ShapeField& edges)
 {
@@ -181,8 +196,8 @@ evidencePoints(const FieldInput& input,
                const ShapeField& edges,
                const std::vector<std::uint32_t>& known)
 {
-  const std::vector<std::uint32_t> points =
-      centralPoints(input.points, known, node_spacings * median(edges.spacings));
+  const std::vector<std::uint32_t> points = centralPoints(
+      input.points, known, node_spacings * spacingOfCloud(input, edges.spacings));
   pcl::Indices indices(points.begin(), points.end());
   for (std::uint32_t i = 0; i < input.points.size; ++i)
     if (kernels::isFinite(input.points[i]) &&

@@ -14,6 +14,13 @@
 
 namespace pcl::segmentation {
 
+/** \brief How far averageEvidence() looks from a point to those that stand for others.
+ * \param[in] spacing median of the cloud */
+double averagingReach(double spacing, double most_spacing);
+
+/** \brief How far the point is, at most, that stands for one. */
+double evidencePointReach(double spacing);
+
 /** \brief The points with a place and a direction. */
 std::vector<std::uint32_t> knownPoints(const detail::FieldInput& input,
                                        const ShapeField& edges);

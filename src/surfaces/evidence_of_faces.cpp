@@ -6,8 +6,6 @@
 
 #include "common/finite.h"
 #include "common/parallel.h"
-#include "geometry/point_grid.h"
-#include "surfaces/face_evidence.h"
 
 #include <cmath>
 #include <limits>
@@ -15,16 +13,18 @@
 namespace pcl::segmentation {
 namespace {
 
-constexpr float reach_spacings = 5.0f; // bands of edges are up to 2.2 to either side
 // A face that a point is off from is farther than one that it is beside.
 constexpr float off_plane = 8.0f; // of squares
 
 /** The nodes with evidence, to find the nearest. */
 class NearestFace {
 public:
-  NearestFace(const FaceLevel& level, const std::vector<float>& evidence, float reach)
+  NearestFace(const FaceLevel& level,
+              const std::vector<float>& evidence,
+              float reach,
+              const Bounds& bounds)
   : nodes_(knownOf(level, evidence))
-  , grid_(positionsOf(nodes_), reach)
+  , grid_(positionsOf(nodes_), reach, bounds)
   , reach_(reach)
   {}
 
@@ -69,11 +69,13 @@ private:
 std::vector<float>
 evidenceOfFaces(const XYZView& points,
                 const FacePyramid& faces,
+                const std::vector<float>& of_nodes,
                 float spacing,
+                const Bounds& bounds,
                 unsigned threads)
 {
-  const std::vector<float> of_nodes = faceEvidence(faces, spacing, threads);
-  const NearestFace nearest(faces.levels.front(), of_nodes, reach_spacings * spacing);
+  const NearestFace nearest(
+      faces.levels.front(), of_nodes, nearest_face_spacings * spacing, bounds);
   std::vector<float> evidence(points.size, std::numeric_limits<float>::quiet_NaN());
   kernels::parallelForEach(evidence.size(), threads, [&](std::size_t i) {
     const std::uint32_t node = faces.node_of_point[i];

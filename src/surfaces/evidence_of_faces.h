@@ -4,18 +4,25 @@
 
 #pragma once
 
+#include "geometry/point_grid.h"
 #include "surfaces/face_pyramid.h"
 
 #include <vector>
 
 namespace pcl::segmentation {
 
-/** \brief Evidence for curved against planar at each point, as of faceEvidence(). A
- * point of an edge takes that of the nearest face. \param[in] spacing median
- * \param[in] threads 0 for all cores \return NaN unknown */
+// How far the nearest face may be: bands of edges are up to 2.2 to either side.
+constexpr float nearest_face_spacings = 5.0f;
+
+/** \brief Evidence for curved against planar at each point. A point of an edge takes
+ * that of the nearest face. \param[in] of_nodes see faceEvidence() \param[in] spacing
+ * median \param[in] bounds of the cloud \param[in] threads 0 for all cores \return NaN
+ * unknown */
 std::vector<float> evidenceOfFaces(const XYZView& points,
                                    const FacePyramid& faces,
+                                   const std::vector<float>& of_nodes,
                                    float spacing,
+                                   const Bounds& bounds,
                                    unsigned threads);
 
 } // namespace pcl::segmentation

@@ -50,31 +50,11 @@ constexpr float excess_residual = 1.5f; // squared, of the noise at the node's o
 constexpr float visible_bulge = 4.0f; // in noise
 constexpr float least_share = 0.3f;
 
-// Of averaging over a node and those linked to it: it reaches as far as a first window.
-constexpr int rounds = 5;
-
 struct LevelFits {
-  std::vector<std::optional<FaceFit>> fits;
+  FaceFits fits;
   std::vector<float> noise,
       evidence; ///< of each node; NaN where its window is not used
 };
-
-std::vector<std::optional<FaceFit>>
-fitsOf(const FaceLevel& level, unsigned threads)
-{
-  std::vector<std::optional<FaceFit>> fits(level.nodes.size());
-  kernels::parallelForRanges(
-      fits.size(), threads, [&](std::size_t begin, std::size_t end) {
-        FaceWindow window(level);
-        for (std::size_t i = begin; i < end; ++i) {
-          const float radius =
-              window_cells * std::max(level.cell, level.nodes[i].spacing);
-          fits[i] = fitFace(
-              level, window.around(static_cast<std::uint32_t>(i), radius, same_window));
-        }
-      });
-  return fits;
-}
 
 bool
 holds(const FaceFit& fit, float noise)
@@ -195,13 +175,55 @@ averaged(const FaceLevel& level, const std::vector<float>& values, unsigned thre
 
 } // namespace
 
+double
+windowRadius(double cell, double spacing)
+{
+  return window_cells * std::max(cell, spacing);
+}
+
+FaceFits
+fitsOf(const FaceLevel& level, const std::vector<bool>& wanted, unsigned threads)
+{
+  FaceFits fits(level.nodes.size());
+  kernels::parallelForRanges(
+      fits.size(), threads, [&](std::size_t begin, std::size_t end) {
+        FaceWindow window(level);
+        for (std::size_t i = begin; i < end; ++i) {
+          const auto radius =
+              static_cast<float>(windowRadius(level.cell, level.nodes[i].spacing));
+          if (wanted[i])
+            fits[i] = fitFace(
+                level,
+                window.around(static_cast<std::uint32_t>(i), radius, same_window));
+        }
+      });
+  return fits;
+}
+
 std::vector<float>
 faceEvidence(const FacePyramid& pyramid, float spacing, unsigned threads)
 {
-  std::vector<LevelFits> levels;
+  std::vector<FaceFits> fits;
+  std::vector<float> noise;
   for (const FaceLevel& level : pyramid.levels) {
-    levels.push_back({fitsOf(level, threads), {}, {}});
-    levels.back().noise = faceNoise(level, levels.back().fits, spacing);
+    fits.push_back(fitsOf(level, std::vector<bool>(level.nodes.size(), true), threads));
+    noise.push_back(noiseOfCloud(fits.back()));
+  }
+  return faceEvidence(pyramid, std::move(fits), noise, spacing, threads);
+}
+
+std::vector<float>
+faceEvidence(const FacePyramid& pyramid,
+             std::vector<FaceFits> fits,
+             const std::vector<float>& noise_of_cloud,
+             float spacing,
+             unsigned threads)
+{
+  std::vector<LevelFits> levels;
+  for (std::size_t l = 0; l < fits.size(); ++l) {
+    levels.push_back({std::move(fits[l]), {}, {}});
+    levels.back().noise =
+        faceNoise(pyramid.levels[l], levels.back().fits, spacing, noise_of_cloud[l]);
   }
   findEvidence(pyramid, levels, spacing);
   const FaceLevel& first = pyramid.levels.front();
@@ -209,7 +231,7 @@ faceEvidence(const FacePyramid& pyramid, float spacing, unsigned threads)
   kernels::parallelForEach(evidence.size(), threads, [&](std::size_t i) {
     evidence[i] = mostAt(pyramid, levels, static_cast<std::uint32_t>(i), spacing);
   });
-  for (int round = 0; round < rounds; ++round)
+  for (int round = 0; round < averaging_rounds; ++round)
     evidence = averaged(first, evidence, threads);
   return evidence;
 }

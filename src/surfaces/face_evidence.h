@@ -4,11 +4,26 @@
 
 #pragma once
 
-#include "surfaces/face_pyramid.h"
+#include "surfaces/face_noise.h"
 
 #include <vector>
 
 namespace pcl::segmentation {
+
+// Windows of the fifth level are 53 spacings in radius without noise.
+constexpr std::size_t face_levels = 5;
+
+// Of averaging over a node and those linked to it: it reaches as far as a first window.
+constexpr int averaging_rounds = 5;
+
+/** \brief How far a window reaches from a node. \param[in] cell of its level
+ * \param[in] spacing of the node */
+double windowRadius(double cell, double spacing);
+
+/** \brief How the windows of the nodes that are wanted bend. \param[in] threads 0 for
+ * all cores */
+FaceFits
+fitsOf(const FaceLevel& level, const std::vector<bool>& wanted, unsigned threads);
 
 /** \brief Evidence for curved against planar of each node of the first level: the
  * logarithm of a ratio, from -4 to 4; NaN where no window tells. See doc/method.md.
@@ -16,5 +31,12 @@ namespace pcl::segmentation {
  * threads 0 for all cores */
 std::vector<float>
 faceEvidence(const FacePyramid& pyramid, float spacing, unsigned threads);
+
+/** \brief The same with what fitsOf() and noiseOfCloud() say of each level. */
+std::vector<float> faceEvidence(const FacePyramid& pyramid,
+                                std::vector<FaceFits> fits,
+                                const std::vector<float>& noise_of_cloud,
+                                float spacing,
+                                unsigned threads);
 
 } // namespace pcl::segmentation

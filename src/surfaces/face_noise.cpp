@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace pcl::segmentation {
 namespace {
@@ -39,17 +40,25 @@ placeOf(const Eigen::Vector3f& position, float cell)
   return place;
 }
 
+template <typename Visit>
+void
+forEachAround(const Place& place, const Visit& visit)
+{
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z)
+        visit(Place{place[0] + x, place[1] + y, place[2] + z});
+}
+
 float
 noiseAt(const Place& place, const Residuals& residuals, float of_cloud)
 {
   std::vector<float> near;
-  for (int x = -1; x <= 1; ++x)
-    for (int y = -1; y <= 1; ++y)
-      for (int z = -1; z <= 1; ++z) {
-        const auto found = residuals.find({place[0] + x, place[1] + y, place[2] + z});
-        if (found != residuals.end())
-          near.insert(near.end(), found->second.begin(), found->second.end());
-      }
+  forEachAround(place, [&](const Place& around) {
+    const auto found = residuals.find(around);
+    if (found != residuals.end())
+      near.insert(near.end(), found->second.begin(), found->second.end());
+  });
   if (near.size() < min_residuals)
     return of_cloud;
   return std::clamp(quantile(std::move(near), share),
@@ -59,20 +68,52 @@ noiseAt(const Place& place, const Residuals& residuals, float of_cloud)
 
 } // namespace
 
-std::vector<float>
-faceNoise(const FaceLevel& level,
-          const std::vector<std::optional<FaceFit>>& fits,
-          float spacing)
+double
+noiseCell(double cell, double spacing)
 {
-  const float cell = std::max(cell_spacings * spacing, cells_per_node * level.cell);
-  Residuals residuals;
+  return std::max(cell_spacings * spacing, cells_per_node * cell);
+}
+
+std::uint64_t
+rankOfNoise(std::uint64_t residuals)
+{
+  return static_cast<std::uint64_t>(share * static_cast<double>(residuals));
+}
+
+float
+noiseOfCloud(const FaceFits& fits)
+{
   std::vector<float> all;
+  for (const std::optional<FaceFit>& fit : fits)
+    if (fit)
+      all.push_back(fit->residual);
+  return all.empty() ? 0.0f : quantile(std::move(all), share);
+}
+
+std::vector<bool>
+nodesAround(const FaceLevel& level, const std::vector<bool>& chosen, float spacing)
+{
+  const auto cell = static_cast<float>(noiseCell(level.cell, spacing));
+  std::set<Place> of_chosen, places;
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    if (chosen[i])
+      of_chosen.insert(placeOf(level.nodes[i].position, cell));
+  for (const Place& place : of_chosen)
+    forEachAround(place, [&](const Place& around) { places.insert(around); });
+  std::vector<bool> around(chosen.size());
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    around[i] = places.count(placeOf(level.nodes[i].position, cell)) > 0;
+  return around;
+}
+
+std::vector<float>
+faceNoise(const FaceLevel& level, const FaceFits& fits, float spacing, float of_cloud)
+{
+  const auto cell = static_cast<float>(noiseCell(level.cell, spacing));
+  Residuals residuals;
   for (std::size_t i = 0; i < fits.size(); ++i)
-    if (fits[i]) {
+    if (fits[i])
       residuals[placeOf(level.nodes[i].position, cell)].push_back(fits[i]->residual);
-      all.push_back(fits[i]->residual);
-    }
-  const float of_cloud = all.empty() ? 0.0f : quantile(std::move(all), share);
   std::map<Place, float> known;
   std::vector<float> noise;
   noise.reserve(fits.size());

@@ -34,7 +34,7 @@ constexpr float same_face = 0.7071f; // cosine of 45 degrees: of two normals
 constexpr float most_rise = 0.6f;
 
 using Cell = std::array<std::int32_t, 3>;
-using Link = std::pair<std::uint32_t, std::uint32_t>;
+using Link = FaceLink;
 
 Cell
 cellOf(const Vector3f& p, float size)
@@ -144,21 +144,6 @@ areOfOneFace(const FaceNode& a, const FaceNode& b)
   const float rise = most_rise * offset.norm();
   return std::abs(a.normal.dot(b.normal)) > same_face &&
          std::abs(offset.dot(a.normal)) < rise && std::abs(offset.dot(b.normal)) < rise;
-}
-
-void
-setLinks(std::vector<Link> links, FaceLevel& level)
-{
-  std::sort(links.begin(), links.end());
-  links.erase(std::unique(links.begin(), links.end()), links.end());
-  level.link_begins.assign(level.nodes.size() + 1, 0);
-  level.links.clear();
-  for (const Link& link : links) {
-    ++level.link_begins[link.first + 1];
-    level.links.push_back(link.second);
-  }
-  for (std::size_t i = 0; i < level.nodes.size(); ++i)
-    level.link_begins[i + 1] += level.link_begins[i];
 }
 
 template <typename Visit>
@@ -309,15 +294,50 @@ nextLevel(FaceLevel& level)
 
 } // namespace
 
+void
+setLinks(std::vector<Link> links, FaceLevel& level)
+{
+  std::sort(links.begin(), links.end());
+  links.erase(std::unique(links.begin(), links.end()), links.end());
+  level.link_begins.assign(level.nodes.size() + 1, 0);
+  level.links.clear();
+  for (const Link& link : links) {
+    ++level.link_begins[link.first + 1];
+    level.links.push_back(link.second);
+  }
+  for (std::size_t i = 0; i < level.nodes.size(); ++i)
+    level.link_begins[i + 1] += level.link_begins[i];
+}
+
+float
+firstCell(double noise, float spacing)
+{
+  return (cell_spacings + cell_per_noise * static_cast<float>(noise)) * spacing;
+}
+
+double
+firstLink(double cell, double most_spacing)
+{
+  return link_cells * std::max(cell, most_spacing);
+}
+
+bool
+comesBefore(const Vector3f& a, const Vector3f& b, float cell)
+{
+  const auto key = [cell](const Vector3f& p) {
+    return std::make_tuple(cellOf(p, cell), p.x(), p.y(), p.z());
+  };
+  return key(a) < key(b);
+}
+
 FacePyramid
-facePyramid(const XYZView& points, const ShapeField& field, std::size_t levels)
+firstFaces(const XYZView& points, const ShapeField& field, float spacing)
 {
   FacePyramid pyramid;
   pyramid.node_of_point.assign(points.size, FacePyramid::none);
   pyramid.levels.resize(1);
   FaceLevel& first = pyramid.levels.front();
-  first.cell = (cell_spacings + cell_per_noise * static_cast<float>(field.noise)) *
-               medianSpacing(field.spacings);
+  first.cell = firstCell(field.noise, spacing);
   if (!(first.cell > 0.0f)) // half of the points share a place with 12 others
     return {};
   collectNodes(points, field, pyramid);
@@ -325,12 +345,26 @@ facePyramid(const XYZView& points, const ShapeField& field, std::size_t levels)
   refineNormals(first);
   cutLinks(first);
   refineNormals(first);
+  return pyramid;
+}
+
+void
+addLevels(std::size_t levels, FacePyramid& pyramid)
+{
   while (pyramid.levels.size() < levels) {
     FaceLevel next = nextLevel(pyramid.levels.back());
     refineNormals(next);
     cutLinks(next);
     pyramid.levels.push_back(std::move(next));
   }
+}
+
+FacePyramid
+facePyramid(const XYZView& points, const ShapeField& field, std::size_t levels)
+{
+  FacePyramid pyramid = firstFaces(points, field, medianSpacing(field.spacings));
+  if (!pyramid.levels.empty())
+    addLevels(levels, pyramid);
   return pyramid;
 }
 

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace pcl::segmentation {
@@ -30,6 +31,12 @@ struct FaceLevel {
   std::vector<std::uint32_t> parents;     ///< in the next level; none in the last
 };
 
+/** \brief A node, and one that follows it. */
+using FaceLink = std::pair<std::uint32_t, std::uint32_t>;
+
+/** \brief Set the links of a level, in the order of nodes and once each. */
+void setLinks(std::vector<FaceLink> links, FaceLevel& level);
+
 /** \brief Levels from small cells to large ones, each twice the size of the last. */
 struct FacePyramid {
   static constexpr std::uint32_t none = 0xffffffffU;
@@ -45,6 +52,22 @@ struct FacePyramid {
  * not matter. \param[in] field with its edges \param[in] levels at least 1 */
 FacePyramid
 facePyramid(const XYZView& points, const ShapeField& field, std::size_t levels);
+
+/** \brief Its first level alone. \param[in] spacing of the cloud, median */
+FacePyramid firstFaces(const XYZView& points, const ShapeField& field, float spacing);
+
+/** \brief The levels above it. \param[in] levels how many in all */
+void addLevels(std::size_t levels, FacePyramid& pyramid);
+
+/** \brief The size of the cells of the first level. \param[in] noise in spacings */
+float firstCell(double noise, float spacing);
+
+/** \brief How far a node of it and one that follows it are apart, at most. */
+double firstLink(double cell, double most_spacing);
+
+/** \brief Nodes of the first level are in this order of the first points in them: by
+ * their cells of this size, and by coordinates. */
+bool comesBefore(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float cell);
 
 /** \brief The nodes of a face around one of them. */
 class FaceWindow {

@@ -9,6 +9,7 @@
 #include "features/class_evidence.h"
 #include "surfaces/evidence_averaging.h"
 #include "surfaces/evidence_of_faces.h"
+#include "surfaces/face_evidence.h"
 
 #include <pcl/features/distinct_points.h>
 
@@ -61,13 +62,85 @@ pointsOfNodes(const FacePyramid& faces, const std::vector<std::uint32_t>& known)
   return points;
 }
 
-/** The evidence of planar and curved: that of the model, and of how faces bend. Where
- * no face tells, the model's decides alone. */
+/** For each point by how much the model is for curved; NaN unknown. */
+std::vector<float>
+differencesAt(const FieldInput& input,
+              const ShapeField& field,
+              const FacePyramid& faces,
+              const std::vector<float>& of_model)
+{
+  std::vector<float> differences;
+  differences.reserve(input.points.size);
+  for (std::size_t i = 0; i < input.points.size; ++i) {
+    const std::uint32_t node = faces.node_of_point[i];
+    const std::size_t from = node == FacePyramid::none ? i : faces.point_of_node[node];
+    const float difference = of_model[2 * from + 1] - of_model[2 * from];
+    // In a sparse place too few points stand for others: no evidence.
+    const bool is_sparse =
+        std::isnan(difference) && kernels::isFinite(field.normals[i].data());
+    differences.push_back(is_sparse ? 0.0f : difference);
+  }
+  return differences;
+}
+
+/** The evidence of planar and curved: that of the model, and of how faces bend. */
 std::vector<float>
 evidenceWithFaces(const FieldInput& input,
                   const ShapeField& field,
                   const ShapeModel& model,
                   const std::vector<std::uint32_t>& known)
+{
+  const float spacing = spacingOfCloud(input, field.spacings);
+  FacePyramid faces = firstFaces(input.points, field, spacing);
+  if (faces.levels.empty())
+    return evidenceOfModel(input, field, model, known, known);
+  const std::vector<float> of_model =
+      evidenceOfModel(input, field, model, known, pointsOfNodes(faces, known));
+  addLevels(face_levels, faces);
+  const std::vector<float> of_faces =
+      evidenceOfFaces(input.points,
+                      faces,
+                      faceEvidence(faces, spacing, input.threads),
+                      spacing,
+                      boundsOf(input),
+                      input.threads);
+  return joinedEvidence(differencesAt(input, field, faces, of_model), of_faces);
+}
+
+} // namespace
+
+std::vector<float>
+modelDifferences(const FieldInput& input,
+                 const ShapeField& field,
+                 const ShapeModel& model,
+                 const FacePyramid& faces)
+{
+  const std::vector<std::uint32_t> known = knownPoints(input, field);
+  return differencesAt(
+      input,
+      field,
+      faces,
+      evidenceOfModel(input, field, model, known, pointsOfNodes(faces, known)));
+}
+
+double
+modelReach(const CloudNumbers& numbers,
+           const ShapeModel& model,
+           double edge_reach,
+           double normal_reach)
+{
+  const double most = mostSpacing(numbers.distance);
+  const INADParameters radii = withNoise(model.parameters(), numbers.noise_level);
+  const double choice = evidencePointReach(numbers.spacing);
+  // Which points stand for others depends on where the field has normals.
+  const double normal = std::max(
+      {radii.normal_radius * most, spacingReach(numbers.distance), normal_reach});
+  const double inad = radii.radius * most + choice + normal;
+  return averagingReach(numbers.spacing, most) + choice + std::max(inad, edge_reach);
+}
+
+std::vector<float>
+joinedEvidence(const std::vector<float>& of_model, const std::vector<float>& of_faces)
 {
   // Waves and near creases look curved to the model: it decides where the bend of a
   // face is in doubt, and may not overrule clear evidence of it by itself. That it sees
@@ -75,24 +148,10 @@ evidenceWithFaces(const FieldInput& input,
   constexpr float model_weight = 0.6f;
   constexpr float least_of_model = -2.0f;
   constexpr float most_of_model = 4.8f;
-  // Windows of the fifth level are 53 spacings in radius without noise.
-  constexpr std::size_t levels = 5;
-  const FacePyramid faces = facePyramid(input.points, field, levels);
-  if (faces.levels.empty())
-    return evidenceOfModel(input, field, model, known, known);
-  const std::vector<float> of_model =
-      evidenceOfModel(input, field, model, known, pointsOfNodes(faces, known));
-  const std::vector<float> of_faces = evidenceOfFaces(
-      input.points, faces, medianSpacing(field.spacings), input.threads);
-  std::vector<float> evidence(2 * input.points.size,
+  std::vector<float> evidence(2 * of_model.size(),
                               std::numeric_limits<float>::quiet_NaN());
-  for (std::size_t i = 0; i < input.points.size; ++i) {
-    const std::uint32_t node = faces.node_of_point[i];
-    const std::size_t from = node == FacePyramid::none ? i : faces.point_of_node[node];
-    float difference = of_model[2 * from + 1] - of_model[2 * from];
-    // In a sparse place too few points stand for others: no evidence.
-    if (std::isnan(difference) && kernels::isFinite(field.normals[i].data()))
-      difference = 0.0f;
+  for (std::size_t i = 0; i < of_model.size(); ++i) {
+    const float difference = of_model[i];
     if (std::isnan(difference))
       continue;
     evidence[2 * i] = 0.0f;
@@ -105,7 +164,6 @@ evidenceWithFaces(const FieldInput& input,
   return evidence;
 }
 
-/** Posteriors in the place of evidence, by Bayes' rule. */
 void
 toPosteriors(const ShapeModel& model, std::vector<float>& values)
 {
@@ -122,8 +180,6 @@ toPosteriors(const ShapeModel& model, std::vector<float>& values)
       of_point[c] /= sum;
   }
 }
-
-} // namespace
 
 void
 classifySurfaces(const FieldInput& input, const ShapeModel& model, ShapeField& field)

@@ -287,15 +287,24 @@ public:
   TilePoints
   load(std::size_t tile, double halo)
   {
-    const TileFile& own = fileOf(tile);
-    TilePoints points{own.points(), 0};
+    TilePoints points{fileOf(tile).points(), 0};
     points.own = points.points.size();
-    const Box around = own.box().grown(halo + roundingOf(own.box(), halo));
+    const Box around = boxAround(tile, halo);
+    for (const std::size_t other : tilesAround(tile, halo))
+      fileOf(other).addPointsIn(around, points.points);
+    return points;
+  }
+
+  std::vector<std::size_t>
+  tilesAround(std::size_t tile, double halo)
+  {
+    const Box around = boxAround(tile, halo);
+    std::vector<std::size_t> tiles;
     for (std::size_t other = 0; other < plan().points.size(); ++other)
       if (other != tile && plan().points[other] > 0 &&
           around.meets(fileOf(other).box()))
-        fileOf(other).addPointsIn(around, points.points);
-    return points;
+        tiles.push_back(other);
+    return tiles;
   }
 
   void
@@ -647,6 +656,13 @@ private:
     return share * (largest + halo);
   }
 
+  Box
+  boxAround(std::size_t tile, double halo)
+  {
+    const Box own = fileOf(tile).box();
+    return own.grown(halo + roundingOf(own, halo));
+  }
+
   const TileFile&
   fileOf(std::size_t tile)
   {
@@ -743,6 +759,12 @@ TilePoints
 TiledCloud::load(std::size_t tile, double halo) const
 {
   return state_->load(tile, halo);
+}
+
+std::vector<std::size_t>
+TiledCloud::tilesAround(std::size_t tile, double halo) const
+{
+  return state_->tilesAround(tile, halo);
 }
 
 void

@@ -140,10 +140,10 @@ TEST_P(EqualTiles, GiveTheFileOfTheWholeCloud)
 TEST_P(EqualTiles, GiveTheSameInAnyOrder)
 {
   const TilePointCloud points = cloud();
-  const Words wanted{"-edges", "-types"};
+  const Words wanted{"-edges", "-types", "-surfaces"};
   const std::string expected = detected(whole(points), wanted);
   const pcl::app::CloudFile of_whole = pcl::app::decodePcd("whole", expected);
-  const Words names{"edge_likelihood", "edge", "edge_type"};
+  const Words names{"edge_likelihood", "edge", "edge_type", "likelihood", "surface"};
   for (const unsigned seed : {1U, 2U}) {
     const std::vector<std::size_t> order = shuffled(points.size(), seed);
     const auto part = [&](std::size_t begin, std::size_t end) {
@@ -175,6 +175,20 @@ TEST_P(EqualTiles, GiveTheSameInAnyOrder)
   }
 }
 
+TEST_P(EqualTiles, GiveTheFileOfTheWholeCloudAtAResolution)
+{
+  const std::string file = whole(cloud());
+  const std::string name = GetParam();
+  const std::string resolution = name == "room" ? "0.12" : "0.25";
+  Words wanted{"-edges", "-types", "-resolution", resolution};
+  if (name != "street") // without surfaces tiles take another way
+    wanted.push_back("-surfaces");
+  const std::string expected = detected(file, wanted);
+  wanted.insert(wanted.end(), {"-tile", edges().back(), "-processes", "2"});
+  expectSuccess(tiles({file}, wanted));
+  EXPECT_EQ(differences(readFile(path("out/cloud.pcd")), expected), 0U);
+}
+
 TEST_P(EqualTiles, GiveTheInadOfTheWholeCloud)
 {
   const std::string file = whole(cloud());
@@ -188,6 +202,36 @@ TEST_P(EqualTiles, GiveTheInadOfTheWholeCloud)
               0U)
         << "tiles of " << edge << " m";
   }
+}
+
+TEST_F(Tiles, HaveTheSurfacesOfACloudThatIsLongerThanTheyLook)
+{
+  constexpr std::size_t points = 120000;
+  const std::string file = whole(pathCloud(points));
+  const std::string expected = detected(file, {"-surfaces", "-normals"});
+  const Bits surfaces = bitsOf(pcl::app::decodePcd("whole", expected), "surface");
+  for (const std::uint32_t surface : {1U, 2U})
+    EXPECT_GT(std::count(surfaces.begin(), surfaces.end(), surface), 1000);
+  expectSuccess(
+      tiles({file}, {"-surfaces", "-normals", "-tile", "13", "-json", path("json")}));
+  EXPECT_EQ(differences(readFile(path("out/cloud.pcd")), expected), 0U);
+  EXPECT_GT(count("tiles"), 4U);
+}
+
+TEST_F(Tiles, RefuseAResolutionThatDoesNotFit)
+{
+  constexpr std::size_t points = 2000;
+  const std::string file = whole(sheetCloud(points));
+  for (const char* const option : {"-normals", "-inad"}) {
+    Words options{"-resolution", "0.3", option};
+    if (options.back() == "-inad")
+      options.push_back("0.5");
+    expectRefused(tiles({file}, options), 2, {option, "own points", "-resolution"});
+  }
+  expectRefused(tiles({file}, {"-resolution", "30"}),
+                1,
+                {"resolution is 30 m", "less than the cloud's extent"});
+  expectRefused(tiles({file}, {"-resolution", "-1"}), 2, {"-resolution '-1'"});
 }
 
 INSTANTIATE_TEST_SUITE_P(Clouds,

@@ -153,6 +153,22 @@ sheetCloud(std::size_t points)
 }
 
 TilePointCloud
+pathCloud(std::size_t points)
+{
+  Random random(11);
+  TilePointCloud cloud;
+  for (std::size_t i = 0; i < points; ++i) {
+    const double x = random(0.0, 75.0), y = random(0.0, 4.0);
+    const double wave = x < 40.0 ? 0.4 * std::sin(1.7 * y) : 0.0;
+    const double roof = std::abs(x - 60.0); // its ridge is an edge
+    cloud.push_back({x + 0.004 * random.normal(),
+                     y + 0.004 * random.normal(),
+                     wave + roof + 0.004 * random.normal()});
+  }
+  return cloud;
+}
+
+TilePointCloud
 withTrouble(TilePointCloud points)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();

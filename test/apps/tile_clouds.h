@@ -23,6 +23,10 @@ TilePointCloud streetCloud(std::size_t points);
 /** \brief A wavy sheet without an edge. */
 TilePointCloud sheetCloud(std::size_t points);
 
+/** \brief A path of 4 x 75 m, curved in its first half, with a ridge: longer than
+ * surfaces look, and wide enough for the largest windows of faces. */
+TilePointCloud pathCloud(std::size_t points);
+
 /** \brief With points that are not finite, equal points, and points far away. */
 TilePointCloud withTrouble(TilePointCloud points);
 

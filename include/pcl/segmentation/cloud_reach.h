@@ -23,6 +23,10 @@ struct CloudReach {
   double normals = 0.0; ///< for the normals of PartOfCloud::normals()
   double edges = 0.0;   ///< for its edge likelihood
   double types = 0.0;   ///< for the kind of its edge
+  double faces = 0.0;   ///< for its piece of a face, see facesOfPart()
+  /** \brief To the first points of the pieces that its surface is decided by, along
+   * each axis, see FacesAround. */
+  double surfaces = 0.0;
 };
 
 /** \brief The sums of doc/tiles.md. For noise, any noise is taken as possible. */

@@ -100,6 +100,10 @@ public:
    * more is loaded, by which floats are rounded */
   TilePoints load(std::size_t tile, double halo) const;
 
+  /** \brief The other tiles that have points within a distance of a tile, ascending.
+   * \param[in] halo see load() */
+  std::vector<std::size_t> tilesAround(std::size_t tile, double halo) const;
+
   /** \brief What is computed of a tile: any bytes. */
   using Function =
       std::function<std::vector<std::uint8_t>(std::size_t tile, const TilePoints&)>;

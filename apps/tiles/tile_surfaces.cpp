@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Surfaces of tiles, from the pieces of faces that tiles have written.
+
+#include "tiles/tile_surfaces.h"
+
+#include "cli/pcl_errors.h"
+#include "detection/surfaces.h"
+#include "tiles/selection.h"
+#include "tiles/tile_places.h"
+
+#include <pcl/segmentation/cloud_reach.h>
+
+#include <nlohmann/json.hpp>
+
+#include <utility>
+
+namespace pcl::app {
+namespace {
+
+using pcl::FacesAround;
+using pcl::tiling::TiledCloud;
+using pcl::tiling::TilePoints;
+using Json = nlohmann::ordered_json;
+
+const std::string windows_name = "windows";
+
+pcl::LinkedPieces
+takeLinked(ByteReader& reader)
+{
+  pcl::LinkedPieces linked;
+  linked.pieces = reader.takeAll<pcl::FacePiece>();
+  linked.others = reader.takeAll<std::array<float, 3>>();
+  linked.link_begins = reader.takeAll<std::uint32_t>();
+  linked.links = reader.takeAll<std::uint32_t>();
+  return linked;
+}
+
+TileFaces
+facesOf(const TiledCloud& cloud, std::size_t tile)
+{
+  const Bytes bytes = cloud.resultOf(facesName(), tile);
+  ByteReader reader(bytes);
+  TileFaces faces;
+  faces.unknown = reader.take<std::uint64_t>();
+  faces.part.linked = takeLinked(reader);
+  faces.part.piece_of_place = reader.takeAll<std::uint32_t>();
+  faces.part.of_model = reader.takeAll<float>();
+  faces.rows = reader.takeAll<std::uint32_t>();
+  return faces;
+}
+
+/** What other tiles have near a tile. */
+void
+addNeighbors(const TiledCloud& cloud,
+             std::size_t tile,
+             const TiledNumbers& numbers,
+             double resolution,
+             FacesAround& faces)
+{
+  const double halo =
+      haloOf(pcl::reachOf(numbers.of_cloud, pcl::ShapeModel::defaultEdges()).surfaces,
+             resolution);
+  for (const std::size_t other : cloud.tilesAround(tile, halo)) {
+    const Bytes bytes = cloud.resultOf(facesName(), other);
+    ByteReader reader(bytes);
+    reader.take<std::uint64_t>();
+    faces.add(takeLinked(reader));
+  }
+}
+
+Bytes
+windowsOf(const TiledCloud& cloud,
+          std::size_t tile,
+          const TilePoints& points,
+          const TiledNumbers& numbers,
+          double resolution,
+          unsigned threads)
+{
+  const TilePlaces places = ownPlacesOf(points, cloud.offset(), resolution);
+  const TileFaces own = facesOf(cloud, tile);
+  FacesAround faces(own.part, places.view(), numbers.of_cloud, threads);
+  addNeighbors(cloud, tile, numbers, resolution, faces);
+  Bytes bytes;
+  for (const std::vector<float>& of_level : faces.residuals())
+    putAll(of_level, bytes);
+  return bytes;
+}
+
+/** use(level, residuals) of each tile. */
+template <typename Use>
+void
+forEachWindows(const TiledCloud& cloud, const Use& use)
+{
+  for (std::size_t tile = 0; tile < cloud.size(); ++tile) {
+    if (cloud.pointsOf(tile) == 0)
+      continue;
+    const Bytes bytes = cloud.resultOf(windows_name, tile);
+    ByteReader reader(bytes);
+    for (std::size_t level = 0; level < FacesAround::levels; ++level)
+      use(level, reader.takeAll<float>());
+  }
+}
+
+FacesAround::Noise
+noiseOfWindows(const TiledCloud& cloud)
+{
+  std::array<std::uint64_t, FacesAround::levels> counts{};
+  forEachWindows(cloud, [&](std::size_t level, const std::vector<float>& residuals) {
+    counts[level] += residuals.size();
+  });
+  FacesAround::Noise noise{};
+  for (std::size_t level = 0; level < noise.size(); ++level)
+    if (counts[level] > 0)
+      noise[level] =
+          selected(FacesAround::rankOfNoise(counts[level]), [&](const auto& add) {
+            forEachWindows(cloud, [&](std::size_t l, const std::vector<float>& values) {
+              for (std::size_t k = 0; l == level && k < values.size(); ++k)
+                add(values[k], 1);
+            });
+          });
+  return noise;
+}
+
+/** The likelihoods of places as a field, which detectors take. */
+pcl::ShapeField::ConstPtr
+fieldOf(const TilePlaces& places, std::vector<std::vector<float>> likelihoods)
+{
+  const auto field = pcl::make_shared<pcl::ShapeField>();
+  field->cloud = places.places;
+  field->points = places.view();
+  for (const pcl::ShapeModel::Class& c : pcl::ShapeModel::defaultSurfaces().classes())
+    field->classes.push_back(c.name);
+  field->likelihoods = std::move(likelihoods);
+  return field;
+}
+
+} // namespace
+
+const std::string&
+facesName()
+{
+  static const std::string name = "faces";
+  return name;
+}
+
+Bytes
+toBytes(const TileFaces& faces)
+{
+  Bytes bytes;
+  put(faces.unknown, bytes);
+  putAll(faces.part.linked.pieces, bytes);
+  putAll(faces.part.linked.others, bytes);
+  putAll(faces.part.linked.link_begins, bytes);
+  putAll(faces.part.linked.links, bytes);
+  putAll(faces.part.piece_of_place, bytes);
+  putAll(faces.part.of_model, bytes);
+  putAll(faces.rows, bytes);
+  return bytes;
+}
+
+FacesAround::Noise
+noiseOfFaces(TiledCloud& cloud,
+             const TiledNumbers& numbers,
+             double resolution,
+             unsigned threads)
+{
+  cloud.run(windows_name,
+            haloOf(0.0, resolution),
+            [&](std::size_t tile, const TilePoints& points) {
+              return windowsOf(cloud, tile, points, numbers, resolution, threads);
+            });
+  return Json::parse(cloud.decide("noise_of_faces",
+                                  [&] { return Json(noiseOfWindows(cloud)).dump(); }));
+}
+
+TileSurfaces
+surfacesOf(const TiledCloud& cloud,
+           std::size_t tile,
+           const TilePoints& points,
+           const TiledNumbers& numbers,
+           const FacesAround::Noise& noise,
+           double resolution,
+           unsigned threads)
+{
+  const TilePlaces places = ownPlacesOf(points, cloud.offset(), resolution);
+  TileFaces own = facesOf(cloud, tile);
+  if (places.places->empty()) // the means of its voxels are of other tiles
+    return {};
+  FacesAround faces(own.part, places.view(), numbers.of_cloud, threads);
+  addNeighbors(cloud, tile, numbers, resolution, faces);
+  SurfaceDetector detector;
+  detector.setInputCloud(places.places);
+  detector.setShapeField(fieldOf(places, faces.likelihoods(noise)));
+  std::vector<std::vector<float>> likelihoods;
+  withPclErrors("tile", [&] {
+    detector.compute(likelihoods);
+    return !likelihoods.empty();
+  });
+  std::vector<std::uint32_t> surface(places.places->size(), 0);
+  const std::vector<pcl::PointIndices> members = detector.classesOf(likelihoods);
+  for (std::size_t c = 0; c < members.size(); ++c)
+    for (const pcl::index_t i : members[c].indices)
+      surface[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(c + 1);
+  TileSurfaces result;
+  result.rows = std::move(own.rows);
+  for (const std::int32_t place : places.own_places) {
+    result.likelihood.push_back(likelihoods.front()[static_cast<std::size_t>(place)]);
+    result.surface.push_back(surface[static_cast<std::size_t>(place)]);
+  }
+  return result;
+}
+
+} // namespace pcl::app

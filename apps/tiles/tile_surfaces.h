@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Surfaces of tiles, from the pieces of faces that tiles have written.
+
+#pragma once
+
+#include "tiles/bytes.h"
+#include "tiles/tile_numbers.h"
+
+#include <pcl/segmentation/faces_of_parts.h>
+#include <pcl/tiling/tiled_cloud.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl::app {
+
+/** \brief What is computed of a tile before its surfaces. */
+struct TileFaces {
+  std::uint64_t unknown = 0; ///< how many of its places have no edge likelihood
+  pcl::PartOfFaces part;
+  std::vector<std::uint32_t> rows; ///< the other fields of its points
+};
+
+/** \brief The name of these results; they begin with how many are unknown. */
+const std::string& facesName();
+
+Bytes toBytes(const TileFaces& faces);
+
+/** \brief The noise of the whole cloud that windows of faces are compared with, at each
+ * level. The windows of all tiles are measured, as far as that was not done before. */
+pcl::FacesAround::Noise noiseOfFaces(pcl::tiling::TiledCloud& cloud,
+                                     const TiledNumbers& numbers,
+                                     double resolution,
+                                     unsigned threads);
+
+/** \brief What the tile's own points get, or with a resolution its own means. */
+struct TileSurfaces {
+  std::vector<std::uint32_t> rows; ///< the other fields
+  std::vector<float> likelihood;
+  std::vector<std::uint32_t> surface; ///< 1 planar, 2 curved, 0 unknown
+};
+
+TileSurfaces surfacesOf(const pcl::tiling::TiledCloud& cloud,
+                        std::size_t tile,
+                        const pcl::tiling::TilePoints& points,
+                        const TiledNumbers& numbers,
+                        const pcl::FacesAround::Noise& noise,
+                        double resolution,
+                        unsigned threads);
+
+} // namespace pcl::app

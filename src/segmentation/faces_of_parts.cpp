@@ -1,0 +1,436 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Surfaces of a part of a cloud: first the pieces of its faces, then what faces around
+// it are like.
+
+#include "segmentation/evidence_reach.h"
+#include "surfaces/evidence_of_faces.h"
+#include "surfaces/face_evidence.h"
+#include "surfaces/surface_classification.h"
+
+#include <pcl/segmentation/cloud_reach.h>
+#include <pcl/segmentation/faces_of_parts.h>
+#include <pcl/features/impl/neighborhoods.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace pcl {
+namespace {
+
+using namespace detail;
+using namespace segmentation;
+
+using Place = std::array<float, 3>;
+
+Place
+toArray(const Eigen::Vector3f& v)
+{
+  return {v.x(), v.y(), v.z()};
+}
+
+Eigen::Vector3f
+toVector(const Place& place)
+{
+  return Eigen::Map<const Eigen::Vector3f>(place.data());
+}
+
+FacePiece
+pieceOf(const FaceLevel& level, std::size_t node, const float* first)
+{
+  const FaceNode& from = level.nodes[node];
+  FacePiece piece{{first[0], first[1], first[2]},
+                  toArray(from.position),
+                  toArray(from.normal),
+                  from.count,
+                  from.spacing,
+                  {}};
+  std::copy_n(level.scatters[node].data(), piece.scatter.size(), piece.scatter.begin());
+  return piece;
+}
+
+FaceNode
+nodeOf(const FacePiece& piece)
+{
+  FaceNode node;
+  node.position = toVector(piece.position);
+  node.normal = toVector(piece.normal);
+  node.count = piece.count;
+  node.spacing = piece.spacing;
+  return node;
+}
+
+/** Gives numbers to nodes: first to those of the part, then to others when they are
+ * asked for. */
+class PieceNumbers {
+public:
+  PieceNumbers(std::size_t nodes) : numbers_(nodes, PartOfFaces::none) {}
+
+  void
+  number(std::uint32_t node)
+  {
+    numbers_[node] = next_++;
+  }
+
+  /** \param[in] useNew called for a node that had no number */
+  template <typename UseNew>
+  std::uint32_t
+  numberOf(std::uint32_t node, const UseNew& useNew)
+  {
+    if (numbers_[node] == PartOfFaces::none) {
+      number(node);
+      useNew(node);
+    }
+    return numbers_[node];
+  }
+
+private:
+  std::vector<std::uint32_t> numbers_;
+  std::uint32_t next_ = 0;
+};
+
+/** The box of some places, grown along each axis; empty of none. */
+struct GrownBox {
+  GrownBox(const XYZView& places, double by)
+  {
+    const Bounds bounds = Bounds::of(places);
+    low = bounds.low.cast<double>() - by;
+    high = bounds.high.cast<double>() + by;
+  }
+
+  bool
+  holds(const Place& place) const
+  {
+    const Eigen::Array3d p = toVector(place).cast<double>().array();
+    return (low <= p).all() && (p <= high).all();
+  }
+
+  Eigen::Array3d low, high;
+};
+
+/** The pieces whose first points are in a box. */
+LinkedPieces
+piecesIn(const GrownBox& box, const LinkedPieces& all)
+{
+  const std::size_t count = all.pieces.size();
+  PieceNumbers numbers(count + all.others.size());
+  LinkedPieces some;
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t k = 0; k < count; ++k)
+    if (box.holds(all.pieces[k].first)) {
+      numbers.number(k);
+      kept.push_back(k);
+      some.pieces.push_back(all.pieces[k]);
+    }
+  const auto addOther = [&](std::uint32_t k) {
+    some.others.push_back(k < count ? all.pieces[k].first : all.others[k - count]);
+  };
+  some.link_begins.push_back(0);
+  for (const std::uint32_t k : kept) {
+    for (std::uint32_t l = all.link_begins[k]; l < all.link_begins[k + 1]; ++l)
+      some.links.push_back(numbers.numberOf(all.links[l], addOther));
+    some.link_begins.push_back(static_cast<std::uint32_t>(some.links.size()));
+  }
+  return some;
+}
+
+/** The nodes that pieces are, in the order that the whole cloud has them in. */
+class Assembly {
+public:
+  Assembly(const std::vector<LinkedPieces>& parts, float cell)
+  : parts_(parts)
+  , cell_(cell)
+  {
+    for (std::uint32_t part = 0; part < parts.size(); ++part)
+      for (std::uint32_t k = 0; k < parts[part].pieces.size(); ++k)
+        order_.push_back({part, k});
+    std::sort(order_.begin(), order_.end(), [&](const Entry& a, const Entry& b) {
+      return comesBefore(firstOf(a), firstOf(b), cell_);
+    });
+    for (const LinkedPieces& part : parts)
+      nodes_.emplace_back(part.pieces.size());
+    for (std::uint32_t i = 0; i < order_.size(); ++i)
+      nodes_[order_[i].part][order_[i].piece] = i;
+  }
+
+  /** \brief Of the pieces of a part. */
+  const std::vector<std::uint32_t>&
+  nodesOf(std::size_t part) const
+  {
+    return nodes_[part];
+  }
+
+  /** \brief The node of a piece with this first point, or none. */
+  std::uint32_t
+  nodeAt(const Place& first) const
+  {
+    const Eigen::Vector3f place = toVector(first);
+    const auto found = std::lower_bound(
+        order_.begin(), order_.end(), place, [&](const Entry& entry, const auto& p) {
+          return comesBefore(firstOf(entry), p, cell_);
+        });
+    return found != order_.end() && firstOf(*found) == place
+               ? static_cast<std::uint32_t>(found - order_.begin())
+               : FacePyramid::none;
+  }
+
+  FaceLevel
+  level() const
+  {
+    FaceLevel level;
+    level.cell = cell_;
+    for (const Entry& entry : order_) {
+      const FacePiece& piece = parts_[entry.part].pieces[entry.piece];
+      level.nodes.push_back(nodeOf(piece));
+      level.scatters.emplace_back(
+          Eigen::Map<const Eigen::Matrix3f>(piece.scatter.data()));
+    }
+    std::vector<FaceLink> links;
+    for (std::size_t part = 0; part < parts_.size(); ++part)
+      addLinks(part, links);
+    setLinks(std::move(links), level);
+    return level;
+  }
+
+private:
+  struct Entry {
+    std::uint32_t part, piece;
+  };
+
+  Eigen::Vector3f
+  firstOf(const Entry& entry) const
+  {
+    return toVector(parts_[entry.part].pieces[entry.piece].first);
+  }
+
+  /** Links to pieces that are not there are left out. */
+  void
+  addLinks(std::size_t part, std::vector<FaceLink>& links) const
+  {
+    const LinkedPieces& from = parts_[part];
+    std::vector<std::uint32_t> numbered = nodes_[part];
+    for (const Place& other : from.others)
+      numbered.push_back(nodeAt(other));
+    for (std::size_t k = 0; k < from.pieces.size(); ++k)
+      for (std::uint32_t l = from.link_begins[k]; l < from.link_begins[k + 1]; ++l)
+        if (numbered[from.links[l]] != FacePyramid::none)
+          links.emplace_back(numbered[k], numbered[from.links[l]]);
+  }
+
+  const std::vector<LinkedPieces>& parts_;
+  float cell_;
+  std::vector<Entry> order_;
+  std::vector<std::vector<std::uint32_t>> nodes_;
+};
+
+/** Nodes of all levels that some of the first are in. */
+std::vector<std::vector<bool>>
+withParents(const FacePyramid& faces, std::vector<bool> chosen)
+{
+  std::vector<std::vector<bool>> all{std::move(chosen)};
+  for (std::size_t l = 0; l + 1 < faces.levels.size(); ++l) {
+    std::vector<bool> parents(faces.levels[l + 1].nodes.size());
+    for (std::size_t i = 0; i < all[l].size(); ++i)
+      if (all[l][i])
+        parents[faces.levels[l].parents[i]] = true;
+    all.push_back(std::move(parents));
+  }
+  return all;
+}
+
+/** Nodes of all levels whose first child's first child ... is among some: each node of
+ * the cloud belongs to one part. */
+std::vector<std::vector<bool>>
+withFirstParents(const FacePyramid& faces, std::vector<bool> chosen)
+{
+  std::vector<std::vector<bool>> all{std::move(chosen)};
+  for (std::size_t l = 0; l + 1 < faces.levels.size(); ++l) {
+    const std::size_t size = faces.levels[l + 1].nodes.size();
+    std::vector<bool> parents(size), is_known(size);
+    for (std::size_t i = 0; i < all[l].size(); ++i) {
+      const std::uint32_t parent = faces.levels[l].parents[i];
+      if (!is_known[parent])
+        parents[parent] = all[l][i];
+      is_known[parent] = true;
+    }
+    all.push_back(std::move(parents));
+  }
+  return all;
+}
+
+static_assert(FacesAround::levels == face_levels);
+
+} // namespace
+
+PartOfFaces
+facesOfPart(const ShapeField& edges,
+            const CloudNumbers& numbers,
+            const std::vector<bool>& is_own,
+            unsigned threads)
+{
+  const XYZView& points = edges.points;
+  pcl::Indices all(points.size);
+  std::iota(all.begin(), all.end(), 0);
+  const Neighborhoods neighborhoods(points, points, all, threads);
+  const FieldInput input{neighborhoods, points, {}, threads, false, &numbers};
+  const FacePyramid faces = firstFaces(points, edges, numbers.spacing);
+  const std::vector<float> of_model =
+      modelDifferences(input, edges, ShapeModel::defaultSurfaces(), faces);
+  const FaceLevel& level = faces.levels.front();
+  PartOfFaces part;
+  PieceNumbers pieces(level.nodes.size());
+  std::vector<std::uint32_t> own;
+  for (std::uint32_t node = 0; node < level.nodes.size(); ++node)
+    if (is_own[faces.point_of_node[node]]) {
+      pieces.number(node);
+      own.push_back(node);
+      part.linked.pieces.push_back(
+          pieceOf(level, node, points[faces.point_of_node[node]]));
+    }
+  const auto addOther = [&](std::uint32_t node) {
+    const float* const first = points[faces.point_of_node[node]];
+    part.linked.others.push_back({first[0], first[1], first[2]});
+  };
+  part.linked.link_begins.push_back(0);
+  for (const std::uint32_t node : own) {
+    for (std::uint32_t l = level.link_begins[node]; l < level.link_begins[node + 1];
+         ++l)
+      part.linked.links.push_back(pieces.numberOf(level.links[l], addOther));
+    part.linked.link_begins.push_back(
+        static_cast<std::uint32_t>(part.linked.links.size()));
+  }
+  for (std::size_t i = 0; i < points.size; ++i) {
+    if (!is_own[i])
+      continue;
+    const std::uint32_t node = faces.node_of_point[i];
+    part.piece_of_place.push_back(node == FacePyramid::none
+                                      ? PartOfFaces::none
+                                      : pieces.numberOf(node, addOther));
+    part.of_model.push_back(of_model[i]);
+  }
+  return part;
+}
+
+struct FacesAround::State {
+  const PartOfFaces& own;
+  XYZView places;
+  const CloudNumbers& numbers;
+  unsigned threads;
+  GrownBox box;                    ///< of what is near
+  std::vector<LinkedPieces> parts; ///< the own one first
+
+  float
+  cell() const
+  {
+    return firstCell(numbers.noise, numbers.spacing);
+  }
+
+  FacePyramid
+  pyramid(const Assembly& assembly) const
+  {
+    FacePyramid faces;
+    faces.levels.push_back(assembly.level());
+    addLevels(face_levels, faces);
+    return faces;
+  }
+
+  std::vector<bool>
+  ownNodes(const Assembly& assembly, const FacePyramid& faces) const
+  {
+    std::vector<bool> is_own(faces.levels.front().nodes.size());
+    for (const std::uint32_t node : assembly.nodesOf(0))
+      is_own[node] = true;
+    return is_own;
+  }
+
+  /** The nodes whose evidence is asked for. */
+  std::vector<bool>
+  nearNodes(const FacePyramid& faces) const
+  {
+    const GrownBox near(places, evidenceReach(numbers));
+    std::vector<bool> is_near;
+    for (const FaceNode& node : faces.levels.front().nodes)
+      is_near.push_back(near.holds(toArray(node.position)));
+    return is_near;
+  }
+};
+
+FacesAround::FacesAround(const PartOfFaces& own,
+                         const XYZView& places,
+                         const CloudNumbers& numbers,
+                         unsigned threads)
+: state_(
+      new State{own,
+                places,
+                numbers,
+                threads,
+                GrownBox(places, reachOf(numbers, ShapeModel::defaultEdges()).surfaces),
+                {own.linked}})
+{}
+
+FacesAround::~FacesAround() = default;
+
+void
+FacesAround::add(const LinkedPieces& other)
+{
+  state_->parts.push_back(piecesIn(state_->box, other));
+}
+
+std::array<std::vector<float>, FacesAround::levels>
+FacesAround::residuals() const
+{
+  const Assembly assembly(state_->parts, state_->cell());
+  const FacePyramid faces = state_->pyramid(assembly);
+  const auto own = withFirstParents(faces, state_->ownNodes(assembly, faces));
+  std::array<std::vector<float>, levels> residuals;
+  for (std::size_t l = 0; l < levels; ++l)
+    for (const std::optional<FaceFit>& fit :
+         fitsOf(faces.levels[l], own[l], state_->threads))
+      if (fit)
+        residuals[l].push_back(fit->residual);
+  return residuals;
+}
+
+std::vector<std::vector<float>>
+FacesAround::likelihoods(const Noise& noise) const
+{
+  const Assembly assembly(state_->parts, state_->cell());
+  FacePyramid faces = state_->pyramid(assembly);
+  const float spacing = state_->numbers.spacing;
+  const auto near = withParents(faces, state_->nearNodes(faces));
+  std::vector<FaceFits> fits;
+  for (std::size_t l = 0; l < levels; ++l)
+    fits.push_back(fitsOf(faces.levels[l],
+                          nodesAround(faces.levels[l], near[l], spacing),
+                          state_->threads));
+  const std::vector<float> of_nodes = faceEvidence(
+      faces, std::move(fits), {noise.begin(), noise.end()}, spacing, state_->threads);
+  const PartOfFaces& own = state_->own;
+  const std::size_t own_pieces = own.linked.pieces.size();
+  for (const std::uint32_t piece : own.piece_of_place)
+    faces.node_of_point.push_back(
+        piece == PartOfFaces::none ? FacePyramid::none
+        : piece < own_pieces       ? assembly.nodesOf(0)[piece]
+                             : assembly.nodeAt(own.linked.others[piece - own_pieces]));
+  const std::vector<float> of_faces = evidenceOfFaces(state_->places,
+                                                      faces,
+                                                      of_nodes,
+                                                      spacing,
+                                                      boundsOf(state_->numbers),
+                                                      state_->threads);
+  std::vector<float> values = joinedEvidence(own.of_model, of_faces);
+  const ShapeModel& model = ShapeModel::defaultSurfaces();
+  toPosteriors(model, values);
+  std::vector<std::vector<float>> likelihoods(model.classes().size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    likelihoods[i % likelihoods.size()].push_back(values[i]);
+  return likelihoods;
+}
+
+std::uint64_t
+FacesAround::rankOfNoise(std::uint64_t residuals)
+{
+  return segmentation::rankOfNoise(residuals);
+}
+
+} // namespace pcl

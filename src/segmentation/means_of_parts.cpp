@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Voxel means of a part of a cloud, and which of them stands for a point.
+
+#include "features/local_spacing.h"
+#include "geometry/voxel_means.h"
+
+#include <pcl/segmentation/means_of_parts.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace {
+
+double
+voxelDiagonal(double resolution)
+{
+  return std::sqrt(3.0) * resolution;
+}
+
+} // namespace
+
+MeansOfPart
+meansOfPart(const XYZView& places, const std::vector<bool>& is_own, double resolution)
+{
+  MeansOfPart part{detail::voxelMeans(places, resolution), {}};
+  for (const std::uint32_t first : detail::firstInVoxels(places, resolution))
+    part.is_own.push_back(is_own[first]);
+  return part;
+}
+
+std::vector<std::int32_t>
+nearestMeans(const XYZView& points,
+             const XYZView& means,
+             std::vector<float> spacings,
+             double resolution,
+             unsigned threads)
+{
+  for (float& spacing : spacings)
+    spacing = std::max(spacing, static_cast<float>(voxelDiagonal(resolution)));
+  return detail::representatives(points, means, spacings, threads);
+}
+
+double
+reachOfMeans(double distance, double resolution)
+{
+  return std::max(detail::mostSpacing(distance), voxelDiagonal(resolution));
+}
+
+std::string
+problemOfResolution(double resolution, const std::vector<float>& corners)
+{
+  return detail::problemOfResolution(resolution,
+                                     {corners.data(), 3, corners.size() / 3});
+}
+
+} // namespace pcl
