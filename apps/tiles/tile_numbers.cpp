@@ -213,12 +213,11 @@ numbersOf(TiledCloud& cloud, double resolution, unsigned threads)
   TiledNumbers numbers = mediansOf(cloud, resolution, threads);
   const double reach =
       pcl::reachOf(numbers.of_cloud, pcl::ShapeModel::defaultEdges()).noise;
-  const std::uint64_t all = numbers.places + unknownPlaces(cloud, resolution);
   const double halo = haloOf(reach, resolution);
   cloud.run("noise", halo, [&](std::size_t, const TilePoints& points) {
     const TilePlaces places = placesOf(points, cloud.offset(), resolution);
     return toBytes(pcl::PartOfCloud(places.view(), places.is_own, threads)
-                       .measureNoise(numbers.of_cloud, all));
+                       .measureNoise(numbers.of_cloud, numbers.places));
   });
   const Json noise = Json::parse(cloud.decide("noise", [&] {
     pcl::NoiseMeasures measures;

@@ -66,7 +66,7 @@ public:
   std::vector<float> measureDistances(double reach) const;
 
   /** \param[in] numbers with distance, spacing and bounds
-   * \param[in] places how many the cloud has, those not finite included */
+   * \param[in] places how many finite ones the cloud has */
   NoiseMeasures measureNoise(const CloudNumbers& numbers, std::uint64_t places) const;
 
   /** \brief Normals of all places, of either sign, and their curvature; four numbers
