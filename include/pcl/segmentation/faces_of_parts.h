@@ -71,8 +71,9 @@ public:
   /** \brief For each level the noise of the whole cloud, meters. */
   using Noise = std::array<float, levels>;
 
-  /** \param[in] own of the part \param[in] places the part's own, three coordinates
-   * each \param[in] numbers of the whole cloud \param[in] threads 0 for all cores */
+  /** \brief The arguments are not copied. \param[in] own of the part \param[in] places
+   * the part's own, three coordinates each \param[in] numbers of the whole cloud
+   * \param[in] threads 0 for all cores */
   FacesAround(const PartOfFaces& own,
               const XYZView& places,
               const CloudNumbers& numbers,
