@@ -14,6 +14,10 @@ source scripts/pcl_source.sh
 check_pcl_source "$pcl"
 jobs=${JOBS:-$(nproc)}
 
+if [[ $build/pcl/ == "$pcl"/* || $pcl/ == "$build"/pcl/* ]]; then
+  echo "BUILD is $build: it must not hold PCL's source tree $pcl, nor be in it" >&2
+  exit 2
+fi
 rm -rf "$build/pcl"
 mkdir -p "$build"
 cp -a "$pcl" "$build/pcl"

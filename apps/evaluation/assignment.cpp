@@ -23,7 +23,7 @@ public:
   , column_potentials_(size_, 0.0)
   , row_of_(size_, nobody)
   {
-    for (std::size_t row = 0; row < size_; ++row)
+    for (std::size_t row = 0; row < gains_.size(); ++row)
       addRow(row);
   }
 

@@ -6,8 +6,10 @@
 
 #include "evaluation/assignment.h"
 
+#include <iterator>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace pcl::app {
 namespace {

@@ -43,6 +43,14 @@ cloudOf(const std::vector<float>& coordinates)
   return cloud;
 }
 
+pcl::PointCloud<pcl::PointXYZ>::Ptr
+chosenFrom(const pcl::PointCloud<pcl::PointXYZ>& cloud,
+           const std::vector<std::int32_t>& points)
+{
+  const pcl::Indices indices(points.begin(), points.end());
+  return pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(cloud, indices);
+}
+
 TilePlaces
 distinctPlacesOf(const pcl::tiling::TilePoints& points,
                  const pcl::tiling::Position& offset)
@@ -51,8 +59,7 @@ distinctPlacesOf(const pcl::tiling::TilePoints& points,
   const pcl::DistinctPoints distinct = pcl::distinctPoints(pcl::detail::xyzOf(*cloud));
   TilePlaces result;
   if (distinct.hasRepeats()) {
-    result.places =
-        pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*cloud, distinct.first);
+    result.places = chosenFrom(*cloud, distinct.first);
     result.own_places.assign(distinct.place.begin(),
                              distinct.place.begin() +
                                  static_cast<std::ptrdiff_t>(points.own));
@@ -99,8 +106,7 @@ ownPlacesOf(const pcl::tiling::TilePoints& points,
     places.places->resize(static_cast<std::size_t>(
         std::count(places.is_own.begin(), places.is_own.end(), true)));
   else {
-    places.places = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*places.places,
-                                                                     places.own_places);
+    places.places = chosenFrom(*places.places, places.own_places);
     std::iota(places.own_places.begin(), places.own_places.end(), 0);
   }
   places.is_own.assign(places.places->size(), true);

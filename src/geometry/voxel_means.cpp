@@ -34,8 +34,10 @@ sortedByCell(const XYZView& points, double size)
 {
   std::vector<CellPoint> sorted;
   sorted.reserve(points.size);
+  constexpr double most = 1 << 30;
   const auto cellOf = [size](float coordinate) {
-    return static_cast<std::int32_t>(std::floor(coordinate / size));
+    return static_cast<std::int32_t>(
+        std::clamp(std::floor(coordinate / size), -most, most));
   };
   for (std::size_t i = 0; i < points.size; ++i) {
     const float* p = points[i];

@@ -193,7 +193,7 @@ detail::problemOf(const GroundQuery& query, const GroundParameters& parameters)
 {
   bool has_finite = false;
   for (std::size_t i = 0; i < query.size; ++i) {
-    const std::int32_t index = query.indices[i];
+    const pcl::index_t index = query.indices[i];
     if (index < 0 || static_cast<std::size_t>(index) >= query.points.size)
       return "index " + std::to_string(index) + " is out of range: the cloud has " +
              std::to_string(query.points.size) + " points";

@@ -221,18 +221,25 @@ coarseGround(const GroundCells& cells,
   return planes;
 }
 
-/** The sets that are wider than vehicles in both directions. */
+/** The sets that are wider than vehicles in all directions, wherever they point. */
 std::vector<char>
 wideSets(const GroundPatches& all, const std::vector<Candidate>& candidates)
 {
   constexpr float min_width = 5.0f; // meters: cars are shorter, trucks narrower
-  std::vector<Eigen::AlignedBox2f> boxes(all.patches.size());
-  for (const Candidate& c : candidates)
-    boxes[c.set].extend(
-        Eigen::Vector2f(all.patches[c.patch].x, all.patches[c.patch].y));
-  std::vector<char> wide;
-  for (const Eigen::AlignedBox2f& box : boxes)
-    wide.push_back(!box.isEmpty() && box.sizes().minCoeff() > min_width);
+  constexpr int directions = 8;     // widths are then known to 2 %
+  constexpr float pi = 3.14159265f;
+  std::vector<char> wide(all.patches.size(), 1);
+  for (int d = 0; d < directions; ++d) {
+    const float angle = pi * static_cast<float>(d) / directions;
+    const Eigen::Vector2f along(std::cos(angle), std::sin(angle));
+    std::vector<Eigen::AlignedBox1f> spans(all.patches.size());
+    for (const Candidate& c : candidates)
+      spans[c.set].extend(Eigen::Matrix<float, 1, 1>(
+          along.x() * all.patches[c.patch].x + along.y() * all.patches[c.patch].y));
+    for (std::size_t set = 0; set < wide.size(); ++set)
+      wide[set] =
+          wide[set] && !spans[set].isEmpty() && spans[set].sizes()[0] > min_width;
+  }
   return wide;
 }
 
@@ -255,6 +262,9 @@ addLowSets(const GroundCells& cells,
   };
   const float steepest = std::tan(parameters.max_slope);
   const std::vector<char> wide = wideSets(all, candidates);
+  // A vehicle's sensor stands on the ground; from higher up roofs are below it, too.
+  constexpr float highest_sensor = 5.0f; // meters
+  const bool stands = cells.below_sensor && cells.sensor_z < highest_sensor;
   const auto isLow = [&](std::size_t base, const Candidate& c) {
     const GroundPatch &a = all.patches[base], &b = all.patches[c.patch];
     const double rise = [&] {
@@ -265,7 +275,7 @@ addLowSets(const GroundCells& cells,
     }();
     return std::abs(rise) <= a.maxRise(b.x, b.y, parameters.max_step) ||
            ((rise < 0.0 ||
-             (wide[c.set] && b.z < cells.sensor_z - parameters.max_step)) &&
+             (stands && wide[c.set] && b.z < cells.sensor_z - parameters.max_step)) &&
             std::abs(b.z - a.z) <= steepest * std::hypot(b.x - a.x, b.y - a.y));
   };
   std::vector<Votes> votes(ground.size());

@@ -253,13 +253,18 @@ joinOpenBoxes(const InstanceInput& input,
   std::vector<std::int32_t> joined(bodies.size());
   for (std::size_t k = 0; k < joined.size(); ++k)
     joined[k] = static_cast<std::int32_t>(k);
-  for (const std::vector<std::size_t>& walls : insidesOf(bodies, concave)) {
+  const std::vector<std::vector<std::size_t>> insides = insidesOf(bodies, concave);
+  std::vector<char> is_inner(bodies.size(), 0); // a wall has one box
+  for (const std::vector<std::size_t>& walls : insides)
+    for (const std::size_t wall : walls)
+      is_inner[wall] = 1;
+  for (const std::vector<std::size_t>& walls : insides) {
     const Body inside = together(bodies, walls);
     const auto name = static_cast<std::int32_t>(walls.front());
     for (const std::size_t wall : walls)
       joined[wall] = name;
     for (std::size_t k = 0; k < bodies.size(); ++k)
-      if (joined[k] == static_cast<std::int32_t>(k) &&
+      if (!is_inner[k] && joined[k] == static_cast<std::int32_t>(k) &&
           (isOutside(bodies[k], inside, up) || isFloor(bodies[k], inside, up)))
         joined[k] = name;
   }

@@ -14,6 +14,9 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <string>
 
 namespace pcl {
 namespace {
@@ -268,6 +271,10 @@ facesOfPart(const ShapeField& edges,
             const std::vector<bool>& is_own,
             unsigned threads)
 {
+  if (!(numbers.spacing > 0.0f))
+    throw std::invalid_argument("the spacing of the cloud is " +
+                                std::to_string(numbers.spacing) +
+                                ": it must be above 0 for faces");
   const XYZView& points = edges.points;
   pcl::Indices all(points.size);
   std::iota(all.begin(), all.end(), 0);

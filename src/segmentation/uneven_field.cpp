@@ -53,7 +53,8 @@ public:
         continue;
       const auto mean = static_cast<std::size_t>(stands_for_[i]);
       if (!std::isnan(field_.edge_likelihood[i]) &&
-          means_.spacings[mean] > coarser * spacings[i])
+          (std::isnan(means_.edge_likelihood[mean]) ||
+           means_.spacings[mean] > coarser * spacings[i]))
         continue;
       takeValues(means_, mean, i, field_);
       is_own_[i] = 0;

@@ -9,6 +9,7 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/segmentation/shape_instance_segmentation.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <vector>

@@ -53,7 +53,8 @@ struct PartOfFaces {
  * those within CloudReach::faces of its own places must be among them
  * \param[in] numbers of the whole cloud \param[in] is_own which of the places are the
  * part's own; those of all parts are the cloud
- * \param[in] threads 0 for all cores */
+ * \param[in] threads 0 for all cores
+ * \throws std::invalid_argument if the spacing of the cloud is 0 */
 PCL_SHAPE_EXPORTS PartOfFaces facesOfPart(const ShapeField& edges,
                                           const CloudNumbers& numbers,
                                           const std::vector<bool>& is_own,
@@ -71,9 +72,9 @@ public:
   /** \brief For each level the noise of the whole cloud, meters. */
   using Noise = std::array<float, levels>;
 
-  /** \brief The arguments are not copied. \param[in] own of the part \param[in] places
-   * the part's own, three coordinates each \param[in] numbers of the whole cloud
-   * \param[in] threads 0 for all cores */
+  /** \brief The arguments are not copied: they must outlive this. \param[in] own of the
+   * part \param[in] places the part's own, three coordinates each \param[in] numbers of
+   * the whole cloud \param[in] threads 0 for all cores */
   FacesAround(const PartOfFaces& own,
               const XYZView& places,
               const CloudNumbers& numbers,

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <pcl/features/neighborhood_sweep.h>
+#include <pcl/types.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +26,7 @@ namespace detail {
 /** \brief The points to look for ground among. */
 struct GroundQuery {
   XYZView points;
-  const std::int32_t* indices = nullptr; ///< of the points to label
+  const pcl::index_t* indices = nullptr; ///< of the points to label
   std::size_t size = 0;                  ///< of the indices
   const float* origin = nullptr;         ///< where the sensor is: x, y, z
   unsigned threads = 0;
