@@ -22,6 +22,7 @@ namespace {
 
 using namespace segmentation;
 
+constexpr double max_cell = 1 << 30;
 constexpr double float_digits = 1 << std::numeric_limits<float>::digits;
 
 struct CellPoint {
@@ -34,10 +35,9 @@ sortedByCell(const XYZView& points, double size)
 {
   std::vector<CellPoint> sorted;
   sorted.reserve(points.size);
-  constexpr double most = 1 << 30;
   const auto cellOf = [size](float coordinate) {
     return static_cast<std::int32_t>(
-        std::clamp(std::floor(coordinate / size), -most, most));
+        std::clamp(std::floor(coordinate / size), -max_cell, max_cell));
   };
   for (std::size_t i = 0; i < points.size; ++i) {
     const float* p = points[i];
