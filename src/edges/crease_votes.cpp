@@ -28,7 +28,10 @@ constexpr std::size_t fit_points = 40; // more gave nothing
 constexpr float short_fit_spacings = 1.4f, short_fit_per_noise = 5.0f;
 // Spacings, and multiples of the noise: two planes explain no more than a wedge.
 constexpr float clear_deviation = 0.1f, clear_noise = 1.3f;
-// The same beyond which two planes do not describe the points: as in two sheets.
+// A smaller fit has fewer points: beyond twice as much it joins faces that do not meet.
+constexpr float short_clear = 2.0f;
+// Spacings, and multiples of the noise, beyond which two planes do not describe the
+// points: as in two sheets.
 constexpr float max_plane_deviation = 1.0f / 6.0f, max_plane_noise = 2.0f;
 // That a wedge explains a patch better than a smooth surface counts by half, for
 // neighbors share points; less 2, which the choice among wedges gains by chance.
@@ -100,7 +103,7 @@ private:
     const Patch wide = std::move(patch_);
     fillPatch(candidate, short_reach_);
     const std::optional<CreaseFit> near = fitCrease(patch_);
-    if (near &&
+    if (near && wedgeDeviation(patch_, *near) <= short_clear * clear &&
         (!crease || wedgeDeviation(patch_, *near) < wedgeDeviation(wide, *crease)))
       return near;
     patch_ = wide;

@@ -291,16 +291,16 @@ TEST_F(TileFaults, OtherFormatsComeBack)
                        {input, path("in/c.ply"), "-types", "-format", "ascii"}));
   expectSuccessOrWarnings(
       runApp("pcl_shape_detect", {input, path("in/d.pcd"), "-types"}));
-  for (const char* const name : {"a.ply", "b.pcd", "c.ply", "d.pcd"})
-    for (const std::string format : {"binary", "ascii"}) {
-      const std::string from = path("in/") + name,
-                        whole = path(std::string("w_") + name);
-      expectSuccessOrWarnings(
-          runApp("pcl_shape_detect", {from, whole, "-edges", "-format", format}));
-      expectSuccessOrWarnings(of(from, {"-format", format}));
-      EXPECT_TRUE(readFile(path("out/") + name) == readFile(whole))
-          << name << ' ' << format;
-    }
+  const std::map<std::string, std::string> formats{
+      {"a.ply", "ascii"}, {"b.pcd", "binary"}, {"c.ply", "binary"}, {"d.pcd", "ascii"}};
+  for (const auto& [name, format] : formats) {
+    const std::string from = path("in/") + name, whole = path("w_") + name;
+    expectSuccessOrWarnings(
+        runApp("pcl_shape_detect", {from, whole, "-edges", "-format", format}));
+    expectSuccessOrWarnings(of(from, {"-format", format}));
+    EXPECT_TRUE(readFile(path("out/") + name) == readFile(whole))
+        << name << ' ' << format;
+  }
 }
 
 #ifdef PCL_SHAPE_MPIEXEC

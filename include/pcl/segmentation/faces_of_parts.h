@@ -31,17 +31,17 @@ struct FacePiece {
 
 /** \brief Pieces of faces, and which of them follow each other on a face. */
 struct LinkedPieces {
-  std::vector<FacePiece> pieces;
+  std::vector<FacePiece> pieces; ///< of the part
   /** \brief The first points of pieces of other parts: they are numbered after these.
    */
   std::vector<std::array<float, 3>> others;
   std::vector<std::uint32_t> link_begins; ///< of each piece in links, and the end
-  std::vector<std::uint32_t> links;
+  std::vector<std::uint32_t> links;       ///< numbers of pieces
 };
 
 /** \brief What a part of a cloud knows of its own places. */
 struct PartOfFaces {
-  static constexpr std::uint32_t none = 0xffffffffU;
+  static constexpr std::uint32_t none = 0xffffffffU; ///< no piece
 
   LinkedPieces linked; ///< the pieces whose first points are the part's own
   std::vector<std::uint32_t> piece_of_place; ///< or none: it is on no face

@@ -32,8 +32,10 @@ PCL_SHAPE_EXPORTS MeansOfPart meansOfPart(const XYZView& places,
                                           const std::vector<bool>& is_own,
                                           double resolution);
 
-/** \brief For each point the mean that it has the values of, or -1. \param[in] spacings
- * the local spacing of each mean \param[in] threads 0 for all cores */
+/** \brief For each point the mean that it has the values of, or -1. \param[in] points
+ * of a part \param[in] means of the cloud, those near the points \param[in] spacings
+ * the local spacing of each mean \param[in] resolution size of a voxel, meters
+ * \param[in] threads 0 for all cores */
 PCL_SHAPE_EXPORTS std::vector<std::int32_t> nearestMeans(const XYZView& points,
                                                          const XYZView& means,
                                                          std::vector<float> spacings,
@@ -41,11 +43,12 @@ PCL_SHAPE_EXPORTS std::vector<std::int32_t> nearestMeans(const XYZView& points,
                                                          unsigned threads);
 
 /** \brief How far a point's mean may be, meters. \param[in] distance the
- * CloudNumbers::distance of the means */
+ * CloudNumbers::distance of the means \param[in] resolution size of a voxel, meters */
 PCL_SHAPE_EXPORTS double reachOfMeans(double distance, double resolution);
 
-/** \brief What is wrong with a resolution; empty if nothing is. \param[in] corners the
- * two of the box that holds the cloud, three coordinates each */
+/** \brief What is wrong with a resolution; empty if nothing is. \param[in] resolution
+ * size of a voxel, meters \param[in] corners the two of the box that holds the cloud,
+ * three coordinates each */
 PCL_SHAPE_EXPORTS std::string problemOfResolution(double resolution,
                                                   const std::vector<float>& corners);
 

@@ -101,7 +101,7 @@ public:
   TilePoints load(std::size_t tile, double halo) const;
 
   /** \brief The other tiles that have points within a distance of a tile, ascending.
-   * \param[in] halo see load() */
+   * \param[in] tile from 0 to size() - 1 \param[in] halo meters, see load() */
   std::vector<std::size_t> tilesAround(std::size_t tile, double halo) const;
 
   /** \brief What is computed of a tile: any bytes. */
