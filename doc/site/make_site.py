@@ -130,6 +130,7 @@ def run_sphinx(sphinx, directory, source, version):
     # The first page has the name of its source.
     (html / "index.html").write_text('<!DOCTYPE html>\n<html lang="en">\n<meta charset="utf-8">\n'
                                      '<meta http-equiv="refresh" content="0; url=README.html">\n'
+                                     '<link rel="icon" href="_static/icon.svg">\n'
                                      '<title>pcl_shape</title>\n<a href="README.html">pcl_shape</a>\n</html>\n')
     if (directory / "pictures").is_dir():
         shutil.copytree(directory / "pictures", html / "pictures")

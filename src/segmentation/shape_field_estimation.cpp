@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <tuple>
@@ -62,12 +63,17 @@ problemOfPart(const FieldRequest& request)
 // With more unknown points the spacing is looked at again: scans have as many strays.
 constexpr double max_unknown = 0.02;
 
+using Condition = std::function<bool(const ShapeField& edges)>;
+
+/** \param[in] goesOn without it being true of the edges, surfaces are not classified */
 ShapeField
-fieldOf(const FieldRequest& request,
-        const shared_ptr<const void>& owner,
-        const XYZView& points,
-        const NeighborFinder& finder,
-        bool is_even = false)
+fieldOf(
+    const FieldRequest& request,
+    const shared_ptr<const void>& owner,
+    const XYZView& points,
+    const NeighborFinder& finder,
+    bool is_even = false,
+    const Condition& goesOn = [](const ShapeField&) { return true; })
 {
   pcl::Indices all(points.size);
   std::iota(all.begin(), all.end(), 0);
@@ -85,7 +91,7 @@ fieldOf(const FieldRequest& request,
   field.points = points;
   field.resolution = request.resolution;
   findEdges(input, request.edge_model, field);
-  if (!request.edges_only)
+  if (goesOn(field) && !request.edges_only)
     classifySurfaces(input, request.surface_model, field);
   return field;
 }
@@ -132,22 +138,33 @@ baseOf(const FieldRequest& request)
     return request.makeFinder ? request.makeFinder(points) : NeighborFinder();
   };
   if (request.resolution == 0.0) {
-    ShapeField field =
-        fieldOf(request, request.surface_owner, request.surface, finderAmong({}));
-    const std::size_t unknown = countUnknown(request.surface, field, request.threads);
-    if (static_cast<double>(unknown) <=
-            max_unknown * static_cast<double>(countFinite(request.surface)) ||
-        request.has_normals || request.of_cloud)
+    const auto fieldOfSurface = [&](bool is_even, const Condition& goesOn) {
+      return fieldOf(request,
+                     request.surface_owner,
+                     request.surface,
+                     finderAmong({}),
+                     is_even,
+                     goesOn);
+    };
+    std::size_t unknown = 0;
+    bool is_fine = false;
+    ShapeField field = fieldOfSurface(false, [&](const ShapeField& edges) {
+      unknown = countUnknown(request.surface, edges, request.threads);
+      is_fine = static_cast<double>(unknown) <=
+                    max_unknown * static_cast<double>(countFinite(request.surface)) ||
+                request.has_normals || request.of_cloud;
+      return is_fine;
+    });
+    if (is_fine)
       return {std::move(field), false};
     const std::vector<float> spacings = plainSpacings(request, finderAmong({}));
     const std::vector<float> even = evenSampling(request.surface, spacings);
     const ShapeField means = fieldOf(
         request, nullptr, {even.data(), 3, even.size() / 3}, finderAmong(even), true);
-    if (countUnknown(request.surface, means, request.threads) < unknown) {
-      field = fieldOf(
-          request, request.surface_owner, request.surface, finderAmong({}), true);
+    const bool helps = countUnknown(request.surface, means, request.threads) < unknown;
+    field = fieldOfSurface(helps, [](const ShapeField&) { return true; });
+    if (helps)
       takeFromMeans(means, spacings, request.threads, field);
-    }
     return {std::move(field), false};
   }
   const auto means = std::make_shared<const std::vector<float>>(
