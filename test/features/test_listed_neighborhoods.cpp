@@ -20,11 +20,10 @@ class Listed : public testing::Test {
 protected:
   Listed()
   : surface_(plane(50, 0.1, random_))
-  , neighborhoods_(surface_.points(),
-                   [this](std::size_t, pcl::Indices& found) {
-                     for (std::size_t i = 0; i < surface_.size(); ++i)
-                       found.push_back(static_cast<pcl::index_t>(i));
-                   })
+  , neighborhoods_(surface_.points(), [this](std::size_t, pcl::Indices& found) {
+    for (std::size_t i = 0; i < surface_.size(); ++i)
+      found.push_back(static_cast<pcl::index_t>(i));
+  })
   {}
 
   Random random_{7};
