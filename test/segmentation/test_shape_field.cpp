@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
 #include <tuple>
 
@@ -569,26 +570,33 @@ TEST_F(OneField, OfASearchSurface)
 
 TEST_F(OneField, PointsThatAreNotFiniteDoNotMatter)
 {
-  const auto with_gaps = make_shared<Cloud>();
+  // With noise, of which other points would tell another level.
+  std::mt19937 random(62);
+  std::normal_distribution<float> noise(0.0f, 1e-3f);
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  for (const PointXYZ& point : *cloud_) {
-    with_gaps->push_back(point);
+  const auto finite = make_shared<Cloud>(), with_gaps = make_shared<Cloud>();
+  for (const PointXYZ& p : *cloud_) {
+    const float x = noise(random), y = noise(random), z = noise(random);
+    finite->push_back(PointXYZ(p.x + x, p.y + y, p.z + z));
+    with_gaps->push_back(finite->back());
     with_gaps->push_back(PointXYZ(nan, nan, nan));
   }
   with_gaps->is_dense = false;
   Estimation estimation;
+  const auto expected = fieldOf(estimation, finite);
   const auto field = fieldOf(estimation, with_gaps);
   const auto everyOther = [](const Numbers& numbers) {
-    Numbers finite;
+    Numbers values;
     for (std::size_t i = 0; i < numbers.size(); i += 2)
-      finite.push_back(numbers[i]);
-    return finite;
+      values.push_back(numbers[i]);
+    return values;
   };
-  EXPECT_EQ(field_->noise, field->noise);
-  EXPECT_EQ(field_->noise_level, field->noise_level);
-  EXPECT_TRUE(sameBits(field_->edge_likelihood, everyOther(field->edge_likelihood)));
+  ASSERT_GT(expected->noise_level, 0.0);
+  EXPECT_EQ(expected->noise, field->noise);
+  EXPECT_EQ(expected->noise_level, field->noise_level);
+  EXPECT_TRUE(sameBits(expected->edge_likelihood, everyOther(field->edge_likelihood)));
   for (std::size_t c = 0; c < field->likelihoods.size(); ++c)
-    EXPECT_TRUE(sameBits(field_->likelihoods[c], everyOther(field->likelihoods[c])));
+    EXPECT_TRUE(sameBits(expected->likelihoods[c], everyOther(field->likelihoods[c])));
 }
 
 TEST_F(OneField, ThreadsDoNotMatter)
