@@ -151,6 +151,69 @@ isFloor(const BodySample& body, const BodySample& inside, const Vector3f& up)
          farthest(inside, inside.middle, up) + limit;
 }
 
+/** Whether the middles of some insides are before one wall, along it. */
+bool
+spans(const BodySample& wall,
+      const std::vector<const BodySample*>& insides,
+      const Vector3f& up)
+{
+  const Vector3f along = up.cross(wall.facing);
+  float low = std::numeric_limits<float>::infinity(), high = -low;
+  for (const Vector3f& point : wall.points) {
+    low = std::min(low, along.dot(point));
+    high = std::max(high, along.dot(point));
+  }
+  return std::all_of(insides.begin(), insides.end(), [&](const BodySample* inside) {
+    const float middle = along.dot(inside->middle);
+    return low < middle && middle < high;
+  });
+}
+
+/** Two compartments of a crate: a wall apart, and with one outer wall along both, which
+ * two boxes that touch do not have. */
+bool
+areCompartments(const std::vector<BodySample>& bodies,
+                const std::vector<std::size_t>& first,
+                const std::vector<std::size_t>& second,
+                const Vector3f& up)
+{
+  const BodySample a = together(bodies, first), b = together(bodies, second);
+  std::vector<std::size_t> walls = first;
+  walls.insert(walls.end(), second.begin(), second.end());
+  const BodySample both = together(bodies, walls);
+  const float limit = std::max(max_thickness * farthest(both, both.middle, up),
+                               max_thickness_spacings * both.spacing);
+  if (!endAtOneHeight(a, b) || distanceBetween(a, b) > limit)
+    return false;
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    if (std::find(walls.begin(), walls.end(), k) == walls.end() &&
+        isOutside(bodies[k], both, up) && spans(bodies[k], {&a, &b}, up))
+      return true;
+  return false;
+}
+
+/** Compartments of one crate are one inside. */
+std::vector<std::vector<std::size_t>>
+joinCompartments(const std::vector<BodySample>& bodies,
+                 const std::vector<std::vector<std::size_t>>& insides,
+                 const Vector3f& up)
+{
+  DisjointSets sets(insides.size());
+  for (std::uint32_t a = 0; a < insides.size(); ++a)
+    for (std::uint32_t b = a + 1; b < insides.size(); ++b)
+      if (areCompartments(bodies, insides[a], insides[b], up))
+        sets.unite(a, b);
+  std::map<std::uint32_t, std::vector<std::size_t>> by_root;
+  for (std::uint32_t k = 0; k < insides.size(); ++k) {
+    auto& walls = by_root[sets.find(k)];
+    walls.insert(walls.end(), insides[k].begin(), insides[k].end());
+  }
+  std::vector<std::vector<std::size_t>> joined;
+  for (auto& [root, walls] : by_root)
+    joined.push_back(std::move(walls));
+  return joined;
+}
+
 /** The insides, as lists of bodies: inner walls that meet. */
 std::vector<std::vector<std::size_t>>
 insidesOf(const std::vector<BodySample>& bodies,
@@ -193,7 +256,8 @@ joinOpenBoxes(const InstanceInput& input,
   std::vector<std::int32_t> joined(bodies.size());
   for (std::size_t k = 0; k < joined.size(); ++k)
     joined[k] = static_cast<std::int32_t>(k);
-  const std::vector<std::vector<std::size_t>> insides = insidesOf(bodies, concave);
+  const std::vector<std::vector<std::size_t>> insides =
+      joinCompartments(bodies, insidesOf(bodies, concave), up);
   std::vector<char> is_inner(bodies.size(), 0); // a wall has one box
   for (const std::vector<std::size_t>& walls : insides)
     for (const std::size_t wall : walls)
