@@ -146,11 +146,13 @@ def table_tables(apps, folder):
     print()
 
 
-def halves(table):
-    """Cuts of an image of 640 x 480 to a half, and every second point of it."""
-    of_image = numpy.arange(table.size).reshape(480, 640)
-    return {"left": of_image[:, :320], "right": of_image[:, 320:], "top": of_image[:240], "bottom": of_image[240:],
-            "every second point": of_image[:, ::2]}
+def halves(path):
+    """The points of each half of an organized cloud, and every second one."""
+    lines, _ = read_pcd(path)
+    rows, columns = int(lines["HEIGHT"]), int(lines["WIDTH"])
+    of_image = numpy.arange(rows * columns).reshape(rows, columns)
+    return {"left": of_image[:, :columns // 2], "right": of_image[:, columns // 2:], "top": of_image[:rows // 2],
+            "bottom": of_image[rows // 2:], "every second point": of_image[:, ::2]}
 
 
 def half_table(apps, folder):
@@ -160,8 +162,10 @@ def half_table(apps, folder):
     print("|---|---|---|---|")
     for cloud in sorted(folder.glob("*.pcd")):
         fields = fields_of(cloud)
-        for name, of_image in halves(fields["table"]).items():
+        for name, of_image in halves(cloud).items():
             points = of_image.ravel()[numpy.isfinite(fields["x"][of_image.ravel()])]
+            if len(points) < MIN_OBJECT:
+                continue  # nothing was measured there
             with tempfile.TemporaryDirectory() as directory:
                 half = pathlib.Path(directory) / "half.pcd"
                 write_pcd(half, {axis: fields[axis][points] for axis in "xyz"})
