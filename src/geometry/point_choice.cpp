@@ -15,11 +15,24 @@ namespace pcl::segmentation {
 void
 sortByPosition(const XYZView& points, std::vector<std::uint32_t>& indices)
 {
-  std::sort(indices.begin(), indices.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const float* p = points[a];
-    const float* q = points[b];
-    return std::tie(p[0], p[1], p[2], a) < std::tie(q[0], q[1], q[2], b);
+  // Their x beside the indices: few comparisons need the points.
+  struct Entry {
+    float x;
+    std::uint32_t index;
+  };
+  std::vector<Entry> entries;
+  entries.reserve(indices.size());
+  for (const std::uint32_t i : indices)
+    entries.push_back({points[i][0], i});
+  std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+    if (a.x != b.x)
+      return a.x < b.x;
+    const float* p = points[a.index];
+    const float* q = points[b.index];
+    return std::tie(p[1], p[2], a.index) < std::tie(q[1], q[2], b.index);
   });
+  for (std::size_t k = 0; k < indices.size(); ++k)
+    indices[k] = entries[k].index;
 }
 
 std::vector<std::uint32_t>
