@@ -52,7 +52,8 @@ problemOfPart(const FieldRequest& request)
       "numbers of a cloud are set, of which the input is a part: ";
   if (!request.edges_only)
     return given +
-           "classes of surfaces look too far for parts, call setEdgesOnly(true)";
+           "classes of surfaces look too far for parts, call setEdgesOnly(true), then "
+           "facesOfPart() for surfaces";
   if (request.resolution != 0.0)
     return given + "they are not those of voxel means, leave the resolution out";
   if (request.has_normals)

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <unistd.h>
 
 #include <sys/stat.h>
 
@@ -186,6 +187,50 @@ TEST_F(TileFaults, AFullDiskIsAnErrorAndTheRerunGoesOn)
   EXPECT_TRUE(output("out") == output("whole"));
 }
 
+TEST_F(TileFaults, AReadOnlyDirectoryIsRefused)
+{
+  if (::geteuid() == 0)
+    GTEST_SKIP() << "root may write everywhere";
+  constexpr mode_t read_only = 0500, writable = 0700;
+  ASSERT_EQ(::mkdir(path("out").c_str(), read_only), 0);
+  expectRefused(tiles("out"), 1, {"out/room.pcd", "Permission denied", "expected"});
+  expectRefused(tiles("out/deeper"), 1, {"out/deeper", "Permission denied"});
+  // Outputs may be there to be written, but there is no place for tiles.
+  ASSERT_EQ(::chmod(path("out").c_str(), writable), 0);
+  ASSERT_EQ(::mkdir(path("out/tiles").c_str(), read_only), 0);
+  expectRefused(tiles("out"), 1, {"out/tiles", "Permission denied"});
+  ASSERT_EQ(::chmod(path("out/tiles").c_str(), writable), 0);
+  expectSuccess(tiles("out"));
+}
+
+TEST_F(TileFaults, RunsOfInstancesThatAreKilledGoOn)
+{
+  const auto find = [&](const std::string& out, const Words& more) {
+    Words words{input, "-output_dir", path(out), "-instances", "planar"};
+    words.insert(words.end(), {"-tile", "3.1", "-threads", "1", "-keep_tiles"});
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  expectSuccess(runApp("pcl_shape_tiles", find("whole", {})));
+  const std::size_t all = countLines("whole");
+  // In the steps that follow surfaces, of which one process does some for all tiles.
+  for (const std::size_t left : {all * 3 / 10, all / 10}) {
+    RunningApp app("pcl_shape_tiles", find("out", {"-processes", "2"}));
+    app.waitUntil([&] { return countLines("out") >= all - left; });
+    app.kill();
+    expectSuccess(runApp("pcl_shape_tiles", find("out", {})));
+    EXPECT_EQ(countLines("out"), all);
+    EXPECT_TRUE(output("out") == output("whole")) << left;
+    fs::remove_all(path("out"));
+  }
+  // A file of one step is made anew, and those after it stay.
+  fs::remove(path("whole/tiles/pieces/000002.bin"));
+  fs::remove(path("whole/tiles/fields/000001.bin"));
+  const std::string expected = output("whole");
+  expectSuccess(runApp("pcl_shape_tiles", find("whole", {})));
+  EXPECT_TRUE(output("whole") == expected);
+}
+
 TEST_F(TileFaults, WhatCannotBeIsRefused)
 {
   file("file", "text");
@@ -200,6 +245,7 @@ TEST_F(TileFaults, WhatCannotBeIsRefused)
   expectRefused(tiles("out", {"-memory", "3"}), 2, {"-memory", "'3'", "300M"});
   expectRefused(tiles("out", {"-processes", "0"}), 2, {"-processes"});
   expectRefused(tiles("out", {"-inad", "-1"}), 2, {"-inad"});
+  expectRefused(tiles("out", {"-instances", "object"}), 2, {"-instances", "planar"});
   expectRefused(tiles("out", {"-json", path("out/room.pcd")}), 2, {"-json"});
   write(input, TilePointCloud(cloud.begin(), cloud.begin() + 9));
   expectRefused(tiles("out"), 1, {"9 different places", "at least 13"});

@@ -142,8 +142,8 @@ TEST_P(EqualTiles, GiveTheSameInAnyOrder)
   const TilePointCloud points = cloud();
   Words wanted{"-edges", "-types"}, names{"edge_likelihood", "edge", "edge_type"};
   if (std::string(GetParam()) == "room") { // surfaces take several times as long
-    wanted.push_back("-surfaces");
-    names.insert(names.end(), {"likelihood", "surface"});
+    wanted.insert(wanted.end(), {"-surfaces", "-instances", "planar"});
+    names.insert(names.end(), {"likelihood", "surface", "instance"});
   }
   const std::string expected = detected(whole(points), wanted);
   const pcl::app::CloudFile of_whole = pcl::app::decodePcd("whole", expected);
@@ -186,6 +186,8 @@ TEST_P(EqualTiles, GiveTheFileOfTheWholeCloudAtAResolution)
   Words wanted{"-edges", "-types", "-resolution", resolution};
   if (name != "street") // without surfaces tiles take another way
     wanted.push_back("-surfaces");
+  if (name == "room")
+    wanted.insert(wanted.end(), {"-instances", "curved"});
   const std::string expected = detected(file, wanted);
   wanted.insert(wanted.end(), {"-tile", edges().back(), "-processes", "2"});
   expectSuccess(tiles({file}, wanted));
@@ -207,17 +209,24 @@ TEST_P(EqualTiles, GiveTheInadOfTheWholeCloud)
   }
 }
 
-TEST_F(Tiles, HaveTheSurfacesOfACloudThatIsLongerThanTheyLook)
+TEST_F(Tiles, HaveTheSurfacesAndInstancesOfACloudThatIsLongerThanTheyLook)
 {
   constexpr std::size_t points = 120000;
   const std::string file = whole(pathCloud(points));
-  const std::string expected = detected(file, {"-surfaces", "-normals"});
-  const Bits surfaces = bitsOf(pcl::app::decodePcd("whole", expected), "surface");
+  const Words wanted{"-surfaces", "-normals", "-instances", "planar"};
+  const std::string expected = detected(file, wanted);
+  const pcl::app::CloudFile of_whole = pcl::app::decodePcd("whole", expected);
+  const Bits surfaces = bitsOf(of_whole, "surface");
   for (const std::uint32_t surface : {1U, 2U})
     EXPECT_GT(std::count(surfaces.begin(), surfaces.end(), surface), 1000);
-  expectSuccess(
-      tiles({file}, {"-surfaces", "-normals", "-tile", "13", "-json", path("json")}));
+  Words options = wanted;
+  options.insert(options.end(), {"-tile", "13", "-json", path("json")});
+  expectSuccess(tiles({file}, options));
   EXPECT_EQ(differences(readFile(path("out/cloud.pcd")), expected), 0U);
+  const Bits instances = bitsOf(of_whole, "instance");
+  const std::uint32_t most = *std::max_element(instances.begin(), instances.end());
+  EXPECT_GT(most, 1U);
+  EXPECT_EQ(count("instances"), most);
   EXPECT_GT(count("tiles"), 4U);
 }
 
@@ -231,9 +240,16 @@ TEST_F(Tiles, RefuseAResolutionThatDoesNotFit)
       options.push_back("0.5");
     expectRefused(tiles({file}, options), 2, {option, "own points", "-resolution"});
   }
+  // Nothing stays that would refuse the next run, which has another resolution.
   expectRefused(tiles({file}, {"-resolution", "30"}),
                 1,
                 {"resolution is 30 m", "less than the cloud's extent"});
+  EXPECT_FALSE(exists(path("out/tiles")));
+  expectRefused(again({file}, {"-resolution", "1e-9"}),
+                1,
+                {"resolution is 1e-09 m", "what a float holds"});
+  EXPECT_FALSE(exists(path("out/tiles")));
+  expectSuccess(again({file}, {"-resolution", "0.5"}));
   expectRefused(tiles({file}, {"-resolution", "-1"}), 2, {"-resolution '-1'"});
 }
 
