@@ -342,7 +342,9 @@ public:
                 std::istringstream lines(error.empty() ? results : std::string());
                 std::size_t tile = 0;
                 for (std::string result; lines >> tile && std::getline(lines, result);)
-                  complete(name, tile, result.substr(1));
+                  if (const Complete now = completeOf(result);
+                      !isRecorded(name, tile, now))
+                    complete(name, tile, now);
               });
     refresh();
     if (!missingOf(name).empty())
@@ -589,7 +591,7 @@ private:
         [&](std::size_t tile) { return written(name, tile, function(tile)); },
         [&](std::size_t tile, const std::string& result, const std::string& error) {
           if (error.empty())
-            complete(name, tile, result);
+            complete(name, tile, completeOf(result));
           else if (failure.empty())
             failure = name + " of tile " + std::to_string(tile) + ": " + error;
         });
@@ -604,16 +606,30 @@ private:
                                   "same command");
   }
 
-  /** \param[in] result bytes and checksum */
-  void
-  complete(const std::string& name, std::size_t tile, const std::string& result)
+  /** \param[in] result what written() returned */
+  static Complete
+  completeOf(const std::string& result)
   {
-    const std::size_t space = result.find(' ');
+    Complete complete;
+    std::istringstream(result) >> complete.bytes >> complete.check;
+    return complete;
+  }
+
+  bool
+  isRecorded(const std::string& name, std::size_t tile, const Complete& now)
+  {
+    const Complete& before = complete_[name][tile];
+    return before.bytes == now.bytes && before.check == now.check;
+  }
+
+  void
+  complete(const std::string& name, std::size_t tile, const Complete& now)
+  {
     add({{"event", "result"},
          {"name", name},
          {"tile", tile},
-         {"bytes", std::stoull(result.substr(0, space))},
-         {"check", result.substr(space + 1)}});
+         {"bytes", now.bytes},
+         {"check", now.check}});
     if (name == tiles_name)
       removeFile(pathOf(buckets_name, tile));
   }

@@ -3,6 +3,7 @@
 // Parts of a cloud with the numbers of the whole have its surfaces and instances, bit
 // by bit.
 
+#include "common/disjoint_sets.h"
 #include "support/bits.h"
 #include "support/errors.h"
 #include "support/random.h"
@@ -19,7 +20,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <numeric>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace {
 
@@ -86,6 +91,215 @@ struct Part {
   Cloud own;
   PartOfFaces faces;
   std::vector<InstancePoint> places;
+};
+
+float
+xOf(const InstancePoint& point)
+{
+  return point.position[0];
+}
+
+float
+xOf(const InstanceNode& node)
+{
+  return node.place[0];
+}
+
+/** Items of parts, one part after the other. */
+template <typename Item>
+struct ItemsOfParts {
+  void
+  add(const std::vector<Item>& of_part)
+  {
+    all.insert(all.end(), of_part.begin(), of_part.end());
+    begins.push_back(all.size());
+  }
+
+  std::size_t
+  countOf(std::size_t part) const
+  {
+    return begins[part + 1] - begins[part];
+  }
+
+  /** Where a part's items are along x. */
+  std::pair<float, float>
+  rangeOf(std::size_t part) const
+  {
+    float low = std::numeric_limits<float>::infinity(), high = -low;
+    for (std::size_t i = begins[part]; i < begins[part + 1]; ++i) {
+      low = std::min(low, xOf(all[i]));
+      high = std::max(high, xOf(all[i]));
+    }
+    return {low, high};
+  }
+
+  /** The indices of a part's items, then of others within a reach of a range. */
+  std::vector<std::size_t>
+  near(std::size_t part, const std::pair<float, float>& range, double reach) const
+  {
+    std::vector<std::size_t> indices(countOf(part));
+    std::iota(indices.begin(), indices.end(), begins[part]);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if ((i < begins[part] || i >= begins[part + 1]) &&
+          xOf(all[i]) >= range.first - reach && xOf(all[i]) <= range.second + reach)
+        indices.push_back(i);
+    return indices;
+  }
+
+  std::vector<Item> all;
+  std::vector<std::size_t> begins{0};
+};
+
+template <typename T>
+std::vector<T>
+taken(const std::vector<T>& values, const std::vector<std::size_t>& from)
+{
+  std::vector<T> result;
+  for (const std::size_t i : from)
+    result.push_back(values[i]);
+  return result;
+}
+
+/** The instances of a cloud, from its parts. */
+class InstancesFromParts {
+public:
+  InstancesFromParts(const CloudNumbers& numbers, ItemsOfParts<InstancePoint> points)
+  : steps_(numbers, {}, 1)
+  , reach_(steps_.reach())
+  , points_(std::move(points))
+  , parts_(points_.begins.size() - 1)
+  {}
+
+  /** The instance of each point, -1 none. */
+  std::vector<std::int32_t>
+  run()
+  {
+    for (std::size_t p = 0; p < parts_; ++p)
+      nodes_.add(steps_.nodes(
+          taken(points_.all, points_.near(p, points_.rangeOf(p), reach_.nodes)),
+          points_.countOf(p)));
+    labelNodes(unitedNodes());
+    std::vector<std::int32_t> labels = ranked(
+        labelsOfPoints(), [&](const auto& all) { return steps_.pieceRanks(all); });
+    return ranked(grown(labels),
+                  [&](const auto& all) { return steps_.instanceRanks(all); });
+  }
+
+private:
+  /** The root of each node's piece; the number of nodes if it is of none. */
+  std::vector<std::size_t>
+  unitedNodes() const
+  {
+    const std::size_t none = nodes_.all.size();
+    std::vector<LinkedNodes> linked;
+    std::vector<std::vector<std::size_t>> near;
+    std::vector<std::uint32_t> firsts{0};
+    for (std::size_t p = 0; p < parts_; ++p) {
+      near.push_back(nodes_.near(p, nodes_.rangeOf(p), reach_.links));
+      linked.push_back(steps_.link(taken(nodes_.all, near.back()), nodes_.countOf(p)));
+      firsts.push_back(firsts.back() + linked.back().pieces);
+    }
+    std::vector<std::size_t> pieces;
+    for (std::size_t p = 0; p < parts_; ++p)
+      for (const std::uint32_t piece : linked[p].piece)
+        pieces.push_back(piece == LinkedNodes::none ? none : firsts[p] + piece);
+    segmentation::DisjointSets sets(firsts.back());
+    for (std::size_t p = 0; p < parts_; ++p)
+      for (const auto& [piece, node] : linked[p].outward)
+        if (pieces[near[p][node]] != none)
+          sets.unite(firsts[p] + piece,
+                     static_cast<std::uint32_t>(pieces[near[p][node]]));
+    for (std::size_t& piece : pieces)
+      if (piece != none)
+        piece = sets.find(static_cast<std::uint32_t>(piece));
+    return pieces;
+  }
+
+  void
+  labelNodes(const std::vector<std::size_t>& pieces)
+  {
+    std::map<std::size_t, std::vector<std::size_t>> nodes_of;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      if (pieces[i] < pieces.size())
+        nodes_of[pieces[i]].push_back(i);
+    labels_of_nodes_.assign(pieces.size(), -1);
+    std::int32_t next = 0;
+    for (const auto& [piece, nodes] : nodes_of) {
+      const std::vector<std::int32_t> groups =
+          steps_.cut(1, [&](std::size_t) { return taken(nodes_.all, nodes); }).front();
+      for (std::size_t k = 0; k < nodes.size(); ++k)
+        if (groups[k] >= 0)
+          labels_of_nodes_[nodes[k]] = next + groups[k];
+      next += static_cast<std::int32_t>(nodes.size());
+    }
+  }
+
+  std::vector<std::int32_t>
+  labelsOfPoints() const
+  {
+    std::array<float, 3> low = nodes_.all.front().position, high = low;
+    for (const InstanceNode& node : nodes_.all)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], node.position[axis]);
+        high[axis] = std::max(high[axis], node.position[axis]);
+      }
+    std::vector<std::int32_t> labels;
+    for (std::size_t p = 0; p < parts_; ++p) {
+      const std::vector<std::size_t> near =
+          nodes_.near(p, points_.rangeOf(p), reach_.labels);
+      std::vector<std::size_t> own(points_.countOf(p));
+      std::iota(own.begin(), own.end(), points_.begins[p]);
+      const std::vector<std::int32_t> of_part =
+          steps_.labels(taken(points_.all, own),
+                        taken(nodes_.all, near),
+                        taken(labels_of_nodes_, near),
+                        low,
+                        high);
+      labels.insert(labels.end(), of_part.begin(), of_part.end());
+    }
+    return labels;
+  }
+
+  std::vector<std::int32_t>
+  grown(const std::vector<std::int32_t>& labels) const
+  {
+    std::vector<std::int32_t> result;
+    for (std::size_t p = 0; p < parts_; ++p) {
+      const std::vector<std::size_t> near =
+          points_.near(p, points_.rangeOf(p), reach_.growth);
+      const std::vector<std::int32_t> of_part =
+          steps_.grow(taken(points_.all, near), taken(labels, near));
+      result.insert(result.end(),
+                    of_part.begin(),
+                    of_part.begin() + static_cast<std::ptrdiff_t>(points_.countOf(p)));
+    }
+    return result;
+  }
+
+  template <typename Rank>
+  std::vector<std::int32_t>
+  ranked(std::vector<std::int32_t> labels, const Rank& rank) const
+  {
+    std::vector<LabelCount> all;
+    for (std::size_t p = parts_; p-- > 0;) { // the order makes no difference
+      std::vector<std::size_t> own(points_.countOf(p));
+      std::iota(own.begin(), own.end(), points_.begins[p]);
+      InstancesOfParts::add(steps_.count(taken(points_.all, own), taken(labels, own)),
+                            all);
+    }
+    const std::vector<std::int32_t> ranks = rank(all);
+    for (std::int32_t& label : labels)
+      if (label >= 0)
+        label = ranks[static_cast<std::size_t>(label)];
+    return labels;
+  }
+
+  InstancesOfParts steps_;
+  InstancesOfParts::Reach reach_;
+  ItemsOfParts<InstancePoint> points_;
+  ItemsOfParts<InstanceNode> nodes_;
+  std::vector<std::int32_t> labels_of_nodes_;
+  std::size_t parts_;
 };
 
 class PartsOfClouds : public ::testing::Test {
@@ -227,6 +441,47 @@ TEST_F(PartsOfClouds, HaveOtherSurfacesWithoutWhatIsAround)
   }
 }
 
+TEST_F(PartsOfClouds, HaveTheInstancesOfTheWhole)
+{
+  for (const std::string of_class : {"planar", "curved"}) {
+    ItemsOfParts<InstancePoint> points;
+    std::vector<std::size_t> indices; // of these points in the cloud
+    for (const Part& part : parts) {
+      std::vector<InstancePoint> places = part.places;
+      const std::vector<float> likelihoods =
+          ofWhole(part, of_class == "planar" ? 0 : curved);
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        places[i].likelihood = likelihoods[i];
+        InstancesOfParts::turn({0.0f, 0.0f, 0.0f}, places[i]);
+      }
+      const std::vector<bool> is_held =
+          InstancesOfParts(numbers, {}, 1).mayHold(places);
+      std::vector<InstancePoint> held;
+      for (std::size_t i = 0; i < places.size(); ++i)
+        if (is_held[i]) {
+          held.push_back(places[i]);
+          indices.push_back(static_cast<std::size_t>(part.indices[i]));
+        }
+      points.add(held);
+    }
+    const std::vector<std::int32_t> found = InstancesFromParts(numbers, points).run();
+    std::vector<std::int32_t> labels(cloud->size(), -1), expected = labels;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      labels[indices[i]] = found[i];
+    ShapeInstanceSegmentation<PointXYZ> segmentation;
+    segmentation.setInputCloud(cloud);
+    segmentation.setShapeField(whole);
+    segmentation.setClass(of_class);
+    std::vector<PointIndices> instances;
+    ASSERT_TRUE(segmentation.segment(instances));
+    EXPECT_GT(instances.size(), of_class == "planar" ? 1U : 0U);
+    for (std::size_t k = 0; k < instances.size(); ++k)
+      for (const index_t i : instances[k].indices)
+        expected[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(k);
+    EXPECT_EQ(labels, expected) << of_class;
+  }
+}
+
 /** A piece belongs to the part that its first point is of. */
 TEST_F(PartsOfClouds, HaveEachPieceOnce)
 {
@@ -249,19 +504,20 @@ TEST_F(PartsOfClouds, HaveEachPieceOnce)
   EXPECT_GT(outward, 10U);
 }
 
-TEST_F(PartsOfClouds, WithoutASpacingAreRefused)
+TEST(RefusedParts, HaveNoSpacing)
 {
-  CloudNumbers none = numbers;
-  none.spacing = 0.0f;
-  EXPECT_THROW(facesOfPart(*whole, none, std::vector<bool>(cloud->size(), true), 1),
-               std::invalid_argument);
+  CloudNumbers numbers;
+  numbers.spacing = 0.0f;
+  expectParts(exceptionOf<std::invalid_argument>(
+                  [&] { facesOfPart(ShapeField(), numbers, {}, 1); }),
+              {"spacing of the cloud is 0", "above 0"});
 }
 
-TEST_F(PartsOfClouds, AreNotAskedForSurfacesByTheField)
+TEST(RefusedParts, AskTheFieldForSurfaces)
 {
   ShapeFieldEstimation<PointXYZ> estimation;
-  estimation.setInputCloud(cloud);
-  estimation.setCloudNumbers(numbers);
+  estimation.setInputCloud(corner());
+  estimation.setCloudNumbers(CloudNumbers());
   ShapeField field;
   expectParts(errorsOf([&] { EXPECT_FALSE(estimation.compute(field)); }),
               {"setEdgesOnly(true)", "facesOfPart()"});
