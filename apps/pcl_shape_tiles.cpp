@@ -386,10 +386,8 @@ main(int argc, char** argv)
       "in.pcd... -output_dir D",
       "Divide clouds that need not fit into memory into tiles, and compute normals, "
       "edges, surfaces,\ninstances and INAD: the inputs are one cloud. D gets a cloud "
-      "of "
-      "each input's name "
-      "with the fields that are asked\nfor; without any those of -edges and -types. A "
-      "run that was ended goes on with the same command.");
+      "of each input's name with the fields\nthat are asked for; without any those of "
+      "-edges and -types. A run that was ended goes on with the\nsame command.");
   command_line.option("output_dir", "D", "for the outputs, and for tiles in D/tiles")
       .flag("normals", "add normal_x normal_y normal_z curvature")
       .flag("edges", "add edge_likelihood (NaN unknown) and edge: 1 on creases")
