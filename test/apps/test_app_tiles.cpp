@@ -5,6 +5,7 @@
 #include "app_test.h"
 #include "io/pcd.h"
 #include "tile_clouds.h"
+#include "tiles/selection.h"
 
 #include <nlohmann/json.hpp>
 
@@ -228,6 +229,24 @@ TEST_F(Tiles, HaveTheSurfacesAndInstancesOfACloudThatIsLongerThanTheyLook)
   EXPECT_GT(most, 1U);
   EXPECT_EQ(count("instances"), most);
   EXPECT_GT(count("tiles"), 4U);
+}
+
+TEST(FloatSelections, FindTheValueOfEachRankInTwoPasses)
+{
+  const std::vector<float> values{
+      0.5f, 0.0f, 3e-30f, 0.5f, 7.25f, 7.250001f, 1e30f, 0.25f};
+  std::vector<float> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t rank = 0; rank < values.size(); ++rank) {
+    pcl::app::FloatSelection selection;
+    for (const float value : values)
+      selection.add(value, 1);
+    EXPECT_EQ(selection.count(), values.size());
+    selection.chooseHigh(rank);
+    for (const float value : values)
+      selection.add(value, 1);
+    EXPECT_EQ(selection.value(), sorted[rank]) << "rank " << rank;
+  }
 }
 
 TEST_F(Tiles, RefuseAResolutionThatDoesNotFit)
