@@ -35,6 +35,13 @@ sortByPosition(const XYZView& points, std::vector<std::uint32_t>& indices)
     indices[k] = entries[k].index;
 }
 
+std::array<float, 3>
+cellAt(const float* place, float cell)
+{
+  const Eigen::Array3f c = (Eigen::Map<const Eigen::Array3f>(place) / cell).floor();
+  return {c.x(), c.y(), c.z()};
+}
+
 std::vector<std::uint32_t>
 centralPoints(const XYZView& points,
               const std::vector<std::uint32_t>& candidates,
@@ -49,9 +56,8 @@ centralPoints(const XYZView& points,
   entries.reserve(candidates.size());
   for (const std::uint32_t i : candidates) {
     const Eigen::Array3f p = positionOf(points, i).array() / cell;
-    const Eigen::Array3f c = p.floor();
-    const float off_center = (p - c - 0.5f).matrix().squaredNorm();
-    entries.push_back({{c.x(), c.y(), c.z()}, off_center, entries.size()});
+    const float off_center = (p - p.floor() - 0.5f).matrix().squaredNorm();
+    entries.push_back({cellAt(points[i], cell), off_center, entries.size()});
   }
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
     return std::tie(a.cell, a.off_center, a.rank) <

@@ -385,20 +385,34 @@ joinParts(const SurfacePiece& piece, const std::vector<SurfacePart>& parts)
   return joined;
 }
 
+std::vector<std::vector<NodeIndices>>
+cutPieces(std::size_t pieces,
+          const std::function<std::vector<SurfaceNode>(std::size_t)>& nodesOf,
+          double noise,
+          unsigned threads)
+{
+  std::vector<std::vector<NodeIndices>> groups(pieces);
+  const detail::Quiet quiet;
+  kernels::parallelFor(pieces, threads, [&](std::size_t i) {
+    groups[i] = cut({nodesOf(i), static_cast<float>(noise)});
+  });
+  return groups;
+}
+
 Labels
 splitSurfaces(const detail::InstanceInput& input,
               const std::vector<SurfaceNode>& nodes,
               Labels labels)
 {
   const std::vector<NodeIndices> pieces = piecesOf(labels);
-  std::vector<std::vector<NodeIndices>> groups(pieces.size());
-  const detail::Quiet quiet;
-  kernels::parallelFor(pieces.size(), input.threads, [&](std::size_t i) {
+  const auto nodesOf = [&](std::size_t i) {
     std::vector<SurfaceNode> of_piece;
     for (const std::uint32_t node : pieces[i])
       of_piece.push_back(nodes[node]);
-    groups[i] = cut({std::move(of_piece), static_cast<float>(input.noise)});
-  });
+    return of_piece;
+  };
+  const std::vector<std::vector<NodeIndices>> groups =
+      cutPieces(pieces.size(), nodesOf, input.noise, input.threads);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (groups[i].empty())
       continue;

@@ -14,6 +14,7 @@
 
 #include <pcl/features/distinct_points.h>
 #include <pcl/impl/instantiate.hpp>
+#include <pcl/segmentation/means_of_parts.h>
 #include <pcl/segmentation/impl/shape_field_estimation.hpp>
 
 #include <algorithm>
@@ -52,7 +53,8 @@ problemOfPart(const FieldRequest& request)
       "numbers of a cloud are set, of which the input is a part: ";
   if (!request.edges_only)
     return given +
-           "classes of surfaces look too far for parts, call setEdgesOnly(true)";
+           "classes of surfaces look too far for parts, call setEdgesOnly(true), then "
+           "facesOfPart() for surfaces";
   if (request.resolution != 0.0)
     return given + "they are not those of voxel means, leave the resolution out";
   if (request.has_normals)
@@ -62,8 +64,6 @@ problemOfPart(const FieldRequest& request)
 
 // With more unknown points the spacing is looked at again: scans have as many strays.
 constexpr double max_unknown = 0.02;
-// Spacings: a voxel then holds the points of some three steps of a sensor.
-constexpr double coarser_voxel = 0.8;
 // Each is about half as dense as the one before. What is rough at all of them is not a
 // surface.
 constexpr int max_coarser = 4;
@@ -143,14 +143,6 @@ struct Base {
   bool is_other = false;
 };
 
-/** Two digits, so that it can be given again. */
-double
-rounded(double resolution)
-{
-  const double scale = std::pow(10.0, 1.0 - std::floor(std::log10(resolution)));
-  return std::round(resolution * scale) / scale;
-}
-
 NeighborFinder
 finderAmong(const FieldRequest& request, const std::vector<float>& points)
 {
@@ -224,8 +216,12 @@ baseOf(FieldRequest request)
   int steps = request.has_normals || request.of_cloud ? 0 : max_coarser;
   double coarser = 0.0;
   const auto isFine = [&](const MeasuredCloud& measured) {
-    coarser = rounded(coarser_voxel * static_cast<double>(measured.spacing));
-    return steps == 0 || !measured.noise.isBeyondRadii() ||
+    CloudNumbers numbers;
+    numbers.spacing = measured.spacing;
+    numbers.noise_level = measured.noise.level;
+    numbers.noise_correlation = measured.noise.correlation;
+    coarser = coarserResolution(numbers);
+    return steps == 0 || coarser == 0.0 ||
            !problemOfResolution(coarser, request.surface).empty();
   };
   bool is_fine = false;
