@@ -4,6 +4,8 @@
 
 #include "scene/creases.h"
 
+#include "scene/part.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,7 @@ namespace {
 
 constexpr double contact_tolerance = 1e-7;
 constexpr double beside = 1e-3; // how far beside a crease its faces are looked at
+constexpr double beside_on_part = 2e-4;   // likewise: faces of parts are narrow
 constexpr double beside_tolerance = 1e-4; // a round face bends away that much
 constexpr double sampling_step = 1e-3;
 constexpr double end_accuracy = 1e-6;
@@ -30,13 +33,15 @@ public:
   {
     int seen = 0;
     if (std::abs(point.z) <= contact_tolerance && world_.table.contains(point))
-      seen += seesBeside(point, tangent, {0.0, 0.0, 1.0}, [this](const Vec3& p) {
-        return world_.table.contains(p);
-      });
+      seen +=
+          seesBeside(point, tangent, {0.0, 0.0, 1.0}, beside, [this](const Vec3& p) {
+            return world_.table.contains(p);
+          });
     for (std::size_t i = 0; i < world_.solids.size() && seen < 2; ++i) {
       const Solid& solid = world_.solids[i];
+      const double step = solid.shape == Shape::Part ? beside_on_part : beside;
       for (const FaceAt& at : facesAt(solid, point, contact_tolerance))
-        seen += seesBeside(point, tangent, at.normal, [&](const Vec3& p) {
+        seen += seesBeside(point, tangent, at.normal, step, [&](const Vec3& p) {
           const auto faces = facesAt(solid, p, beside_tolerance);
           return std::any_of(faces.begin(), faces.end(), [&](const FaceAt& face) {
             return face.face == at.face;
@@ -52,9 +57,10 @@ private:
   seesBeside(const Vec3& point,
              const Vec3& tangent,
              const Vec3& normal,
+             double step,
              Contains contains) const
   {
-    const Vec3 into_face = normalized(cross(normal, tangent)) * beside;
+    const Vec3 into_face = normalized(cross(normal, tangent)) * step;
     for (const Vec3& neighbor : {point + into_face, point - into_face})
       if (contains(neighbor) && caster_.seen(observer_, neighbor, normal))
         return true;
@@ -127,6 +133,15 @@ boxEdges(const Solid& box)
   return edges;
 }
 
+std::vector<Curve>
+partCreases(const Solid& solid)
+{
+  std::vector<Curve> creases;
+  for (const Curve& crease : solid.part->creases())
+    creases.push_back(crease.placed(solid.pose));
+  return creases;
+}
+
 } // namespace
 
 std::vector<Curve>
@@ -146,6 +161,8 @@ edges(const Solid& solid)
     return {circleAround(solid, solid.size[1], bowlOpening(solid).outer)};
   case Shape::Sphere:
     return {};
+  case Shape::Part:
+    return partCreases(solid);
   }
   return {};
 }
@@ -159,6 +176,12 @@ thinPlaces(const Solid& solid)
   }
   if (solid.shape == Shape::Cone)
     return {circleAround(solid, solid.size[1], 0.0)};
+  if (solid.shape == Shape::Part) {
+    std::vector<Curve> lines;
+    for (const Seam& seam : solid.part->seams())
+      lines.push_back(seam.line.placed(solid.pose));
+    return lines;
+  }
   return {};
 }
 

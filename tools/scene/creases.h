@@ -40,7 +40,7 @@ private:
 std::vector<Curve> edges(const Solid& solid);
 
 /** \brief Lines and points of an object where a smooth surface ends without a crease: a
- * bowl's rim, a cone's apex (a curve of no length). */
+ * bowl's rim, a cone's apex (a curve of no length), the seams of a part. */
 std::vector<Curve> thinPlaces(const Solid& solid);
 
 /** \brief The thin places of all objects of a world. */
