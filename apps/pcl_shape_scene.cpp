@@ -8,6 +8,7 @@
 #include "io/pcd.h"
 #include "scene/lidar_scene.h"
 #include "scene/part_scene.h"
+#include "scene/room_scene.h"
 #include "scene/scene_kind.h"
 #include "scene/table_scene.h"
 
@@ -28,6 +29,10 @@ makerOf(const Arguments& arguments)
   if (kind == SceneKind::Part && isSampled(arguments))
     return [&, options = partOptions(arguments)](Report& report) {
       return partCloud(arguments, options, report);
+    };
+  if (kind == SceneKind::Room)
+    return [&, options = stationOptions(arguments)](Report& report) {
+      return roomCloud(arguments, options, report);
     };
   return [&, options = tableOptions(arguments)](Report& report) {
     return tableCloud(arguments, options, report);

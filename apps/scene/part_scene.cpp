@@ -5,6 +5,7 @@
 #include "scene/part_scene.h"
 
 #include "cli/errors.h"
+#include "scene/photogrammetry.h"
 #include "scene/scene_cloud.h"
 
 #include <limits>
@@ -53,8 +54,11 @@ partOptions(const Arguments& arguments)
 CloudFile
 partCloud(const Arguments& arguments, const PartOptions& options, Report& report)
 {
-  const pcl::scene::PartSamples samples =
-      report.time("generate", [&] { return pcl::scene::samplePart(options); });
+  const bool is_matched = arguments.text("sensor") == "photogrammetry";
+  const pcl::scene::PartSamples samples = report.time("generate", [&] {
+    return is_matched ? pcl::scene::reconstructPart(options)
+                      : pcl::scene::samplePart(options);
+  });
   CloudFile cloud = sceneCloud(samples.scene, arguments);
   setField(cloud, "crease_s", samples.crease_s);
   setField(cloud, "radius_s", samples.radius_s);
@@ -64,6 +68,9 @@ partCloud(const Arguments& arguments, const PartOptions& options, Report& report
   report.setText("parameters", "place", "part");
   report.setNumber("parameters", "size", options.size);
   report.setNumber("parameters", "sampling", options.spacing);
+  report.setText("parameters", "sensor", is_matched ? "photogrammetry" : "samples");
+  if (is_matched)
+    return cloud;
   report.setText("parameters", "spread", arguments.text("spread", "even"));
   report.setNumber("parameters", "noise", options.sigma);
   return cloud;

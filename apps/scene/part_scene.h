@@ -15,8 +15,9 @@ namespace pcl::app {
  * names the option and what is expected */
 pcl::scene::PartOptions partOptions(const Arguments& arguments);
 
-/** \brief Sample a random part. The fields are those of a table scene, and crease_s,
- * radius_s and thin_s in spacings. Parameters, counts and time are reported. */
+/** \brief Sample a random part, or reconstruct it from photographs. The fields are
+ * those of a table scene, and crease_s, radius_s and thin_s in spacings. Parameters,
+ * counts and time are reported. */
 CloudFile partCloud(const Arguments& arguments,
                     const pcl::scene::PartOptions& options,
                     Report& report);

@@ -13,8 +13,15 @@ namespace {
 std::string
 sensorOf(const Arguments& arguments)
 {
-  return arguments.choice(
-      "sensor", {"camera", "lidar", "samples", "stereo", "tof", "structured"});
+  return arguments.choice("sensor",
+                          {"camera",
+                           "lidar",
+                           "samples",
+                           "stereo",
+                           "tof",
+                           "structured",
+                           "station",
+                           "photogrammetry"});
 }
 
 /** Refuse an option that was given. */
@@ -37,11 +44,25 @@ refuseOfLaser(const Arguments& arguments)
   for (const char* laser : {"beams", "pattern", "mirrors", "fillers"})
     refuse(arguments, laser, "without a laser", "-sensor lidar with it");
   const std::string place = arguments.text("place", "table");
-  if (place != "table" && place != "part")
+  if (place != "table" && place != "part" && place != "room")
     refuse(arguments,
            "place",
            "without a laser",
-           "table or part, or -sensor lidar with it");
+           "table, part or room, or -sensor lidar with it");
+}
+
+/** A station stands in a room and nowhere else; photogrammetry needs a part. */
+void
+checkPlace(const Arguments& arguments)
+{
+  const std::string sensor = sensorOf(arguments);
+  const std::string place = arguments.text("place", "table");
+  if ((sensor == "station") != (place == "room"))
+    throw UsageError("-place '" + place + "' with -sensor '" + sensor +
+                     "'; expected -place room with -sensor station, and no other");
+  if (sensor == "photogrammetry" && place != "part")
+    throw UsageError("-place '" + place +
+                     "' with -sensor 'photogrammetry'; expected -place part");
 }
 
 void
@@ -57,10 +78,32 @@ refuseOfCamera(const Arguments& arguments)
                              "faces",
                              "size",
                              "spread",
-                             "waviness"})
+                             "waviness",
+                             "stations",
+                             "step"})
     if (arguments.has(camera))
       throw UsageError(std::string("-") + camera +
                        " with -sensor 'lidar'; expected only with -sensor camera");
+}
+
+void
+checkPartOptions(const Arguments& arguments, SceneKind kind)
+{
+  const bool is_part = kind == SceneKind::Part;
+  if (is_part)
+    refuse(arguments, "shapes", "with -place 'part'", "-shapes with -place table only");
+  if (is_part && isSampled(arguments))
+    refuse(arguments, "objects", "of one part", "it with a camera only");
+  else
+    for (const char* option : {"size", "spread"})
+      refuse(arguments,
+             option,
+             "without a part that is alone",
+             "-place part -sensor samples with it");
+  if (sensorOf(arguments) == "photogrammetry")
+    for (const char* option : {"noise", "spread"})
+      refuse(
+          arguments, option, "with -sensor 'photogrammetry'", "it with samples only");
 }
 
 } // namespace
@@ -72,17 +115,19 @@ addKindOptions(CommandLine& command_line)
       .option(
           "sensor",
           "S",
-          "camera (default); stereo, tof or structured: depth cameras with their own "
-          "noise;\nsamples: no camera, points on all surfaces; lidar: a laser scanner "
-          "in a street,\nfields ground, surface, instance and ring; its -noise is "
-          "lidar (default), none, or\na sigma")
+          "camera (default); stereo, tof or structured: depth cameras with a noise of "
+          "their own;\nsamples: no camera, points on all surfaces; photogrammetry: of "
+          "a part; station: a\nscanner on a tripod in a room; lidar: a laser scanner "
+          "in a street, fields ground,\nsurface, instance and ring; its -noise is "
+          "lidar (default), none, or a sigma")
       .option(
           "place",
           "P",
           "table (default) or part: machined parts, on the table for cameras, one "
-          "alone for\nsamples; of the lidar: town (default), bumps, bridge, canopy, "
-          "country, deck,\ngarage, tunnel, corridor, hall")
-      .option("size", "S", "of a part for samples: its longest side, meters (0.1)")
+          "alone for\nsamples and photogrammetry; room for a station; of the lidar: "
+          "town (default), bumps,\nbridge, canopy, country, deck, garage, tunnel, "
+          "corridor, hall")
+      .option("size", "S", "of a part that is alone: its longest side, meters (0.1)")
       .option(
           "spread",
           "S",
@@ -92,7 +137,9 @@ addKindOptions(CommandLine& command_line)
           "waviness",
           "S,L",
           "of stereo, tof and structured: sigma and length of the waves, meters (of "
-          "the seed:\n0.0005 to 0.003 and 0.01 to 0.06; structured: none)");
+          "the seed:\n0.0005 to 0.003 and 0.01 to 0.06; structured: none)")
+      .option("stations", "N", "in the room, 1 to 4 (1)")
+      .option("step", "A", "degrees between a station's rays, 0.05 to 2 (0.3)");
 }
 
 SceneKind
@@ -100,13 +147,16 @@ sceneKind(const Arguments& arguments)
 {
   if (sensorOf(arguments) == "lidar")
     return SceneKind::Street;
+  if (sensorOf(arguments) == "station")
+    return SceneKind::Room;
   return arguments.text("place") == "part" ? SceneKind::Part : SceneKind::Table;
 }
 
 bool
 isSampled(const Arguments& arguments)
 {
-  return sensorOf(arguments) == "samples" || arguments.has("sampling");
+  const std::string sensor = sensorOf(arguments);
+  return sensor == "samples" || sensor == "photogrammetry" || arguments.has("sampling");
 }
 
 bool
@@ -123,31 +173,25 @@ checkKindOptions(const Arguments& arguments)
   if (kind == SceneKind::Street)
     return refuseOfCamera(arguments);
   refuseOfLaser(arguments);
-  const bool is_part = kind == SceneKind::Part;
+  checkPlace(arguments);
+  const std::string with = "with -sensor '" + sensorOf(arguments) + '\'';
+  if (kind == SceneKind::Room) {
+    for (const char* option : {"sampling", "shapes", "objects"})
+      refuse(arguments, option, with, "it with another sensor");
+  }
+  else
+    for (const char* option : {"stations", "step"})
+      refuse(arguments, option, with, "-sensor station with it");
   if (isDepthCamera(arguments)) {
-    const std::string with = "with -sensor '" + arguments.text("sensor") + '\'';
     refuse(arguments, "noise", with, "-noise with -sensor camera or samples only");
     refuse(arguments, "sampling", with, "-sampling with -sensor samples only");
   }
   else
-    refuse(arguments,
-           "waviness",
-           "without a depth camera",
-           "-sensor stereo, tof or structured with it");
-  if (is_part)
-    refuse(arguments, "shapes", "with -place 'part'", "-shapes with -place table only");
-  const bool is_sampled_part = is_part && isSampled(arguments);
-  if (isSampled(arguments))
+    refuse(arguments, "waviness", with, "-sensor stereo, tof or structured with it");
+  if (isSampled(arguments) || kind == SceneKind::Room)
     for (const char* camera : {"width", "height", "organized", "turn"})
       refuse(arguments, camera, "without a camera", "it without -sampling");
-  if (is_sampled_part)
-    refuse(arguments, "objects", "of one part", "it with a camera only");
-  else
-    for (const char* option : {"size", "spread"})
-      refuse(arguments,
-             option,
-             "without a sampled part",
-             "-place part -sensor samples with it");
+  checkPartOptions(arguments, kind);
 }
 
 } // namespace pcl::app

@@ -9,7 +9,7 @@
 namespace pcl::app {
 
 /** \brief What is looked at. */
-enum class SceneKind { Table, Part, Street };
+enum class SceneKind { Table, Part, Room, Street };
 
 /** \brief -sensor and -place. */
 void addKindOptions(CommandLine& command_line);

@@ -16,15 +16,15 @@ constexpr double contact_tolerance = 1e-7;
 constexpr double beside = 1e-3; // how far beside a crease its faces are looked at
 constexpr double beside_on_part = 2e-4;   // likewise: faces of parts are narrow
 constexpr double beside_tolerance = 1e-4; // a round face bends away that much
-constexpr double sampling_step = 1e-3;
+constexpr double table_step = 1e-3; // where visibility is looked up: objects are small
 constexpr double end_accuracy = 1e-6;
 
 /** Decides whether a point of an edge is a crease for the observer. */
 class Visibility {
 public:
-  Visibility(const World& world, const Observer& observer)
+  Visibility(const World& world, const std::vector<Observer>& observers)
   : world_(world)
-  , observer_(observer)
+  , observers_(observers)
   , caster_(world)
   {}
 
@@ -62,13 +62,22 @@ private:
   {
     const Vec3 into_face = normalized(cross(normal, tangent)) * step;
     for (const Vec3& neighbor : {point + into_face, point - into_face})
-      if (contains(neighbor) && caster_.seen(observer_, neighbor, normal))
+      if (contains(neighbor) && isSeen(neighbor, normal))
         return true;
     return false;
   }
 
+  bool
+  isSeen(const Vec3& point, const Vec3& normal) const
+  {
+    return std::any_of(
+        observers_.begin(), observers_.end(), [&](const Observer& observer) {
+          return caster_.seen(observer, point, normal);
+        });
+  }
+
   const World& world_;
-  const Observer& observer_;
+  const std::vector<Observer>& observers_;
   RayCaster caster_;
 };
 
@@ -86,7 +95,7 @@ bisect(const Visibility& visibility, const Curve& curve, double visible, double 
 }
 
 std::vector<Curve>
-visibleParts(const Visibility& visibility, const Curve& curve)
+visibleParts(const Visibility& visibility, const Curve& curve, double sampling_step)
 {
   const int steps = static_cast<int>(std::ceil(curve.length() / sampling_step));
   const auto middleOf = [&](int step) { return (step + 0.5) / steps; };
@@ -203,11 +212,17 @@ ThinPlaces::areNear(const Sight& sight, double distance) const
 }
 
 Creases::Creases(const World& world, const Observer& observer)
+: Creases(world, std::vector<Observer>{observer}, table_step)
+{}
+
+Creases::Creases(const World& world,
+                 const std::vector<Observer>& observers,
+                 double step)
 {
-  const Visibility visibility(world, observer);
+  const Visibility visibility(world, observers);
   for (const auto& solid : world.solids)
     for (const auto& edge : edges(solid))
-      for (const auto& part : visibleParts(visibility, edge)) {
+      for (const auto& part : visibleParts(visibility, edge, step)) {
         parts_.push_back(part);
         bounds_.push_back(part.bounds());
       }

@@ -21,6 +21,10 @@ class Creases {
 public:
   Creases(const World& world, const Observer& observer);
 
+  /** \brief Those of which each face is seen by one of the observers.
+   * \param[in] step meters between the places where visibility is looked up */
+  Creases(const World& world, const std::vector<Observer>& observers, double step);
+
   /** \brief Distance from a point to the nearest crease, at most `cap`, in meters. */
   double distance(const Vec3& point, double cap) const;
 

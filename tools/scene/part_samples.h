@@ -41,9 +41,21 @@ struct PartSamples {
 
 /** \throws std::invalid_argument that names the parameter, its value and what it must
  * be */
+void checkPartOptions(const PartOptions& options);
+
+/** \brief Sample a random part; the options are checked. */
 PartSamples samplePart(const PartOptions& options);
 
 /** \brief The same of a part that is given; options.size is not used. */
 PartSamples samplePart(const Part& part, const PartOptions& options);
+
+/** \brief A point of a part, exact. */
+struct SurfacePoint {
+  Vec3 point;
+  std::size_t face; /**< its index in the part */
+};
+
+/** \brief Points spread over all faces, as many for each piece of surface. */
+std::vector<SurfacePoint> spreadPoints(const Part& part, const PartOptions& options);
 
 } // namespace pcl::scene
