@@ -65,11 +65,11 @@ run(const Arguments& arguments)
 int
 main(int argc, char** argv)
 {
-  CommandLine command_line("pcl_shape_scene",
-                           "out.pcd",
-                           "Make a table scene as a depth camera sees it, with the "
-                           "exact fields surface, edge, "
-                           "instance\nand crease_mm.");
+  CommandLine command_line(
+      "pcl_shape_scene",
+      "out.pcd",
+      "Make a table scene, a machined part, a room or a street as a sensor sees "
+      "it, with the\nexact fields surface, edge, instance and crease_mm.");
   command_line.option("seed", "N", "another seed, another scene (1)")
       .option("objects", "N", "on the table, 0 to 30 (8)")
       .option("shapes",

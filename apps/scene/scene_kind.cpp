@@ -33,9 +33,10 @@ refuse(const Arguments& arguments,
 {
   if (!arguments.has(option))
     return;
-  const std::string value = arguments.text(option);
-  throw UsageError('-' + option + (value.empty() ? "" : " '" + value + "'") + ' ' +
-                   why + "; expected " + expected);
+  const bool is_flag =
+      option == "organized" || option == "mirrors" || option == "fillers";
+  const std::string value = is_flag ? "" : " '" + arguments.text(option) + '\'';
+  throw UsageError('-' + option + value + ' ' + why + "; expected " + expected);
 }
 
 void

@@ -116,6 +116,8 @@ TEST_F(AppWorlds, OptionsOfOthersAreRefused)
   expectRefusal({"-sensor", "photogrammetry"}, {"table", "-place part"});
   expectRefusal({"-place", "part", "-shapes", "box"}, {"-shapes", "-place table"});
   expectRefusal({"-size", "0.1"}, {"-size", "-place part"});
+  expectRefusal({"-fillers"}, {"-fillers", "-sensor lidar"});
+  expectRefusal({"-sampling", "0.01", "-organized"}, {"-organized", "-sampling"});
   expectRefusal({"-stations", "2"}, {"-stations", "-sensor station"});
   expectRefusal({"-place", "part", "-sampling", "0.05"}, {"-sampling", "1/10"});
   expectRefusal({"-place", "part", "-sensor", "samples", "-spread", "odd"},
