@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Outlines and faces of machined parts, and points sampled over them with their truth.
 
+#include "scene/checksum.h"
 #include "scene/part_samples.h"
 #include "scene/random_part.h"
 
@@ -311,6 +312,18 @@ TEST(Parts, SeedsDecide)
   EXPECT_EQ(a.scene.edge, b.scene.edge);
   options.seed = 8;
   EXPECT_NE(a.scene.xyz, samplePart(options).scene.xyz);
+}
+
+TEST(Parts, SameOnEveryMachine)
+{
+  PartOptions options;
+  options.seed = 9;
+  options.spacing = 0.002;
+  const Scene scene = samplePart(options).scene;
+  EXPECT_EQ(scene.width, 6838U);
+  EXPECT_EQ(pcl_shape_test::checksum(scene), 0x4f14f01a5bacfb9bULL);
+  EXPECT_NEAR(scene.xyz[300], 0.02658337, 1e-6);
+  EXPECT_NEAR(scene.xyz[302], 0.00928636, 1e-6);
 }
 
 TEST(Parts, BadOptions)

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Parts reconstructed from photographs: density, smoothing, noise and outliers.
 
+#include "scene/checksum.h"
 #include "scene/photogrammetry.h"
 #include "scene/random_part.h"
 
@@ -125,6 +126,17 @@ TEST(Photogrammetry, OnePointInTwoHundredIsAWrongMatch)
   // Of offsets up to 20 in all directions .57 are more than 3 along the normal.
   const double expected = 0.57 * static_cast<double>(flat) / 200.0;
   EXPECT_NEAR(static_cast<double>(outliers), expected, 4.0 * std::sqrt(expected));
+}
+
+TEST(Photogrammetry, SameOnEveryMachine)
+{
+  PartOptions options;
+  options.seed = 9;
+  options.spacing = 0.002;
+  const Scene scene = reconstructPart(options).scene;
+  EXPECT_EQ(scene.width, 4003U);
+  EXPECT_EQ(pcl_shape_test::checksum(scene), 0xb417694fde4f3b34ULL);
+  EXPECT_NEAR(scene.xyz[300], 0.04967554, 1e-6);
 }
 
 TEST(Photogrammetry, SeedsDecideAndOptionsAreChecked)

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Scans of generated rooms: what they meet, how dense they are, and their truth.
 
+#include "scene/checksum.h"
 #include "scene/room.h"
 #include "scene/station_scan.h"
 
@@ -163,6 +164,18 @@ TEST(StationScan, NoiseIsAlongTheRay)
   }
   EXPECT_NEAR(std::sqrt(sum / exact.width), 0.002, 0.00005);
   EXPECT_EQ(noisy.xyz, scanRoom(options).xyz);
+}
+
+TEST(StationScan, SameOnEveryMachine)
+{
+  StationOptions options;
+  options.seed = 9;
+  options.step = 1.5;
+  options.stations = 2;
+  const Scene scene = scanRoom(options);
+  EXPECT_EQ(pcl_shape_test::checksum(scene), 0x388fe629b098066bULL);
+  EXPECT_NEAR(scene.xyz[30000], -0.91440868, 1e-6);
+  EXPECT_NEAR(scene.xyz[30001], 1.63279414, 1e-6);
 }
 
 TEST(StationScan, BadOptions)
