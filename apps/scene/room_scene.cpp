@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Rooms: their options, the cloud and the report.
+// Rooms and house fronts: their options, the cloud and the report.
 
 #include "scene/room_scene.h"
 
@@ -27,6 +27,7 @@ stationOptions(const Arguments& arguments)
   StationOptions options;
   options.seed = arguments.integer("seed", 0, std::numeric_limits<std::uint64_t>::max())
                      .value_or(options.seed);
+  options.is_outdoors = arguments.text("place") == "facade";
   options.stations = static_cast<unsigned>(
       arguments.integer("stations", 1, max_stations).value_or(options.stations));
   options.step = arguments.number("step", step_range).value_or(options.step);
@@ -48,12 +49,12 @@ CloudFile
 roomCloud(const Arguments& arguments, const StationOptions& options, Report& report)
 {
   const pcl::scene::Scene scene =
-      report.time("generate", [&] { return pcl::scene::scanRoom(options); });
+      report.time("generate", [&] { return pcl::scene::scanPlace(options); });
   CloudFile cloud = sceneCloud(scene, arguments);
   reportScene(scene, cloud, report);
   report.setText("parameters", "sensor", "station");
   report.setCount("parameters", "seed", options.seed);
-  report.setText("parameters", "place", "room");
+  report.setText("parameters", "place", arguments.text("place"));
   report.setCount("parameters", "stations", options.stations);
   report.setNumber("parameters", "step", options.step);
   report.setNumber("parameters", "noise", options.sigma);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Scans of a room from stations, from their options.
+// Scans of a room or a house front from stations, from their options.
 
 #pragma once
 
@@ -15,8 +15,8 @@ namespace pcl::app {
  * the option and what is expected */
 pcl::scene::StationOptions stationOptions(const Arguments& arguments);
 
-/** \brief Scan a random room. The fields are those of a table scene. Parameters, counts
- * and time are reported. */
+/** \brief Scan a random room or house front. The fields are those of a table scene.
+ * Parameters, counts and time are reported. */
 CloudFile roomCloud(const Arguments& arguments,
                     const pcl::scene::StationOptions& options,
                     Report& report);

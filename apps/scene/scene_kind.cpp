@@ -45,22 +45,25 @@ refuseOfLaser(const Arguments& arguments)
   for (const char* laser : {"beams", "pattern", "mirrors", "fillers"})
     refuse(arguments, laser, "without a laser", "-sensor lidar with it");
   const std::string place = arguments.text("place", "table");
-  if (place != "table" && place != "part" && place != "room")
+  if (place != "table" && place != "part" && place != "room" && place != "facade")
     refuse(arguments,
            "place",
            "without a laser",
-           "table, part or room, or -sensor lidar with it");
+           "table, part, room or facade, or -sensor lidar with it");
 }
 
-/** A station stands in a room and nowhere else; photogrammetry needs a part. */
+/** A station stands in a room or before a house and nowhere else; photogrammetry needs
+ * a part. */
 void
 checkPlace(const Arguments& arguments)
 {
   const std::string sensor = sensorOf(arguments);
   const std::string place = arguments.text("place", "table");
-  if ((sensor == "station") != (place == "room"))
+  const bool is_for_stations = place == "room" || place == "facade";
+  if ((sensor == "station") != is_for_stations)
     throw UsageError("-place '" + place + "' with -sensor '" + sensor +
-                     "'; expected -place room with -sensor station, and no other");
+                     "'; expected -place room or facade with -sensor station, and no "
+                     "other");
   if (sensor == "photogrammetry" && place != "part")
     throw UsageError("-place '" + place +
                      "' with -sensor 'photogrammetry'; expected -place part");
@@ -118,16 +121,16 @@ addKindOptions(CommandLine& command_line)
           "S",
           "camera (default); stereo, tof or structured: depth cameras with a noise of "
           "their own;\nsamples: no camera, points on all surfaces; photogrammetry: of "
-          "a part; station: a\nscanner on a tripod in a room; lidar: a laser scanner "
+          "a part; station: a\nscanner on a tripod; lidar: a laser scanner "
           "in a street, fields ground,\nsurface, instance and ring; its -noise is "
           "lidar (default), none, or a sigma")
-      .option(
-          "place",
-          "P",
-          "table (default) or part: machined parts, on the table for cameras, one "
-          "alone for\nsamples and photogrammetry; room for a station; of the lidar: "
-          "town (default), bumps,\nbridge, canopy, country, deck, garage, tunnel, "
-          "corridor, hall")
+      .option("place",
+              "P",
+              "table (default) or part: machined parts, on the table for cameras, one "
+              "alone for\nsamples and photogrammetry; room or facade for a station; of "
+              "the lidar: "
+              "town (default), bumps,\nbridge, canopy, country, deck, garage, tunnel, "
+              "corridor, hall")
       .option("size", "S", "of a part that is alone: its longest side, meters (0.1)")
       .option(
           "spread",
@@ -139,7 +142,7 @@ addKindOptions(CommandLine& command_line)
           "S,L",
           "of stereo, tof and structured: sigma and length of the waves, meters (of "
           "the seed:\n0.0005 to 0.003 and 0.01 to 0.06; structured: none)")
-      .option("stations", "N", "in the room, 1 to 4 (1)")
+      .option("stations", "N", "that make one cloud, 1 to 4 (1)")
       .option("step", "A", "degrees between a station's rays, 0.05 to 2 (0.3)");
 }
 

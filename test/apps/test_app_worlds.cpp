@@ -102,6 +102,10 @@ TEST_F(AppWorlds, StationsScanARoom)
   Words two = options;
   two.insert(two.end(), {"-stations", "2"});
   EXPECT_EQ(labelsOf(make(two), "edge").size(), 2 * one);
+  const CloudFile front =
+      make({"-sensor", "station", "-place", "facade", "-step", "2"});
+  EXPECT_LT(labelsOf(front, "edge").size(), one) << "rays to the sky do not return";
+  EXPECT_EQ(Json::parse(readFile(path("json")))["parameters"]["place"], "facade");
 }
 
 TEST_F(AppWorlds, OptionsOfOthersAreRefused)

@@ -3,7 +3,7 @@
 // Scans of generated rooms: what they meet, how dense they are, and their truth.
 
 #include "scene/checksum.h"
-#include "scene/room.h"
+#include "scene/place.h"
 #include "scene/station_scan.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ std::string
 refusal(const StationOptions& options)
 {
   try {
-    scanRoom(options);
+    scanPlace(options);
   }
   catch (const std::invalid_argument& error) {
     return error.what();
@@ -51,8 +51,8 @@ refusal(const StationOptions& options)
 TEST(StationScan, PointsAreOnTheSurfacesOfTheRoom)
 {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    const Room room = randomRoom(seed);
-    const Scene scene = scanRoom(coarse(seed, 2));
+    const Place room = randomRoom(seed);
+    const Scene scene = scanPlace(coarse(seed, 2));
     EXPECT_EQ(scene.width, 2U * 240U * 100U) << "a room is closed: all rays return";
     for (std::size_t i = 0; i < scene.width; i += 3) {
       const Vec3 p = pointOf(scene, i) + room.stations.front();
@@ -75,8 +75,8 @@ TEST(StationScan, TheCornersOfTheRoomAreCreases)
   // wall, or the molding there.
   std::size_t compared = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    const Room room = randomRoom(seed);
-    const Scene scene = scanRoom(coarse(seed));
+    const Place room = randomRoom(seed);
+    const Scene scene = scanPlace(coarse(seed));
     for (std::size_t i = 0; i < scene.width; ++i) {
       const Vec3 p = pointOf(scene, i) + room.stations.front();
       if (scene.normals[3 * i + 2] > -0.9F || scene.instance[i] != 0 || p.z < 2.0)
@@ -93,10 +93,10 @@ TEST(StationScan, TheCornersOfTheRoomAreCreases)
 TEST(StationScan, NothingWithinAFaceIsACrease)
 {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    const Room room = randomRoom(seed);
+    const Place room = randomRoom(seed);
     StationOptions options = coarse(seed);
     options.step = 0.5; // within 10 m an edge is at most .24 m wide to each side
-    const Scene scene = scanRoom(options);
+    const Scene scene = scanPlace(options);
     for (std::size_t i = 0; i < scene.width; ++i) {
       if (scene.edge[i] != EdgeCrease)
         continue;
@@ -115,10 +115,45 @@ TEST(StationScan, NothingWithinAFaceIsACrease)
   }
 }
 
+TEST(StationScan, HouseFrontsHaveTruth)
+{
+  std::size_t creases = 0, round = 0, on_front = 0;
+  for (std::uint64_t seed = 3; seed <= 4; ++seed) {
+    StationOptions options = coarse(seed);
+    options.is_outdoors = true;
+    options.step = 0.4;
+    const Place place = randomFacade(seed);
+    ASSERT_EQ(place.stations.size(), 4U);
+    const Scene scene = scanPlace(options);
+    for (std::size_t i = 0; i < scene.width; ++i) {
+      const Vec3 p = pointOf(scene, i) + place.stations.front();
+      creases += scene.edge[i] == EdgeCrease;
+      const float across = std::abs(scene.normals[3 * i + 1]);
+      round += scene.normals[3 * i + 2] == 0.0F && across > 0.1F && across < 0.9F;
+      ASSERT_TRUE(scene.surface[i] != SurfaceCurved || scene.instance[i] > 0 ||
+                  p.z > 2.0)
+          << "round are columns, the pipe, arches and the bay";
+      if (scene.instance[i] == 0 && p.z > 1e-5 && std::abs(p.y) < 1e-5) {
+        ++on_front;
+        ASSERT_NEAR(scene.normals[3 * i + 1], -1.0, 1e-6) << "towards the street";
+      }
+      if (i % 10 == 0) {
+        bool is_on_one = false;
+        for (const Solid& solid : place.world.solids)
+          is_on_one = is_on_one || !facesAt(solid, p, 1e-5).empty();
+        ASSERT_TRUE(is_on_one) << "seed " << seed << " point " << i;
+      }
+    }
+  }
+  EXPECT_GT(on_front, 5000U);
+  EXPECT_GT(creases, 1000U);
+  EXPECT_GT(round, 300U);
+}
+
 TEST(StationScan, DensityVariesByMoreThanAFactorOf30)
 {
   const StationOptions options = coarse(3);
-  const Scene scene = scanRoom(options);
+  const Scene scene = scanPlace(options);
   std::vector<double> areas; // of surface for each ray
   for (std::size_t i = 0; i < scene.width; ++i) {
     const Vec3 p = pointOf(scene, i);
@@ -142,7 +177,7 @@ TEST(StationScan, SeveralStationsSeeMoreCreases)
                       scene.edge.begin() + static_cast<std::ptrdiff_t>(count),
                       EdgeCrease);
   };
-  const Scene one = scanRoom(coarse(5)), three = scanRoom(coarse(5, 3));
+  const Scene one = scanPlace(coarse(5)), three = scanPlace(coarse(5, 3));
   ASSERT_EQ(three.width, 3 * one.width);
   EXPECT_TRUE(std::equal(one.xyz.begin(), one.xyz.end(), three.xyz.begin()));
   EXPECT_GT(edges(three, one.width), edges(one, one.width))
@@ -152,9 +187,9 @@ TEST(StationScan, SeveralStationsSeeMoreCreases)
 TEST(StationScan, NoiseIsAlongTheRay)
 {
   StationOptions options = coarse(6);
-  const Scene exact = scanRoom(options);
+  const Scene exact = scanPlace(options);
   options.sigma = 0.002;
-  const Scene noisy = scanRoom(options);
+  const Scene noisy = scanPlace(options);
   ASSERT_EQ(exact.edge, noisy.edge);
   double sum = 0.0;
   for (std::size_t i = 0; i < exact.width; ++i) {
@@ -163,7 +198,7 @@ TEST(StationScan, NoiseIsAlongTheRay)
     sum += (norm(p) - norm(q)) * (norm(p) - norm(q));
   }
   EXPECT_NEAR(std::sqrt(sum / exact.width), 0.002, 0.00005);
-  EXPECT_EQ(noisy.xyz, scanRoom(options).xyz);
+  EXPECT_EQ(noisy.xyz, scanPlace(options).xyz);
 }
 
 TEST(StationScan, SameOnEveryMachine)
@@ -172,7 +207,7 @@ TEST(StationScan, SameOnEveryMachine)
   options.seed = 9;
   options.step = 1.5;
   options.stations = 2;
-  const Scene scene = scanRoom(options);
+  const Scene scene = scanPlace(options);
   EXPECT_EQ(pcl_shape_test::checksum(scene), 0x388fe629b098066bULL);
   EXPECT_NEAR(scene.xyz[30000], -0.91440868, 1e-6);
   EXPECT_NEAR(scene.xyz[30001], 1.63279414, 1e-6);

@@ -91,6 +91,14 @@ boundsOf(const Stroke& stroke, const SectionPiece& piece)
   return box;
 }
 
+/** In plan. */
+bool
+isWithin(const Vec3& p, const Box3& box, double tolerance)
+{
+  return p.x >= box.low.x - tolerance && p.x <= box.high.x + tolerance &&
+         p.y >= box.low.y - tolerance && p.y <= box.high.y + tolerance;
+}
+
 } // namespace
 
 double
@@ -208,15 +216,21 @@ LevelFace::LevelFace(double height,
 , faces_up_(faces_up)
 , outer_(std::move(outer))
 , holes_(std::move(holes))
-{}
+{
+  for (const Outline& hole : holes_)
+    hole_bounds_.push_back(boundsOf(hole, height));
+}
 
 bool
 LevelFace::contains(const Vec3& p) const
 {
-  return outer_.loop.contains(p, outer_.depth) &&
-         std::none_of(holes_.begin(), holes_.end(), [&](const Outline& hole) {
-           return hole.loop.contains(p, hole.depth);
-         });
+  if (!outer_.loop.contains(p, outer_.depth))
+    return false;
+  for (std::size_t i = 0; i < holes_.size(); ++i)
+    if (isWithin(p, hole_bounds_[i], 0.0) &&
+        holes_[i].loop.contains(p, holes_[i].depth))
+      return false;
+  return true;
 }
 
 void
@@ -232,10 +246,13 @@ LevelFace::isAt(const Vec3& p, double tolerance) const
 {
   if (std::abs(p.z - height_) > tolerance)
     return false;
-  return contains(p) || outer_.loop.distance(p, outer_.depth) <= tolerance ||
-         std::any_of(holes_.begin(), holes_.end(), [&](const Outline& hole) {
-           return hole.loop.distance(p, hole.depth) <= tolerance;
-         });
+  if (contains(p) || outer_.loop.distance(p, outer_.depth) <= tolerance)
+    return true;
+  for (std::size_t i = 0; i < holes_.size(); ++i)
+    if (isWithin(p, hole_bounds_[i], tolerance) &&
+        holes_[i].loop.distance(p, holes_[i].depth) <= tolerance)
+      return true;
+  return false;
 }
 
 Vec3

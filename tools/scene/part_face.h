@@ -114,6 +114,7 @@ private:
   bool faces_up_;
   Outline outer_;
   std::vector<Outline> holes_;
+  std::vector<Box3> hole_bounds_; /**< most points are beside most holes */
 };
 
 /** \brief A piece of a section that is moved along a stroke: part of a plane, of a

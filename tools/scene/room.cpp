@@ -2,9 +2,8 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Boxes and cylinders that make a room, and free places to stand in it.
 
-#include "scene/room.h"
-
-#include "scene/part.h"
+#include "scene/place.h"
+#include "scene/random.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +24,7 @@ class Builder {
 public:
   explicit Builder(std::uint64_t seed) : random_(seed, room_stream) {}
 
-  Room
+  Place
   run()
   {
     room_.world.table.center.x = 1e9; // there is none
@@ -78,22 +77,6 @@ private:
     room_.shell = room_.world.solids.size();
   }
 
-  /** An upright profile, x to the right and y up, moved from y = 0 to a width. */
-  void
-  addExtrusion(const std::vector<Vec3>& profile, double width)
-  {
-    const Loop loop = Loop::polygon(profile, std::vector<double>(profile.size(), 0.0));
-    auto part = std::make_shared<Part>();
-    part->addWall(loop, {{{0.0, 0.0}, {0.0, width}}});
-    part->addLevel(0.0, false, {loop}, {});
-    part->addLevel(width, true, {loop}, {});
-    Solid solid;
-    solid.shape = Shape::Part;
-    solid.part = std::move(part);
-    solid.pose = {{{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}}, {0.0, width, 0.0}};
-    room_.world.solids.push_back(solid);
-  }
-
   /** Along the wall y = 0, from the corner at x = 0. */
   void
   addStairs()
@@ -111,7 +94,8 @@ private:
     }
     profile.pop_back();
     profile.push_back({0.0, rise});
-    addExtrusion(profile, width);
+    room_.world.solids.push_back(extrusion(
+        profile, {{{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}}, {0.0, width, 0.0}}, width));
     taken_.push_back({0.0, steps * run, 0.0, width});
   }
 
@@ -238,7 +222,7 @@ private:
   }
 
   Random random_;
-  Room room_;
+  Place room_;
   double height_ = 0.0;
   bool has_pipes_ = false;
   std::vector<Area> taken_;
@@ -246,7 +230,7 @@ private:
 
 } // namespace
 
-Room
+Place
 randomRoom(std::uint64_t seed)
 {
   return Builder(seed).run();

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Rays of stations in a room, and the truth about the points where they end.
+// Rays of stations in a room or before a house, and the truth about the points where
+// they end.
 
 #include "scene/station_scan.h"
 
 #include "scene/creases.h"
 #include "scene/labels.h"
-#include "scene/room.h"
+#include "scene/place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,28 +45,28 @@ struct Panorama {
 
 /** Objects are numbered from 1 in the order of the solids behind the shell's. */
 std::uint32_t
-instanceOf(const Room& room, const Sight& sight)
+instanceOf(const Place& place, const Sight& sight)
 {
   const auto solid = static_cast<std::size_t>(sight.object - 1);
-  return solid < room.shell ? 0 : static_cast<std::uint32_t>(solid - room.shell + 1);
+  return solid < place.shell ? 0 : static_cast<std::uint32_t>(solid - place.shell + 1);
 }
 
 class Scanner {
 public:
-  Scanner(const Room& room, const StationOptions& options)
-  : room_(room)
+  Scanner(const Place& place, const StationOptions& options)
+  : place_(place)
   , options_(options)
   , panorama_(options.step)
   , random_(options.seed, range_stream)
-  , caster_(room.world)
-  , creases_(room.world, observersOf(room, options), crease_step)
+  , caster_(place.world)
+  , creases_(place.world, observersOf(place, options), crease_step)
   {}
 
   Scene
   run()
   {
     for (unsigned i = 0; i < options_.stations; ++i)
-      scan(room_.stations[i]);
+      scan(place_.stations[i]);
     scene_.width = static_cast<unsigned>(scene_.surface.size());
     scene_.height = 1;
     return std::move(scene_);
@@ -73,11 +74,11 @@ public:
 
 private:
   static std::vector<Observer>
-  observersOf(const Room& room, const StationOptions& options)
+  observersOf(const Place& place, const StationOptions& options)
   {
     std::vector<Observer> observers;
     for (unsigned i = 0; i < options.stations; ++i)
-      observers.push_back({{room.stations[i]}});
+      observers.push_back({{place.stations[i]}});
     return observers;
   }
 
@@ -89,7 +90,7 @@ private:
     for (std::size_t i = 0; i < rays; ++i)
       view.sights.push_back(caster_.cast({station, panorama_.direction(i)}));
     // To a panorama a camera is a place and an angle between rays.
-    World seen = room_.world;
+    World seen = place_.world;
     seen.camera.focal = 1.0 / (options_.step * degree);
     seen.camera.pose.origin = station;
     const auto outline =
@@ -103,9 +104,9 @@ private:
   store(const Vec3& station, const Vec3& direction, const Sight& sight, bool beside)
   {
     const double range = sight.depth + options_.sigma * random_.normal();
-    append(station + direction * range - room_.stations.front(), scene_.xyz);
+    append(station + direction * range - place_.stations.front(), scene_.xyz);
     append(sight.normal, scene_.normals);
-    scene_.instance.push_back(instanceOf(room_, sight));
+    scene_.instance.push_back(instanceOf(place_, sight));
     scene_.face.push_back(static_cast<std::uint32_t>(sight.face));
     const double distance = creases_.distance(sight.point, room_cap);
     scene_.crease_mm.push_back(static_cast<float>(1000.0 * distance));
@@ -118,13 +119,13 @@ private:
     scene_.edge.push_back(distance < edge               ? EdgeCrease
                           : distance < crease || beside ? EdgeVoid
                                                         : EdgeNot);
-    scene_.surface.push_back(distance < crease              ? SurfaceCrease
-                             : beside                       ? SurfaceVoid
-                             : isCurved(room_.world, sight) ? SurfaceCurved
-                                                            : SurfacePlanar);
+    scene_.surface.push_back(distance < crease               ? SurfaceCrease
+                             : beside                        ? SurfaceVoid
+                             : isCurved(place_.world, sight) ? SurfaceCurved
+                                                             : SurfacePlanar);
   }
 
-  const Room& room_;
+  const Place& place_;
   const StationOptions& options_;
   Panorama panorama_;
   Random random_;
@@ -136,14 +137,18 @@ private:
 } // namespace
 
 Scene
-scanRoom(const StationOptions& options)
+scanPlace(const StationOptions& options)
 {
   requireRange("step", options.step, 0.05, 2.0, " degrees");
   requireRange("sigma", options.sigma, 0.0, 0.1, " m");
-  const Room room = randomRoom(options.seed);
-  requireRange(
-      "stations", options.stations, 1.0, static_cast<double>(room.stations.size()), "");
-  return Scanner(room, options).run();
+  const Place place =
+      options.is_outdoors ? randomFacade(options.seed) : randomRoom(options.seed);
+  requireRange("stations",
+               options.stations,
+               1.0,
+               static_cast<double>(place.stations.size()),
+               "");
+  return Scanner(place, options).run();
 }
 
 } // namespace pcl::scene
