@@ -25,11 +25,13 @@ Observer depthObserver(Noise camera, const World& world);
 
 /** \brief An image of one of Noise::Stereo, TimeOfFlight and Structured.
  *
- * Stereo: 5 cm of baseline and windows of 7 pixels (of a picture 640 wide), as Intel's
- * D435 has. Disparities are off by .05 pixels (the manufacturer promises less than .08,
- * and .05 on good texture), the same within a window, and come in steps of 1/32 pixel;
- * depths are whole millimeters. Where a window sees an outline it takes the depth of
- * what is in front: objects are up to half a window too wide.
+ * No camera was measured for the numbers: they are choices of the usual order.
+ *
+ * Stereo: 5 cm of baseline, as Intel's D435 has, and windows of 7 pixels (of a picture
+ * 640 wide). Disparities are off by .05 pixels, as on good texture, the same within a
+ * window, and come in steps of 1/32 pixel; depths are whole millimeters. Where a window
+ * sees an outline it takes the depth of what is in front: objects are up to half a
+ * window too wide.
  *
  * Time of flight: 1.5 mm (one sigma) at 1 m in each pixel, growing with the square of
  * the depth as the light returned gets less. Beside outlines a pixel gets light from
