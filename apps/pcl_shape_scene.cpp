@@ -7,18 +7,43 @@
 #include "cli/filter_app.h"
 #include "io/pcd.h"
 #include "scene/lidar_scene.h"
+#include "scene/part_scene.h"
+#include "scene/room_scene.h"
+#include "scene/scene_kind.h"
 #include "scene/table_scene.h"
+
+#include <functional>
 
 namespace {
 
 using namespace pcl::app;
 
+/** Checks all options, and returns what makes the cloud. */
+std::function<CloudFile(Report&)>
+makerOf(const Arguments& arguments)
+{
+  checkKindOptions(arguments);
+  const SceneKind kind = sceneKind(arguments);
+  if (kind == SceneKind::Street)
+    return [&](Report& report) { return lidarCloud(arguments, report); };
+  if (kind == SceneKind::Part && isSampled(arguments))
+    return [&, options = partOptions(arguments)](Report& report) {
+      return partCloud(arguments, options, report);
+    };
+  if (kind == SceneKind::Room)
+    return [&, options = stationOptions(arguments)](Report& report) {
+      return roomCloud(arguments, options, report);
+    };
+  return [&, options = tableOptions(arguments)](Report& report) {
+    return tableCloud(arguments, options, report);
+  };
+}
+
 int
 run(const Arguments& arguments)
 {
   const std::string path = arguments.operands(1).front();
-  const bool is_lidar = isLidar(arguments);
-  const auto options = is_lidar ? pcl::scene::SceneOptions() : tableOptions(arguments);
+  const auto make = makerOf(arguments);
   const PCDFormat format = outputFormat(arguments);
   arguments.threads();
   checkJsonPath(arguments, {path});
@@ -27,8 +52,7 @@ run(const Arguments& arguments)
 
   Report report;
   report.setText("", "output", path);
-  const CloudFile cloud =
-      is_lidar ? lidarCloud(arguments, report) : tableCloud(arguments, options, report);
+  const CloudFile cloud = make(report);
   report.time("write",
               [&] { output.write(encodeOutput(arguments, path, cloud, format)); });
   commitWithJson(arguments, toJson(arguments.app(), report), output);
@@ -41,11 +65,11 @@ run(const Arguments& arguments)
 int
 main(int argc, char** argv)
 {
-  CommandLine command_line("pcl_shape_scene",
-                           "out.pcd",
-                           "Make a table scene as a depth camera sees it, with the "
-                           "exact fields surface, edge, "
-                           "instance\nand crease_mm.");
+  CommandLine command_line(
+      "pcl_shape_scene",
+      "out.pcd",
+      "Make a table scene, a machined part, a room or a street as a sensor sees "
+      "it, with the\nexact fields surface, edge, instance and crease_mm.");
   command_line.option("seed", "N", "another seed, another scene (1)")
       .option("objects", "N", "on the table, 0 to 30 (8)")
       .option("shapes",
@@ -58,12 +82,15 @@ main(int argc, char** argv)
               "another view: from A degrees further right around the objects (0)")
       .option(
           "noise", "X", "kinect (default), none, or the sigma of white noise, meters")
-      .option("sampling",
-              "S",
-              "no camera: points at random on all surfaces, S meters apart")
+      .option(
+          "sampling",
+          "S",
+          "no camera: points on all surfaces, S meters apart (a table 0.002, a part "
+          "1/100 of\nits size)")
       .flag("organized", "keep the image's layout, with NaN where there is no depth")
       .flag("normals", "write the exact normals too")
       .flag("faces", "write face too: which face of its object a point is on");
+  addKindOptions(command_line);
   addLidarOptions(command_line);
   addFormatOption(command_line);
   addCommonOptions(command_line, false);

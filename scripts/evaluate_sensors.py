@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""Make the tables of machined parts, of other depth cameras and of whole objects in doc/evaluation.md: no options.
+"""Make the tables of machined parts, of other depth cameras, of whole objects and of generated parts and sensors in
+doc/evaluation.md: no options.
 Markdown goes to standard output. Beside it, as a peer, the surface variation of the k nearest points with one threshold for each part,
 the best for the other parts.
 Usage: scripts/evaluate_sensors.py BUILD_DIR DATA_DIR
+       scripts/evaluate_sensors.py BUILD_DIR -generated [GENERATOR_BUILD_DIR]   # the last table only, without data
 DATA_DIR/parts has PART_SAMPLING.pcd with edge, crease_s, surface, radius_s, thin_s; DATA_DIR/rgbd clouds with table and
 perhaps label, DATA_DIR/osd and osd/objects learnN.pcd with labels of parts, ten to an object (doc/evaluation.md says
 what these are). Needs python3-numpy and python3-scipy.
@@ -217,14 +219,74 @@ def object_table(apps, folder):
     print("| mean | " + " | ".join(f"{s:.3f}" for s in means[:3]) + f" | {int(sums[3])} of {int(sums[4])} |\n")
 
 
+# Title, options of pcl_shape_scene. The spacing of the parts is .7 mm: their radii are 3 to 70 spacings.
+PART = ("-place", "part", "-sensor", "samples", "-sampling", "0.0007")
+GENERATED = {
+    "part, even": PART,
+    "part, even, .15 s": (*PART, "-noise", "0.000105"),
+    "part, even, .40 s": (*PART, "-noise", "0.00028"),
+    "part, random, .15 s": (*PART, "-noise", "0.000105", "-spread", "random"),
+    "part, photogrammetry": ("-place", "part", "-sensor", "photogrammetry", "-sampling", "0.0007"),
+    "room, one station": ("-place", "room", "-sensor", "station"),
+    "room, three stations": ("-place", "room", "-sensor", "station", "-stations", "3", "-step", "0.5"),
+    "house front, two stations": ("-place", "facade", "-sensor", "station", "-stations", "2", "-step", "0.25"),
+    "table, stereo": ("-sensor", "stereo"),
+    "table, stereo, 2 mm over 30 mm": ("-sensor", "stereo", "-waviness", "0.002,0.03"),
+    "table, time of flight": ("-sensor", "tof"),
+    "table, structured light": ("-sensor", "structured"),
+    "parts on a table, stereo": ("-sensor", "stereo", "-place", "part"),
+    "parts on a table, time of flight": ("-sensor", "tof", "-place", "part"),
+    "parts on a table, structured light": ("-sensor", "structured", "-place", "part"),
+}
+SEEDS = (901, 902, 903)  # of no training or choosing
+
+
+def generated_scores(apps, cloud):
+    """Edge F1, planar F1, curved F1, share of planar called curved; NaN for what a cloud has less than 500 points of."""
+    truth = fields_of(cloud)
+    edge = run(apps, "pcl_shape_edge_detection", cloud)["edge"]
+    surface = run(apps, "pcl_shape_back_projection", cloud)["surface"]
+    is_part = "thin_s" in truth
+    counts = edge_points(truth) if is_part else truth["edge"] != 255
+    scores = [f1(edge[counts] == 1, truth["edge"][counts] == 1)]
+    counts = surface_points(truth) if is_part else (truth["surface"] == 1) | (truth["surface"] == 2)
+    for number in (1, 2):
+        of_class = truth["surface"][counts] == number
+        is_enough = numpy.count_nonzero(of_class) > 500
+        scores.append(f1(surface[counts] == number, of_class) if is_enough else numpy.nan)
+    planar = counts & (truth["surface"] == 1)
+    scores.append((surface[planar] == 2).mean())
+    return scores
+
+
+def generated_table(apps, generator):
+    print("### Generated parts and sensors\n")
+    print("| what | edge F1 | planar F1 | curved F1 | planar called curved |")
+    print("|---|---|---|---|---|")
+    for title, options in GENERATED.items():
+        scores = []
+        for seed in SEEDS:
+            with tempfile.TemporaryDirectory() as directory:
+                cloud = pathlib.Path(directory) / "cloud.pcd"
+                subprocess.run([generator / "pcl_shape_scene", cloud, "-seed", str(seed), "-format", "binary", *options],
+                               check=True, stdout=subprocess.DEVNULL)
+                scores.append(generated_scores(apps, cloud))
+        print(f"| {title} | " + " | ".join(f"{mean:.3f}" for mean in numpy.nanmean(scores, 0)) + " |", flush=True)
+    print()
+
+
 def main():
-    if len(sys.argv) != 3:
-        sys.exit("usage: scripts/evaluate_sensors.py BUILD_DIR DATA_DIR")
-    apps, data = pathlib.Path(sys.argv[1]) / "apps", pathlib.Path(sys.argv[2])
+    if len(sys.argv) not in (3, 4) or (len(sys.argv) == 4 and sys.argv[2] != "-generated"):
+        sys.exit("usage: scripts/evaluate_sensors.py BUILD_DIR DATA_DIR, or BUILD_DIR -generated [GENERATOR_BUILD_DIR]")
+    apps = pathlib.Path(sys.argv[1]) / "apps"
+    if sys.argv[2] == "-generated":
+        return generated_table(apps, pathlib.Path(sys.argv[-1]) / "apps" if len(sys.argv) == 4 else apps)
+    data = pathlib.Path(sys.argv[2])
     part_tables(apps, data / "parts")
     table_tables(apps, data / "rgbd")
     half_table(apps, data / "rgbd")
     object_table(apps, data / "osd")
+    generated_table(apps, apps)
 
 
 if __name__ == "__main__":

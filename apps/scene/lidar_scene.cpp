@@ -120,52 +120,13 @@ toCloud(const LidarScan& scan, bool with_normals)
 void
 addLidarOptions(CommandLine& command_line)
 {
-  command_line
-      .option("sensor",
-              "S",
-              "camera (default), or lidar: a laser scanner in a street, fields ground, "
-              "surface,\ninstance and ring; its -noise is lidar (default), none, or a "
-              "sigma")
-      .option("beams", "N", "of the lidar, 64 (default), 16, 32 or 128")
+  command_line.option("beams", "N", "of the lidar, 64 (default), 16, 32 or 128")
       .option("pattern",
               "P",
               "of the lidar: turn (default), or rosette70 or rosette120, which look "
               "forward only")
-      .option("place",
-              "P",
-              "of the lidar: town (default), bumps, bridge, canopy, country, deck, "
-              "garage, tunnel,\ncorridor, hall")
       .flag("mirrors", "wet ground mirrors what is behind it: points below the ground")
       .flag("fillers", "rays of the lidar that do not return are points at 0,0,0");
-}
-
-bool
-isLidar(const Arguments& arguments)
-{
-  if (arguments.choice("sensor", {"camera", "lidar"}) == "camera") {
-    for (const std::string laser : {"beams", "pattern", "place"})
-      if (arguments.has(laser))
-        throw UsageError('-' + laser + " '" + arguments.text(laser) +
-                         "' without a laser; expected -sensor lidar with it");
-    for (const std::string laser : {"mirrors", "fillers"})
-      if (arguments.has(laser))
-        throw UsageError('-' + laser +
-                         " without a laser; expected -sensor lidar with it");
-    return false;
-  }
-  for (const char* camera : {"objects",
-                             "width",
-                             "height",
-                             "organized",
-                             "sampling",
-                             "label",
-                             "shapes",
-                             "turn",
-                             "faces"})
-    if (arguments.has(camera))
-      throw UsageError(std::string("-") + camera +
-                       " with -sensor 'lidar'; expected only with -sensor camera");
-  return true;
 }
 
 CloudFile

@@ -10,12 +10,8 @@
 
 namespace pcl::app {
 
-/** \brief -sensor and the options of a laser scanner. */
+/** \brief The options of a laser scanner. */
 void addLidarOptions(CommandLine& command_line);
-
-/** \brief Whether the scene is to be a street that a laser scanner sees.
- * \throws UsageError for options of the one sensor with the other */
-bool isLidar(const Arguments& arguments);
 
 /** \brief Scan a random street. The fields are x, y, z, the normals if -normals is
  * given, ground, surface, instance and ring. Parameters, counts and time are reported.

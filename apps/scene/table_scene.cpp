@@ -6,13 +6,14 @@
 
 #include "cli/errors.h"
 #include "cli/filter_app.h"
+#include "scene/depth_cameras.h"
+#include "scene/scene_cloud.h"
+#include "scene/scene_kind.h"
 #include "scene/surface_samples.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
-#include <set>
 #include <sstream>
 
 namespace pcl::app {
@@ -28,9 +29,37 @@ constexpr double max_noise = 0.1; // meters: an object's size
 constexpr NumberRange turn_range{
     -180.0, 180.0, false, "a number of degrees from -180 to 180"};
 
+constexpr double max_waviness = 0.01; // meters: that of the worst camera is 5 mm
+constexpr double min_wave = 0.002, max_wave = 0.2;
+
+void
+setWaviness(const Arguments& arguments, SceneOptions& options)
+{
+  const std::string expected =
+      "two numbers of meters, the waves' sigma from 0 to 0.01 and their length from "
+      "0.002 to 0.2";
+  const auto numbers = arguments.numbers("waviness", 2, expected);
+  if (!numbers)
+    return;
+  const double sigma = numbers->front(), length = numbers->back();
+  if (sigma < 0.0 || sigma > max_waviness || length < min_wave || length > max_wave)
+    arguments.fail("waviness", expected);
+  options.waviness = pcl::scene::Waviness{sigma, length};
+}
+
 void
 setNoise(const Arguments& arguments, SceneOptions& options)
 {
+  setWaviness(arguments, options);
+  const std::string sensor = arguments.text("sensor", "camera");
+  if (sensor == "stereo")
+    options.noise = pcl::scene::Noise::Stereo;
+  if (sensor == "tof")
+    options.noise = pcl::scene::Noise::TimeOfFlight;
+  if (sensor == "structured")
+    options.noise = pcl::scene::Noise::Structured;
+  if (isDepthCamera(arguments))
+    return;
   const std::string noise = arguments.text("noise", "kinect");
   if (noise == "kinect")
     options.noise = pcl::scene::Noise::Kinect;
@@ -65,6 +94,7 @@ shapesOf(const Arguments& arguments)
   return shapes;
 }
 
+constexpr double usual_spacing = 0.002;
 constexpr NumberRange spacing_range{
     0.0005, 0.02, false, "a number of meters from 0.0005 to 0.02"};
 
@@ -72,13 +102,11 @@ constexpr NumberRange spacing_range{
 Scene
 sampledScene(const Arguments& arguments, const SceneOptions& options)
 {
-  for (const char* camera : {"width", "height", "organized", "turn"})
-    arguments.exclude("sampling", camera);
   pcl::scene::SampleOptions samples;
   samples.seed = options.seed;
   samples.objects = options.objects;
   samples.shapes = options.shapes;
-  samples.spacing = *arguments.number("sampling", spacing_range);
+  samples.spacing = arguments.number("sampling", spacing_range).value_or(usual_spacing);
   if (arguments.has("noise") && options.noise == pcl::scene::Noise::Kinect)
     throw UsageError("-noise 'kinect' with -sampling; expected none, or a number of "
                      "meters from 0 to 0.1");
@@ -86,95 +114,27 @@ sampledScene(const Arguments& arguments, const SceneOptions& options)
   return pcl::scene::sampleScene(samples);
 }
 
-/** The pixels of an image that have depth, or all. */
-std::vector<std::size_t>
-pixelsOf(const Scene& scene, bool organized)
-{
-  std::vector<std::size_t> pixels;
-  for (std::size_t i = 0; i < scene.surface.size(); ++i)
-    if (organized || std::isfinite(scene.xyz[3 * i + 2]))
-      pixels.push_back(i);
-  return pixels;
-}
-
-template <typename T>
-std::vector<T>
-gather(const std::vector<T>& image,
-       const std::vector<std::size_t>& pixels,
-       std::size_t channels = 1,
-       std::size_t channel = 0)
-{
-  std::vector<T> values;
-  values.reserve(pixels.size());
-  for (const std::size_t pixel : pixels)
-    values.push_back(image[channels * pixel + channel]);
-  return values;
-}
-
-CloudFile
-toCloud(const Scene& scene, const Arguments& arguments)
-{
-  const bool organized = arguments.has("organized");
-  const std::vector<std::size_t> pixels = pixelsOf(scene, organized);
-  CloudFile cloud;
-  cloud.path = "the generated scene";
-  cloud.blob.width =
-      organized ? scene.width : static_cast<std::uint32_t>(pixels.size());
-  cloud.blob.height = organized ? scene.height : 1;
-  const char* const names[] = {"x", "y", "z", "normal_x", "normal_y", "normal_z"};
-  for (std::size_t c = 0; c < 3; ++c)
-    setField(cloud, names[c], gather(scene.xyz, pixels, 3, c));
-  if (arguments.has("normals"))
-    for (std::size_t c = 0; c < 3; ++c)
-      setField(cloud, names[3 + c], gather(scene.normals, pixels, 3, c));
-  setField(cloud, "surface", gather(scene.surface, pixels));
-  setField(cloud, "edge", gather(scene.edge, pixels));
-  setField(cloud, "instance", gather(scene.instance, pixels));
-  setField(cloud, "crease_mm", gather(scene.crease_mm, pixels));
-  if (arguments.has("faces"))
-    setField(cloud, "face", gather(scene.face, pixels));
-  return cloud;
-}
-
-void
-reportScene(const Scene& scene, const CloudFile& cloud, Report& report)
-{
-  reportPoints(*pointsOf(cloud), report);
-  const auto count = [](const std::vector<std::uint32_t>& labels, std::uint32_t label) {
-    return static_cast<std::uint64_t>(std::count(labels.begin(), labels.end(), label));
-  };
-  const auto surface = labelsOf(cloud, "surface");
-  report.setCount("counts", "planar", count(surface, pcl::scene::SurfacePlanar));
-  report.setCount("counts", "curved", count(surface, pcl::scene::SurfaceCurved));
-  report.setCount("counts", "near_creases", count(surface, pcl::scene::SurfaceCrease));
-  report.setCount(
-      "counts", "edge", count(labelsOf(cloud, "edge"), pcl::scene::EdgeCrease));
-  if (scene.objects.empty()) { // of surfaces without a camera
-    const std::set<std::uint32_t> seen(scene.instance.begin(), scene.instance.end());
-    report.setCount("counts", "objects", seen.size() - seen.count(0));
-    return;
-  }
-  report.setCount("counts", "objects", scene.objects.size());
-  report.setCount("counts",
-                  "touching_objects",
-                  static_cast<std::uint64_t>(std::count_if(
-                      scene.objects.begin(), scene.objects.end(), [](const auto& o) {
-                        return !o.touches.empty();
-                      })));
-}
-
 void
 reportSensor(const Arguments& arguments, const SceneOptions& options, Report& report)
 {
-  if (arguments.has("sampling"))
+  if (isSampled(arguments))
     report.setNumber(
-        "parameters", "sampling", *arguments.number("sampling", spacing_range));
+        "parameters",
+        "sampling",
+        arguments.number("sampling", spacing_range).value_or(usual_spacing));
   else {
     report.setCount("parameters", "width", options.width);
     report.setCount("parameters", "height", options.height);
     report.setNumber("parameters", "turn", options.turn);
   }
-  const char* usual = arguments.has("sampling") ? "none" : "kinect";
+  if (isDepthCamera(arguments)) {
+    const pcl::scene::Waviness waviness = pcl::scene::wavinessOf(options);
+    report.setText("parameters", "sensor", arguments.text("sensor"));
+    report.setNumber("parameters", "waviness", waviness.sigma);
+    report.setNumber("parameters", "wave_length", waviness.length);
+    return;
+  }
+  const char* usual = isSampled(arguments) ? "none" : "kinect";
   report.setText("parameters", "noise", arguments.text("noise", usual));
 }
 
@@ -193,6 +153,11 @@ tableOptions(const Arguments& arguments)
   };
   options.objects = small("objects", 0, max_objects).value_or(options.objects);
   options.shapes = shapesOf(arguments);
+  if (sceneKind(arguments) == SceneKind::Part) {
+    constexpr unsigned usual_parts = 3; // larger than the usual objects
+    options.shapes = {pcl::scene::Shape::Part};
+    options.objects = small("objects", 0, max_objects).value_or(usual_parts);
+  }
   options.width = small("width", min_pixels, max_pixels).value_or(options.width);
   options.height = small("height", min_pixels, max_pixels).value_or(options.height);
   options.turn = arguments.number("turn", turn_range).value_or(options.turn);
@@ -204,14 +169,16 @@ CloudFile
 tableCloud(const Arguments& arguments, const SceneOptions& options, Report& report)
 {
   const Scene scene = report.time("generate", [&] {
-    return arguments.has("sampling") ? sampledScene(arguments, options)
-                                     : pcl::scene::generateScene(options);
+    return isSampled(arguments) ? sampledScene(arguments, options)
+                                : pcl::scene::generateScene(options);
   });
-  CloudFile cloud = toCloud(scene, arguments);
+  CloudFile cloud = sceneCloud(scene, arguments);
   reportScene(scene, cloud, report);
   report.setCount("parameters", "seed", options.seed);
   report.setCount("parameters", "objects", options.objects);
-  report.setText("parameters", "shapes", arguments.text("shapes", "all"));
+  const bool has_parts = sceneKind(arguments) == SceneKind::Part;
+  report.setText(
+      "parameters", "shapes", has_parts ? "part" : arguments.text("shapes", "all"));
   reportSensor(arguments, options, report);
   report.setFlag("parameters", "organized", arguments.has("organized"));
   return cloud;

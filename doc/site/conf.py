@@ -35,7 +35,7 @@ cpp_id_attributes = ["PCL_SHAPE_EXPORTS"]
 CONTENTS = {
     "README": [("Documentation", ["doc/README", "doc/using", "doc/method", "doc/files", "doc/errors"]),
                ("Tutorials", ["doc/tutorials/content/index"]),
-               ("Tasks", ["doc/instances", "doc/grasps", "doc/labels", "doc/ground", "doc/keypoints"]),
+               ("Tasks", ["doc/instances", "doc/grasps", "doc/labels", "doc/ground", "doc/keypoints", "doc/worlds"]),
                ("Reference", ["reference/index"]),
                ("Project", ["doc/evaluation", "doc/performance", "CONTRIBUTING", "CHANGELOG"])]}
 

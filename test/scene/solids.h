@@ -57,6 +57,8 @@ signedDistance(const pcl::scene::SceneObject& object, const Point& p)
     const double distance = std::hypot(rho, z - a);
     return std::max({distance - a, a - c - distance, z - b});
   }
+  case pcl::scene::Shape::Part: // its faces are tested by themselves
+    break;
   }
   return 0.0;
 }

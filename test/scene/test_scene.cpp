@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Generated scenes: seeds, labels, objects, views and bad options.
 
+#include "scene/checksum.h"
 #include "scene/scene.h"
 
 #include <gtest/gtest.h>
@@ -33,16 +34,6 @@ sameFloats(const std::vector<float>& a, const std::vector<float>& b)
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](float x, float y) {
     return x == y || (std::isnan(x) && std::isnan(y));
   });
-}
-
-std::uint64_t
-checksum(const Scene& scene)
-{
-  std::uint64_t hash = 0xcbf29ce484222325ULL; // FNV-1a
-  for (const auto* labels : {&scene.surface, &scene.edge, &scene.instance})
-    for (const std::uint32_t value : *labels)
-      hash = (hash ^ value) * 0x100000001b3ULL;
-  return hash;
 }
 
 std::string
@@ -97,7 +88,7 @@ TEST(Scene, OtherSeedOtherScene)
 TEST(Scene, SameOnEveryMachine)
 {
   const Scene scene = generateScene(small(7));
-  EXPECT_EQ(checksum(scene), 0x405e6450187bfd9aULL);
+  EXPECT_EQ(pcl_shape_test::checksum(scene), 0x405e6450187bfd9aULL);
   const std::size_t pixels[] = {200 * 320 + 40, 150 * 320 + 160, 100 * 320 + 200};
   const double expected[3][3] = {{-0.33596572, 0.22632000, 0.738},
                                  {0.00161143, 0.09829714, 0.846},

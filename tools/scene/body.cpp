@@ -4,6 +4,8 @@
 
 #include "scene/body.h"
 
+#include "scene/random_part.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -123,6 +125,21 @@ randomCone(double scale, const Vec3& heading, Random& random)
   return body;
 }
 
+Body
+randomPartBody(double scale, const Vec3& heading, Random& random)
+{
+  // Features are a tenth of it: a camera should see them.
+  const double size = scale * random.uniform(0.20, 0.36);
+  Body body;
+  body.solid.shape = Shape::Part;
+  body.solid.part = std::make_shared<Part>(randomPart(size, random));
+  body.solid.pose = upright(heading, {});
+  const Sphere bounds = body.solid.part->bounds();
+  body.footprint = {{Vec3{}}, bounds.radius};
+  body.high = body.widest_high = 2.0 * bounds.center.z;
+  return body;
+}
+
 } // namespace
 
 bool
@@ -152,6 +169,8 @@ randomBody(Shape shape, double scale, const Vec3& heading, Random& random)
     return randomBowl(scale, random);
   case Shape::Cone:
     return randomCone(scale, heading, random);
+  case Shape::Part:
+    return randomPartBody(scale, heading, random);
   }
   return {};
 }

@@ -4,6 +4,8 @@
 
 #include "scene/creases.h"
 
+#include "scene/part.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,16 +14,17 @@ namespace {
 
 constexpr double contact_tolerance = 1e-7;
 constexpr double beside = 1e-3; // how far beside a crease its faces are looked at
+constexpr double beside_on_part = 2e-4;   // likewise: faces of parts are narrow
 constexpr double beside_tolerance = 1e-4; // a round face bends away that much
-constexpr double sampling_step = 1e-3;
+constexpr double table_step = 1e-3; // where visibility is looked up: objects are small
 constexpr double end_accuracy = 1e-6;
 
 /** Decides whether a point of an edge is a crease for the observer. */
 class Visibility {
 public:
-  Visibility(const World& world, const Observer& observer)
+  Visibility(const World& world, const std::vector<Observer>& observers)
   : world_(world)
-  , observer_(observer)
+  , observers_(observers)
   , caster_(world)
   {}
 
@@ -30,13 +33,15 @@ public:
   {
     int seen = 0;
     if (std::abs(point.z) <= contact_tolerance && world_.table.contains(point))
-      seen += seesBeside(point, tangent, {0.0, 0.0, 1.0}, [this](const Vec3& p) {
-        return world_.table.contains(p);
-      });
+      seen +=
+          seesBeside(point, tangent, {0.0, 0.0, 1.0}, beside, [this](const Vec3& p) {
+            return world_.table.contains(p);
+          });
     for (std::size_t i = 0; i < world_.solids.size() && seen < 2; ++i) {
       const Solid& solid = world_.solids[i];
+      const double step = solid.shape == Shape::Part ? beside_on_part : beside;
       for (const FaceAt& at : facesAt(solid, point, contact_tolerance))
-        seen += seesBeside(point, tangent, at.normal, [&](const Vec3& p) {
+        seen += seesBeside(point, tangent, at.normal, step, [&](const Vec3& p) {
           const auto faces = facesAt(solid, p, beside_tolerance);
           return std::any_of(faces.begin(), faces.end(), [&](const FaceAt& face) {
             return face.face == at.face;
@@ -52,17 +57,27 @@ private:
   seesBeside(const Vec3& point,
              const Vec3& tangent,
              const Vec3& normal,
+             double step,
              Contains contains) const
   {
-    const Vec3 into_face = normalized(cross(normal, tangent)) * beside;
+    const Vec3 into_face = normalized(cross(normal, tangent)) * step;
     for (const Vec3& neighbor : {point + into_face, point - into_face})
-      if (contains(neighbor) && caster_.seen(observer_, neighbor, normal))
+      if (contains(neighbor) && isSeen(neighbor, normal))
         return true;
     return false;
   }
 
+  bool
+  isSeen(const Vec3& point, const Vec3& normal) const
+  {
+    return std::any_of(
+        observers_.begin(), observers_.end(), [&](const Observer& observer) {
+          return caster_.seen(observer, point, normal);
+        });
+  }
+
   const World& world_;
-  const Observer& observer_;
+  const std::vector<Observer>& observers_;
   RayCaster caster_;
 };
 
@@ -80,7 +95,7 @@ bisect(const Visibility& visibility, const Curve& curve, double visible, double 
 }
 
 std::vector<Curve>
-visibleParts(const Visibility& visibility, const Curve& curve)
+visibleParts(const Visibility& visibility, const Curve& curve, double sampling_step)
 {
   const int steps = static_cast<int>(std::ceil(curve.length() / sampling_step));
   const auto middleOf = [&](int step) { return (step + 0.5) / steps; };
@@ -127,6 +142,15 @@ boxEdges(const Solid& box)
   return edges;
 }
 
+std::vector<Curve>
+partCreases(const Solid& solid)
+{
+  std::vector<Curve> creases;
+  for (const Curve& crease : solid.part->creases())
+    creases.push_back(crease.placed(solid.pose));
+  return creases;
+}
+
 } // namespace
 
 std::vector<Curve>
@@ -146,6 +170,8 @@ edges(const Solid& solid)
     return {circleAround(solid, solid.size[1], bowlOpening(solid).outer)};
   case Shape::Sphere:
     return {};
+  case Shape::Part:
+    return partCreases(solid);
   }
   return {};
 }
@@ -159,6 +185,12 @@ thinPlaces(const Solid& solid)
   }
   if (solid.shape == Shape::Cone)
     return {circleAround(solid, solid.size[1], 0.0)};
+  if (solid.shape == Shape::Part) {
+    std::vector<Curve> lines;
+    for (const Seam& seam : solid.part->seams())
+      lines.push_back(seam.line.placed(solid.pose));
+    return lines;
+  }
   return {};
 }
 
@@ -180,11 +212,17 @@ ThinPlaces::areNear(const Sight& sight, double distance) const
 }
 
 Creases::Creases(const World& world, const Observer& observer)
+: Creases(world, std::vector<Observer>{observer}, table_step)
+{}
+
+Creases::Creases(const World& world,
+                 const std::vector<Observer>& observers,
+                 double step)
 {
-  const Visibility visibility(world, observer);
+  const Visibility visibility(world, observers);
   for (const auto& solid : world.solids)
     for (const auto& edge : edges(solid))
-      for (const auto& part : visibleParts(visibility, edge)) {
+      for (const auto& part : visibleParts(visibility, edge, step)) {
         parts_.push_back(part);
         bounds_.push_back(part.bounds());
       }

@@ -21,6 +21,10 @@ class Creases {
 public:
   Creases(const World& world, const Observer& observer);
 
+  /** \brief Those of which each face is seen by one of the observers.
+   * \param[in] step meters between the places where visibility is looked up */
+  Creases(const World& world, const std::vector<Observer>& observers, double step);
+
   /** \brief Distance from a point to the nearest crease, at most `cap`, in meters. */
   double distance(const Vec3& point, double cap) const;
 
@@ -40,7 +44,7 @@ private:
 std::vector<Curve> edges(const Solid& solid);
 
 /** \brief Lines and points of an object where a smooth surface ends without a crease: a
- * bowl's rim, a cone's apex (a curve of no length). */
+ * bowl's rim, a cone's apex (a curve of no length), the seams of a part. */
 std::vector<Curve> thinPlaces(const Solid& solid);
 
 /** \brief The thin places of all objects of a world. */

@@ -38,6 +38,18 @@ Curve::part(double from, double to) const
   return curve;
 }
 
+Curve
+Curve::placed(const Pose& pose) const
+{
+  Curve curve = *this;
+  curve.begin_ = pose.toWorld(begin_);
+  curve.end_ = pose.toWorld(end_);
+  curve.center_ = pose.toWorld(center_);
+  curve.u_ = pose.directionToWorld(u_);
+  curve.v_ = pose.directionToWorld(v_);
+  return curve;
+}
+
 Vec3
 Curve::point(double parameter) const
 {

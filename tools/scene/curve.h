@@ -20,6 +20,9 @@ public:
 
   Curve part(double from, double to) const;
 
+  /** \brief The same curve of an object that is put there. */
+  Curve placed(const Pose& pose) const;
+
   Vec3 point(double parameter) const;
 
   /** \brief Unit vector along the curve. */

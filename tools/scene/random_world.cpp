@@ -96,7 +96,9 @@ public:
     const bool is_first = bodies_.empty();
     const bool must_touch =
         any_kind && !is_first && 10 * countTouching() < 4 * bodies_.size() + 4;
-    const bool in_contact = must_touch || (!is_first && random_.chance(0.5));
+    // Footprints of parts are larger than the parts: they would not really touch.
+    const bool in_contact =
+        (must_touch || (!is_first && random_.chance(0.5))) && shape != Shape::Part;
     const bool stack = any_kind && shape == Shape::Box && !is_first &&
                        std::none_of(bodies_.begin(), bodies_.end(), [](const Body& b) {
                          return b.low > 0.0;

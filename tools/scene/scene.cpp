@@ -4,6 +4,7 @@
 
 #include "scene/scene.h"
 
+#include "scene/depth_cameras.h"
 #include "scene/kinect_sensor.h"
 #include "scene/labels.h"
 #include "scene/random_world.h"
@@ -98,6 +99,10 @@ generateScene(const SceneOptions& options)
   requireRange("height", options.height, 16.0, 4096.0, " pixels");
   requireRange("white_sigma", options.white_sigma, 0.0, 0.1, " m");
   requireRange("turn", options.turn, -180.0, 180.0, " degrees");
+  if (options.waviness) {
+    requireRange("waviness.sigma", options.waviness->sigma, 0.0, 0.01, " m");
+    requireRange("waviness.length", options.waviness->length, 0.002, 0.2, " m");
+  }
   const RandomWorld random_world = randomWorld(options);
   const World& world = random_world.world;
   Random noise(options.seed,
@@ -113,8 +118,15 @@ generateScene(const SceneOptions& options)
     view = sensor.view;
     depth = sensor.depth;
   }
-  else
+  else if (options.noise == Noise::None || options.noise == Noise::White)
     depth = depthOf(view, world.camera, sigma, noise);
+  else {
+    observer = depthObserver(options.noise, world);
+    const DepthImage image =
+        depthImage(world, view, options.noise, wavinessOf(options), noise);
+    view = image.view;
+    depth = image.depth;
+  }
 
   Scene scene;
   scene.width = options.width;

@@ -6,15 +6,27 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pcl::scene {
 
 /** \brief Noise of the virtual depth camera. */
 enum class Noise {
-  None,  /**< exact ray casting, nothing missing but what the rays do not hit */
-  White, /**< independent normal deviates along the ray, same points as None */
-  Kinect /**< correlated, quantized disparity noise and missing depth */
+  None,   /**< exact ray casting, nothing missing but what the rays do not hit */
+  White,  /**< independent normal deviates along the ray, same points as None */
+  Kinect, /**< correlated, quantized disparity noise and missing depth */
+  Stereo, /**< see depth_cameras.h for this and what follows */
+  TimeOfFlight,
+  Structured
+};
+
+/** \brief Noise that is the same nearby: a smooth random field over the picture. */
+struct Waviness {
+  double sigma = 0.0;   /**< meters, 0 to 0.01 */
+  double length = 0.02; /**< meters from one bump to the next, 0.002 to 0.2: points that
+                           are half as far apart are .7 correlated, from 1.5 lengths on
+                           they are independent */
 };
 
 /** \brief Values of Scene::surface. */
@@ -39,7 +51,7 @@ void requireRange(
     const char* parameter, double value, double min, double max, const char* unit);
 
 /** \brief The kinds of objects that a scene is made of. */
-enum class Shape { Box, Cylinder, Sphere, Bowl, Cone };
+enum class Shape { Box, Cylinder, Sphere, Bowl, Cone, Part };
 
 /** \brief A lower-case English name, e.g. "box". */
 const char* name(Shape shape);
@@ -53,6 +65,8 @@ struct SceneOptions {
   unsigned height = 480;     /**< pixels, 16 to 4096 */
   Noise noise = Noise::Kinect;
   double white_sigma = 0.0; /**< meters along the ray, 0 to 0.1; for Noise::White */
+  std::optional<Waviness> waviness; /**< of Stereo, TimeOfFlight and Structured; none:
+                                       that of the camera, random */
   double turn = 0.0; /**< degrees by which the camera walked around the objects, to its
                         right, -180 to 180: another view of the same scene */
 };
@@ -62,12 +76,12 @@ struct SceneObject {
   Shape shape = Shape::Box;
   std::uint32_t instance = 0; /**< its value in Scene::instance, 1 and up */
   /** Box: lengths along its axes. Cylinder, cone: base radius, height, 0. Sphere:
-   * radius. Bowl: outer radius, height, wall thickness. In meters. */
+   * radius. Bowl: outer radius, height, wall thickness. Part: 0. In meters. */
   std::array<double, 3> size{};
   /** Rows: the object's axes x, y, z (z is the axis of revolution) in camera frame. */
   std::array<std::array<double, 3>, 3> axes{};
   /** Box, sphere: center. Cylinder, cone: center of the base. Bowl: lowest point of the
-   * outside when upright. Camera frame, meters. */
+   * outside when upright. Part: the origin of its plan. Camera frame, meters. */
   std::array<double, 3> origin{};
   bool touches_table = false;
   std::vector<std::uint32_t>

@@ -4,6 +4,8 @@
 
 #include "scene/solid.h"
 
+#include "scene/part.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -40,6 +42,8 @@ localNormal(const Solid& solid, int face, const Vec3& p)
     if (solid.shape == Shape::Cylinder)
       return {p.x / a, p.y / a, 0.0};
     return normalized({p.x * b * b, p.y * b * b, a * a * (b - p.z)});
+  case Shape::Part:
+    return solid.part->faces()[static_cast<std::size_t>(face)]->normal(p);
   }
   return {};
 }
@@ -186,7 +190,7 @@ intersectBowl(const Solid& bowl, Nearest& nearest)
 const char*
 name(Shape shape)
 {
-  constexpr const char* names[] = {"box", "cylinder", "sphere", "bowl", "cone"};
+  constexpr const char* names[] = {"box", "cylinder", "sphere", "bowl", "cone", "part"};
   return names[static_cast<std::size_t>(shape)];
 }
 
@@ -214,6 +218,10 @@ boundingSphere(const Solid& solid)
     return {solid.pose.origin, a};
   case Shape::Bowl:
     return {solid.pose.origin + up * a, a};
+  case Shape::Part: {
+    const Sphere own = solid.part->bounds();
+    return {solid.pose.toWorld(own.center), own.radius};
+  }
   }
   return {};
 }
@@ -270,15 +278,22 @@ facesAt(const Solid& solid, const Vec3& point, double tolerance)
     addIf(isAt(p.z, b) && isWithin(rho, opening.inner, opening.outer), BowlRim);
     break;
   }
+  case Shape::Part:
+    for (std::size_t i = 0; i < solid.part->faces().size(); ++i)
+      if (solid.part->faces()[i]->isAt(p, tolerance))
+        addIf(true, static_cast<int>(i));
+    break;
   }
   return faces;
 }
 
 bool
-isCurved(Shape shape, int face)
+isCurved(const Solid& solid, int face)
 {
-  return shape == Shape::Bowl ? face != BowlRim
-                              : shape != Shape::Box && face == SideFace;
+  if (solid.shape == Shape::Part)
+    return !solid.part->faces()[static_cast<std::size_t>(face)]->isFlat();
+  return solid.shape == Shape::Bowl ? face != BowlRim
+                                    : solid.shape != Shape::Box && face == SideFace;
 }
 
 Hit
@@ -302,6 +317,12 @@ intersect(const Solid& solid, const Ray& ray)
   case Shape::Bowl:
     intersectBowl(solid, nearest);
     break;
+  case Shape::Part: {
+    const Hit hit = solid.part->intersect(nearest.ray);
+    if (hit.found())
+      nearest.consider(hit.t, hit.face, anywhere);
+    break;
+  }
   }
   if (nearest.face < 0)
     return {};

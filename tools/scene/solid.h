@@ -8,9 +8,12 @@
 #include "scene/vec.h"
 
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace pcl::scene {
+
+class Part;
 
 /** \brief Numbers of the faces of the solids. Those of a box are 0 to 5: -x, +x, -y,
  * +y, -z, +z. */
@@ -28,6 +31,7 @@ struct Solid {
   Shape shape = Shape::Box;
   std::array<double, 3> size{};
   Pose pose;
+  std::shared_ptr<const Part> part = nullptr; /**< of Shape::Part */
 };
 
 struct Sphere {
@@ -76,6 +80,6 @@ struct FaceAt {
 std::vector<FaceAt> facesAt(const Solid& solid, const Vec3& point, double tolerance);
 
 /** \brief True on the round faces, false on the flat ones. */
-bool isCurved(Shape shape, int face);
+bool isCurved(const Solid& solid, int face);
 
 } // namespace pcl::scene

@@ -90,8 +90,7 @@ bool
 isCurved(const World& world, const Sight& sight)
 {
   return sight.object > table_index &&
-         isCurved(world.solids[static_cast<std::size_t>(sight.object - 1)].shape,
-                  sight.face);
+         isCurved(world.solids[static_cast<std::size_t>(sight.object - 1)], sight.face);
 }
 
 } // namespace pcl::scene

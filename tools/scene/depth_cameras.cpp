@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Waviness, fattened outlines, flying pixels and ripples of depth cameras.
+
+#include "scene/depth_cameras.h"
+
+#include "scene/kinect_sensor.h"
+#include "scene/labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl::scene {
+namespace {
+
+constexpr std::uint64_t waviness_stream = 23;
+constexpr double stereo_baseline = 0.05;
+constexpr double stereo_window = 7.0;       // pixels of a picture 640 wide
+constexpr double disparity_noise = 0.05;    // pixels of a picture 640 wide
+constexpr double disparity_steps = 32.0;    // a pixel
+constexpr double outline_cell = 5.0;        // pixels between bumps of an outline
+constexpr double tof_noise = 0.0015;        // meters at 1 m
+constexpr double flying_reach = 1.5;        // pixels beside an outline
+constexpr double structured_noise = 0.0001; // meters at structured_depth
+constexpr double structured_depth = 0.6;
+constexpr double ripple = 0.0001;       // meters
+constexpr double fringe = 32.0;         // pixels of a picture 640 wide
+constexpr double projector_aside = 0.1; // meters
+constexpr double min_cosine = 0.15;     // less than that is not measured
+
+/** How many pixels are one of a picture 640 wide. */
+double
+scaleOf(const View& view)
+{
+  return std::max(1.0, view.width / 640.0);
+}
+
+double
+middleDepth(const View& view)
+{
+  std::vector<double> depths;
+  for (const Sight& sight : view.sights)
+    if (sight.object != nothing)
+      depths.push_back(sight.depth);
+  if (depths.empty())
+    return 1.0;
+  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+  std::nth_element(depths.begin(), middle, depths.end());
+  return *middle;
+}
+
+Field
+wavinessField(const World& world,
+              const View& view,
+              const Waviness& waviness,
+              Random& random)
+{
+  const double cell = waviness.length * world.camera.focal / middleDepth(view);
+  Field field = gridField(view.width, view.height, std::max(1.0, cell), random);
+  for (double& value : field)
+    value *= waviness.sigma;
+  return field;
+}
+
+/** A window of the matching that sees something nearer takes its depth. */
+View
+fattened(const World& world, const View& exact, Random& random)
+{
+  const double half = 0.5 * (stereo_window - 1.0) * scaleOf(exact);
+  const auto outline =
+      dilated(silhouettes(world, exact), exact.width, exact.height, half);
+  const Field ragged = gridField(exact.width, exact.height, outline_cell, random);
+  View view = exact;
+  const int w = static_cast<int>(exact.width), h = static_cast<int>(exact.height);
+  for (int v = 0; v < h; ++v)
+    for (int u = 0; u < w; ++u) {
+      const auto i = static_cast<std::size_t>(v * w + u);
+      if (!outline[i])
+        continue;
+      // From none to half a window, usually most of it
+      const int reach = static_cast<int>(
+          std::clamp(0.7 * half + 0.4 * half * ragged[i], 0.0, half) + 0.5);
+      for (int y = std::max(0, v - reach); y <= std::min(h - 1, v + reach); ++y)
+        for (int x = std::max(0, u - reach); x <= std::min(w - 1, u + reach); ++x) {
+          const Sight& other = exact.sights[static_cast<std::size_t>(y * w + x)];
+          // Nearer by more than a slope: an object in front
+          constexpr double gap = 0.01;
+          if (other.object != nothing && (view.sights[i].object == nothing ||
+                                          other.depth < view.sights[i].depth - gap))
+            view.sights[i] = other;
+        }
+    }
+  return view;
+}
+
+std::vector<double>
+stereoDepth(const World& world,
+            const View& view,
+            const Waviness& waviness,
+            Random& random)
+{
+  const double scale = scaleOf(view);
+  const auto window = static_cast<std::size_t>(stereo_window * scale + 0.5);
+  const Field matching = boxField(view.width, view.height, window, window, random);
+  const Field waves = wavinessField(world, view, waviness, random);
+  const double focal_baseline = world.camera.focal * stereo_baseline;
+  const double step = scale / disparity_steps;
+  std::vector<double> depth;
+  for (std::size_t i = 0; i < view.sights.size(); ++i) {
+    const Sight& sight = view.sights[i];
+    const double disparity = focal_baseline / (sight.depth + waves[i]) +
+                             disparity_noise * scale * matching[i];
+    const double stepped = step * std::floor(disparity / step + 0.5);
+    const double millimeters = 1000.0 * focal_baseline / stepped;
+    depth.push_back(sight.object == nothing ? std::numeric_limits<double>::quiet_NaN()
+                                            : std::floor(millimeters + 0.5) / 1000.0);
+  }
+  return depth;
+}
+
+/** The farthest that a pixel's neighbors see, within a few pixels. */
+double
+farthestBeside(const View& view, std::size_t pixel, int reach)
+{
+  const int w = static_cast<int>(view.width), h = static_cast<int>(view.height);
+  const int u = static_cast<int>(pixel) % w, v = static_cast<int>(pixel) / w;
+  double farthest = 0.0;
+  for (int y = std::max(0, v - reach); y <= std::min(h - 1, v + reach); ++y)
+    for (int x = std::max(0, u - reach); x <= std::min(w - 1, u + reach); ++x) {
+      const Sight& sight = view.sights[static_cast<std::size_t>(y * w + x)];
+      if (sight.object != nothing)
+        farthest = std::max(farthest, sight.depth);
+    }
+  return farthest;
+}
+
+std::vector<double>
+tofDepth(const World& world, const View& view, const Waviness& waviness, Random& random)
+{
+  const Field waves = wavinessField(world, view, waviness, random);
+  const auto outline =
+      dilated(silhouettes(world, view), view.width, view.height, flying_reach);
+  std::vector<double> depth;
+  for (std::size_t i = 0; i < view.sights.size(); ++i) {
+    const Sight& sight = view.sights[i];
+    const double noise = tof_noise * sight.depth * sight.depth * random.normal();
+    const double mixed = random.uniform();
+    double z = sight.depth + waves[i] + noise;
+    if (outline[i] && sight.object != nothing) {
+      const double behind = farthestBeside(view, i, 2) - sight.depth;
+      z += behind * mixed * mixed; // more light returns from what is near
+    }
+    depth.push_back(sight.object == nothing ? std::numeric_limits<double>::quiet_NaN()
+                                            : std::floor(1000.0 * z + 0.5) / 1000.0);
+  }
+  return depth;
+}
+
+std::vector<double>
+structuredDepth(const World& world,
+                const View& view,
+                const Waviness& waviness,
+                Random& random)
+{
+  const Field waves = wavinessField(world, view, waviness, random);
+  const double period = 0.25 * fringe * scaleOf(view);
+  const double phase = random.uniform();
+  std::vector<double> depth;
+  for (std::size_t i = 0; i < view.sights.size(); ++i) {
+    const Sight& sight = view.sights[i];
+    const auto column = static_cast<double>(i % view.width);
+    const double relative = sight.depth / structured_depth;
+    const double noise = structured_noise * relative * relative * random.normal();
+    const double error = ripple * fromTurns(column / period + phase).sine;
+    depth.push_back(sight.object == nothing ? std::numeric_limits<double>::quiet_NaN()
+                                            : sight.depth + waves[i] + noise + error);
+  }
+  return depth;
+}
+
+/** In shadows and at grazing angles; with structured light also at outlines. */
+void
+loseDepth(const World& world, Noise camera, DepthImage& image)
+{
+  const View& view = image.view;
+  const RayCaster caster(world);
+  const Observer observer = depthObserver(camera, world);
+  auto outline = silhouettes(world, view);
+  if (camera == Noise::Stereo) // half a window past it there is a depth
+    outline = dilated(outline, view.width, view.height, 3.0 * scaleOf(view));
+  for (std::size_t i = 0; i < view.sights.size(); ++i) {
+    const Sight& sight = view.sights[i];
+    if (sight.object == nothing)
+      continue;
+    const bool is_seen = caster.seen(observer, sight.point, sight.normal) ||
+                         (camera == Noise::Stereo && outline[i]);
+    const bool is_lost = camera == Noise::Structured && outline[i];
+    if (!is_seen || is_lost)
+      image.depth[i] = std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+} // namespace
+
+Waviness
+wavinessOf(const SceneOptions& options)
+{
+  if (options.waviness)
+    return *options.waviness;
+  if (options.noise == Noise::Structured)
+    return {};
+  Random random(options.seed, waviness_stream);
+  const double sigma = random.uniform(0.0005, 0.003);
+  return {sigma, random.uniform(0.01, 0.06)};
+}
+
+Observer
+depthObserver(Noise camera, const World& world)
+{
+  const Pose& pose = world.camera.pose;
+  Observer observer{{pose.origin}, min_cosine};
+  if (camera == Noise::Stereo)
+    observer.eyes.push_back(pose.toWorld({stereo_baseline, 0.0, 0.0}));
+  if (camera == Noise::Structured)
+    observer.eyes.push_back(pose.toWorld({projector_aside, 0.0, 0.0}));
+  return observer;
+}
+
+DepthImage
+depthImage(const World& world,
+           const View& exact,
+           Noise camera,
+           const Waviness& waviness,
+           Random& random)
+{
+  DepthImage image;
+  image.view = camera == Noise::Stereo ? fattened(world, exact, random) : exact;
+  image.depth = camera == Noise::Stereo
+                    ? stereoDepth(world, image.view, waviness, random)
+                : camera == Noise::TimeOfFlight
+                    ? tofDepth(world, image.view, waviness, random)
+                    : structuredDepth(world, image.view, waviness, random);
+  loseDepth(world, camera, image);
+  return image;
+}
+
+} // namespace pcl::scene
