@@ -25,7 +25,7 @@ SERIES = [
         *named(HEADERS + "{}", "adaptive_radius.h", "cloud_numbers.h", "inad.h", "inad_parameters.h", "inad_point.h",
                "impl/inad.hpp", "impl/neighborhoods.hpp"),
         *named("src/features/{}.*", "inad", "neighborhoods", "listed_neighborhoods", "local_spacing", "some_points"),
-        "tools/upstream/inad_estimation.cpp", "test/support/clouds.h",
+        "tools/upstream/extended_cloud.h", "tools/upstream/inad_estimation.cpp", "test/support/clouds.h",
         *named("test/features/test_{}.cpp", "inad", "listed_neighborhoods"),
         "doc/tutorials/content/inad_estimation.rst"]),
     ("`NormalEstimationSweep`", [

@@ -86,8 +86,9 @@ class Layout(unittest.TestCase):
         return result.stdout.split()
 
     def test_every_file_has_its_place(self):
-        tests = self.lay()
-        self.assertEqual("neighborhood_sweep", tests[0])
+        targets = self.lay()
+        self.assertEqual("test_neighborhood_sweep", targets[0])
+        self.assertEqual("pcl_shape_instance_segmentation", targets[-1])
         expected = sorted(place_of(name) for _, names in files_of_series() for name in names
                           if name.endswith(ENDINGS))
         self.assertEqual(expected, self.laid())
@@ -122,7 +123,7 @@ class Layout(unittest.TestCase):
         self.assertIn("#ifndef PCL_NO_PRECOMPILE\nPCL_INSTANTIATE", self.text("features/src/shape/features/inad.cpp"))
 
     def test_the_first_needs_neither_json_nor_highway(self):
-        self.assertEqual(["neighborhood_sweep"], self.lay("1"))
+        self.assertEqual(["test_neighborhood_sweep"], self.lay("1"))
         self.assertEqual(STAND_IN["CMakeLists.txt"], self.text("CMakeLists.txt"))
         self.assertEqual(STAND_IN["segmentation/CMakeLists.txt"], self.text("segmentation/CMakeLists.txt"))
         self.assertNotIn("HIGHWAY", self.text("features/CMakeLists.txt"))
@@ -136,7 +137,9 @@ class Layout(unittest.TestCase):
             self.assertNotIn("pcl_shape", path.read_text(encoding="utf-8"), path)
 
     def test_refusals(self):
-        self.assertIn("it must be 1 to 7", lay_out(self.tree, "8").stderr)
+        for count in ("0", "8", "-1", "x", "1.5", "", "\u0661"):
+            self.assertEqual(f"'{count}' pull requests: it must be a number from 1 to 7\n",
+                             lay_out(self.tree, count).stderr)
         self.lay("2")
         self.assertIn("has the files already", lay_out(self.tree).stderr)
         self.assertIn("no source tree of PCL", lay_out(self.tree / "doc").stderr)
