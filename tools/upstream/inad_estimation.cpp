@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // A tool for PCL's own tree: adds normals and INAD to a cloud.
 
-#include "extended_cloud.h"
+#include "upstream/extended_cloud.h"
 
 #include <pcl/console/parse.h>
 #include <pcl/console/print.h>
