@@ -13,37 +13,10 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "scripts"))
 
+from stand_in import STAND_IN, make_stand_in  # noqa: E402
 from upstream.places import place_of  # noqa: E402
 from upstream.series import files_of_series  # noqa: E402
 
-MODULE = """set(SUBSYS_NAME {name})
-set(incs
-  "include/pcl/${{SUBSYS_NAME}}/own.h"
-)
-set(impl_incs
-  "include/pcl/${{SUBSYS_NAME}}/impl/own.hpp"
-)
-set(srcs
-  src/own.cpp
-)
-set(LIB_NAME "pcl_${{SUBSYS_NAME}}")
-PCL_ADD_LIBRARY(${{LIB_NAME}} COMPONENT ${{SUBSYS_NAME}} SOURCES ${{srcs}} ${{incs}} ${{impl_incs}})
-PCL_MAKE_PKGCONFIG(${{LIB_NAME}} COMPONENT ${{SUBSYS_NAME}})
-"""
-STAND_IN = {
-    "CMakeLists.txt": "project(PCL VERSION 1.2.3)\nfind_package(nanoflann 1.4.2 QUIET)\nif(TRUE)\nendif()\n",
-    "features/CMakeLists.txt": MODULE.format(name="features"),
-    "segmentation/CMakeLists.txt": MODULE.format(name="segmentation"),
-    "test/features/CMakeLists.txt": "set(SUBSYS_NAME tests_features)\n",
-    "test/segmentation/CMakeLists.txt": "set(SUBSYS_NAME tests_segmentation)\n",
-    "tools/CMakeLists.txt":
-        "  target_link_libraries (pcl_crf_segmentation pcl_common pcl_io pcl_segmentation)\n"
-        "  target_link_libraries (pcl_normal_estimation pcl_common pcl_io pcl_kdtree pcl_features)\n",
-    "doc/tutorials/content/index.rst":
-        ".. _features_tutorial:\n\n.. _filtering_tutorial:\n\n.. _segmentation_tutorial:\n\n.. _surface_tutorial:\n",
-    "doc/tutorials/content/images/pcl_logo.png": "",
-    "doc/tutorials/content/sources/own/CMakeLists.txt": "",
-}
 # Where a file's quoted includes are looked for, by the beginning of its place.
 ROOTS = {
     "features/": ["features/src/shape"],
@@ -67,10 +40,7 @@ class Layout(unittest.TestCase):
         directory = tempfile.TemporaryDirectory()
         self.addCleanup(directory.cleanup)
         self.tree = pathlib.Path(directory.name)
-        for name, text in STAND_IN.items():
-            path = self.tree / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, encoding="utf-8")
+        make_stand_in(self.tree)
 
     def text(self, name):
         return (self.tree / name).read_text(encoding="utf-8")
