@@ -11,6 +11,9 @@
 
 #include <pybind11/stl.h>
 
+#include <cstdint>
+#include <type_traits>
+
 namespace pcl::python {
 namespace {
 
@@ -65,6 +68,9 @@ py::array
 indicesOf(const Instance& instance)
 {
   const pcl::Indices& indices = instance.found->indices;
+  // PCL may have indices of another type.
+  if constexpr (!std::is_same_v<pcl::index_t, std::int32_t>)
+    return arrayOf(std::vector<std::int32_t>(indices.begin(), indices.end()));
   return viewOf(
       indices.data(), {static_cast<py::ssize_t>(indices.size())}, instance.found);
 }
