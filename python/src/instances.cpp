@@ -9,10 +9,10 @@
 #include <pcl/segmentation/shape_instance_segmentation.h>
 #include <pcl/segmentation/impl/shape_instance_segmentation.hpp>
 
-#include <pybind11/stl.h>
-
 #include <cstdint>
 #include <type_traits>
+
+#include <pybind11/stl.h>
 
 namespace pcl::python {
 namespace {
