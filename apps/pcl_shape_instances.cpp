@@ -99,7 +99,6 @@ reportSettings(const Settings& settings, const Arguments& arguments, Report& rep
   report.setNumber("parameters", "low", settings.low);
   report.setCount("parameters", "min_points", settings.min_points);
   report.setText("parameters", "primitive", arguments.text("primitive", "none"));
-  reportResolution(settings.resolution, report);
   report.setCount("parameters", "threads", arguments.threads());
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// pcl_shape_tiles: normals, edges, surfaces and INAD of clouds larger than memory, tile
-// by tile.
+// pcl_shape_tiles: normals, edges, surfaces, instances and INAD of clouds larger than
+// memory, tile by tile.
 
 #include "cli/app.h"
 #include "cli/errors.h"
@@ -11,9 +11,11 @@
 #include "tiles/cloud_source.h"
 #include "tiles/mpi_team.h"
 #include "tiles/tile_fields.h"
+#include "tiles/tile_instances.h"
 #include "tiles/tile_join.h"
 #include "tiles/tile_numbers.h"
 
+#include <pcl/segmentation/means_of_parts.h>
 #include <pcl/tiling/tiled_cloud.h>
 
 #include <nlohmann/json.hpp>
@@ -51,7 +53,10 @@ wantedOf(const Arguments& arguments)
                     arguments.has("types"),
                     arguments.has("surfaces"),
                     arguments.number("inad", positive_length).value_or(0.0),
-                    resolutionOf(arguments)};
+                    resolutionOf(arguments),
+                    arguments.has("instances")
+                        ? arguments.choice("instances", {"curved", "planar"})
+                        : std::string()};
   if (!wanted.needsNumbers() && wanted.inad_radius == 0.0)
     wanted.edges = wanted.types = true;
   for (const char* const of_points : {"normals", "inad"})
@@ -87,13 +92,14 @@ TileSettings
 settingsOf(const Arguments& arguments, const TileWanted& wanted)
 {
   TileSettings settings;
-  const double bytes = wanted.surfaces ? bytes_with_surfaces : bytes_of_point;
+  const double bytes = wanted.needsSurfaces() ? bytes_with_surfaces : bytes_of_point;
   settings.max_points = static_cast<std::uint64_t>(
       std::min((memoryOf(arguments) - fixed_bytes) / bytes, most_points));
   settings.max_edge = arguments.number("tile", positive_length).value_or(0.0);
   nlohmann::ordered_json parameters;
   for (const TileField& field : fieldsOf(wanted))
     parameters["fields"].push_back(field.name);
+  parameters["instances"] = wanted.instances;
   parameters["inad"] = wanted.inad_radius;
   parameters["resolution"] = wanted.resolution;
   parameters["offset"] = arguments.text("offset", "default");
@@ -207,8 +213,10 @@ public:
   {
     const std::string directory = arguments_.text("output_dir");
     const bool keeps = arguments_.has("keep_tiles");
-    if (team_.isFirst())
+    if (team_.isFirst()) {
+      checkResolution();
       prepare(directory);
+    }
     TiledCloud cloud(tilesOf(directory),
                      {sources_.begin(), sources_.end()},
                      settingsOf(arguments_, wanted_),
@@ -236,6 +244,25 @@ public:
   }
 
 private:
+  /** Before a directory of tiles remembers it: the next run has another one. */
+  void
+  checkResolution()
+  {
+    if (wanted_.resolution == 0.0 || fs::exists(manifest()))
+      return;
+    chosen_offset_ = chosenOffset();
+    const std::string problem =
+        pcl::problemOfResolution(wanted_.resolution, boxOf(sources_, *chosen_offset_));
+    if (!problem.empty())
+      throw InputError(problem);
+  }
+
+  std::string
+  manifest() const
+  {
+    return tilesOf(arguments_.text("output_dir")) + "/manifest.jsonl";
+  }
+
   void
   prepare(const std::string& directory) const
   {
@@ -254,9 +281,18 @@ private:
   {
     if (const auto given = givenOffset(arguments_))
       return *given;
-    const std::string text = cloud.decide(
-        "offset", [&] { return nlohmann::ordered_json(offsetOf(sources_)).dump(); });
+    const std::string text = cloud.decide("offset", [&] {
+      return nlohmann::ordered_json(chosen_offset_ ? *chosen_offset_ : chosenOffset())
+          .dump();
+    });
     return nlohmann::ordered_json::parse(text);
+  }
+
+  pcl::tiling::Position
+  chosenOffset() const
+  {
+    const auto given = givenOffset(arguments_);
+    return given ? *given : offsetOf(sources_);
   }
 
   void
@@ -267,9 +303,14 @@ private:
     if (wanted_.needsNumbers())
       report_.time("numbers",
                    [&] { numbers = numbersOf(cloud, wanted_.resolution, threads); });
-    report_.time("fields", [&] { computeFields(cloud, wanted_, numbers, threads); });
+    const std::array<float, 3> view_point =
+        viewPointOf(sources_, cloud.offset(), arguments_.has("offset"));
+    report_.time("fields",
+                 [&] { computeFields(cloud, wanted_, numbers, view_point, threads); });
     if (!numbers)
       return;
+    if (!wanted_.instances.empty())
+      report_.setCount("counts", "instances", countInstances(cloud));
     report_.setNumber("numbers", "spacing", numbers->of_cloud.spacing);
     report_.setNumber("numbers", "noise", numbers->of_cloud.noise);
     report_.setNumber("numbers", "noise_level", numbers->of_cloud.noise_level);
@@ -294,6 +335,7 @@ private:
   TileWanted wanted_;
   std::vector<std::string> inputs_, outputs_;
   CloudSources sources_;
+  std::optional<pcl::tiling::Position> chosen_offset_;
   Report report_;
 };
 
@@ -343,15 +385,15 @@ main(int argc, char** argv)
       "pcl_shape_tiles",
       "in.pcd... -output_dir D",
       "Divide clouds that need not fit into memory into tiles, and compute normals, "
-      "edges, surfaces\nand INAD: the inputs are one cloud. D gets a cloud of each "
-      "input's name "
-      "with the fields that are asked\nfor; without any those of -edges and -types. A "
-      "run that was ended goes on with the same command.");
+      "edges, surfaces,\ninstances and INAD: the inputs are one cloud. D gets a cloud "
+      "of each input's name with the fields\nthat are asked for; without any those of "
+      "-edges and -types. A run that was ended goes on with the\nsame command.");
   command_line.option("output_dir", "D", "for the outputs, and for tiles in D/tiles")
       .flag("normals", "add normal_x normal_y normal_z curvature")
       .flag("edges", "add edge_likelihood (NaN unknown) and edge: 1 on creases")
       .flag("types", "add edge_type: 1 crease, 2 corner, 3 open boundary, 0 none")
       .flag("surfaces", "add likelihood and surface: 1 planar, 2 curved, 0 unknown")
+      .option("instances", "C", "add instance: 1 and up; of curved or planar")
       .option("inad", "R", "add mu and sigma, with neighborhoods of R meters")
       .option("memory", "M", "of a process, about: 2G (default), 500M")
       .option("tile", "L", "the longest edge of a tile in meters (by -memory)")

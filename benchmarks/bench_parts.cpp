@@ -8,10 +8,14 @@
 #include <pcl/features/inad.h>
 #include <pcl/features/normal_3d_sweep.h>
 #include <pcl/features/shape_histogram.h>
+#include <pcl/segmentation/shape_field_estimation.h>
+#include <pcl/segmentation/shape_ground_segmentation.h>
+#include <pcl/segmentation/shape_instance_segmentation.h>
 
 #include <benchmark/benchmark.h>
 
 #include <string>
+#include <vector>
 
 // The parts of the pipelines one by one, by Google Benchmark.
 // Usage: bench_parts [--benchmark_...] [CLOUD.pcd] [options]
@@ -27,6 +31,7 @@ struct Inputs {
   Normals::Ptr normals = pcl::make_shared<Normals>();
   Inad inad;
   pcl::ShapeHistogram histogram;
+  pcl::ShapeField::Ptr field = pcl::make_shared<pcl::ShapeField>();
 };
 
 void
@@ -48,6 +53,15 @@ estimateInad(const Inputs& in, double radius, int k, Inad& inad)
   estimation.setRadiusSearch(radius);
   estimation.setKSearch(k);
   estimation.compute(inad);
+}
+
+void
+estimateField(const Inputs& in, pcl::ShapeField& field)
+{
+  pcl::ShapeFieldEstimation<pcl::PointXYZ> estimation;
+  estimation.setInputCloud(in.cloud);
+  estimation.setNumberOfThreads(in.threads);
+  estimation.compute(field);
 }
 
 /** \brief Time part(), and print its time for each point as well. */
@@ -109,6 +123,33 @@ addLookups(const Inputs& in)
   });
 }
 
+/** \brief The field, whole objects with the field given, and the ground, which needs
+ * none: of a street, z up. */
+void
+addDetectors(const Inputs& in)
+{
+  add("field", in, [&in] {
+    pcl::ShapeField field;
+    estimateField(in, field);
+  });
+  add("objects", in, [&in] {
+    pcl::ShapeInstanceSegmentation<pcl::PointXYZ> segmentation;
+    segmentation.setInputCloud(in.cloud);
+    segmentation.setShapeField(in.field);
+    segmentation.setClass("object");
+    segmentation.setNumberOfThreads(in.threads);
+    std::vector<pcl::ShapeInstance> objects;
+    segmentation.segment(objects);
+  });
+  add("ground", in, [&in] {
+    pcl::ShapeGroundSegmentation<pcl::PointXYZ> segmentation;
+    segmentation.setInputCloud(in.cloud);
+    segmentation.setNumberOfThreads(in.threads);
+    pcl::PointIndices ground;
+    segmentation.segment(ground);
+  });
+}
+
 int
 run(int argc, char** argv)
 {
@@ -121,8 +162,10 @@ run(int argc, char** argv)
   estimateNormals(in, 0.010, 0, *in.normals);
   estimateInad(in, 0.006, 0, in.inad);
   in.histogram.add(in.inad);
+  estimateField(in, *in.field);
   addEstimations(in);
   addLookups(in);
+  addDetectors(in);
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

@@ -21,7 +21,7 @@ RANK = {room: rank for rank, rooms in enumerate(ORDER) for room in rooms}
 # A public header counts as the room that implements it; others as the folder that they are in.
 PUBLIC = {"xyz_view": "common", "cancellation": "common", "neighborhood_sweep": "sweep", "sweep_index": "sweep",
           "shape_field": "edges",
-          "shape_instance_segmentation": "instances", "suction_grasp_estimation": "grasps",
+          "shape_instance_segmentation": "instances", "instances_of_parts": "instances", "suction_grasp_estimation": "grasps",
           "shape_labeling": "labels", "shape_ground_segmentation": "ground", "ground_likelihoods": "ground"}
 # What folders outside of src may include besides themselves; tests may include everything.
 KNOWS = {"include": [], "python": ["include"], "tools": ["include", "src/labels/"], "apps": ["include", "tools"],

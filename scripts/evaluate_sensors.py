@@ -29,6 +29,18 @@ def fields_of(path):
     return {name: numpy.frombuffer(data, "<" + CODES[kinds[name]]) for name, data in columns.items()}
 
 
+def write_pcd(path, fields):
+    """Unorganized, binary: floats, and unsigned labels."""
+    kinds = {name: "F" if values.dtype.kind == "f" else "U" for name, values in fields.items()}
+    rows = numpy.rec.fromarrays([values.astype("<f4" if kinds[name] == "F" else "<u4")
+                                 for name, values in fields.items()])
+    size = len(rows)
+    header = "\n".join(["VERSION 0.7", "FIELDS " + " ".join(fields), "SIZE" + " 4" * len(fields),
+                        "TYPE " + " ".join(kinds.values()), "COUNT" + " 1" * len(fields), f"WIDTH {size}", "HEIGHT 1",
+                        "VIEWPOINT 0 0 0 1 0 0 0", f"POINTS {size}", "DATA binary\n"])
+    path.write_bytes(header.encode() + rows.tobytes())
+
+
 def run(apps, app, cloud, *options):
     """The fields of the output, among them those of the input."""
     with tempfile.TemporaryDirectory() as directory:
@@ -128,12 +140,47 @@ def table_tables(apps, folder):
         iou = "–"
         if "label" in surfaces:
             truth = surfaces["label"] > 0
-            iou = max((numpy.count_nonzero((instances == k) & truth) / numpy.count_nonzero((instances == k) | truth)
-                       for k in numpy.unique(instances[truth]) if k > 0), default=0.0)
-            iou = f"{iou:.3f}"
+            iou = f"{best_iou(instances, truth):.3f}"
         print(f"| {cloud.stem} | {share(surfaces['surface'][table] == 2)} | {share(edges[table] == 1)} | "
               f"{share(instances[table] > 0)} | {iou} |")
     print()
+
+
+def halves(path):
+    """The points of each half of an organized cloud, and every second one."""
+    lines, _ = read_pcd(path)
+    rows, columns = int(lines["HEIGHT"]), int(lines["WIDTH"])
+    of_image = numpy.arange(rows * columns).reshape(rows, columns)
+    return {"left": of_image[:, :columns // 2], "right": of_image[:, columns // 2:], "top": of_image[:rows // 2],
+            "bottom": of_image[rows // 2:], "every second point": of_image[:, ::2]}
+
+
+def half_table(apps, folder):
+    """Points without coordinates are left out: halves are clouds without a grid."""
+    print("### Halves of these\n")
+    print("| cloud | half | table in an object | IoU of the object |")
+    print("|---|---|---|---|")
+    for cloud in sorted(folder.glob("*.pcd")):
+        fields = fields_of(cloud)
+        for name, of_image in halves(cloud).items():
+            points = of_image.ravel()[numpy.isfinite(fields["x"][of_image.ravel()])]
+            if len(points) < MIN_OBJECT:
+                continue  # nothing was measured there
+            with tempfile.TemporaryDirectory() as directory:
+                half = pathlib.Path(directory) / "half.pcd"
+                write_pcd(half, {axis: fields[axis][points] for axis in "xyz"})
+                instances = run(apps, "pcl_shape_instances", half, "-class", "object")["instance"]
+            table = fields["table"][points] == 1
+            truth = fields["label"][points] > 0 if "label" in fields else numpy.zeros(len(points), bool)
+            iou = f"{best_iou(instances, truth):.3f}" if numpy.count_nonzero(truth) >= MIN_OBJECT else "–"
+            in_object = share(instances[table] > 0) if table.any() else "–"
+            print(f"| {cloud.stem} | {name} | {in_object} | {iou} |", flush=True)
+    print()
+
+
+def best_iou(instances, truth):
+    return max((numpy.count_nonzero((instances == k) & truth) / numpy.count_nonzero((instances == k) | truth)
+                for k in numpy.unique(instances[truth]) if k > 0), default=0.0)
 
 
 def object_score(truth, found):
@@ -176,6 +223,7 @@ def main():
     apps, data = pathlib.Path(sys.argv[1]) / "apps", pathlib.Path(sys.argv[2])
     part_tables(apps, data / "parts")
     table_tables(apps, data / "rgbd")
+    half_table(apps, data / "rgbd")
     object_table(apps, data / "osd")
 
 

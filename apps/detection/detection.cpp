@@ -127,7 +127,6 @@ fieldOf(CloudFile& file,
   report.setNumber("parameters", "threshold", settings.threshold);
   report.setText("parameters", "model", arguments.text("model", "default"));
   report.setCount("parameters", "threads", arguments.threads());
-  reportResolution(settings.resolution, report);
   pcl::ShapeFieldEstimation<pcl::PointXYZ> estimation;
   estimation.setInputCloud(points);
   estimation.setResolution(settings.resolution);
@@ -139,6 +138,7 @@ fieldOf(CloudFile& file,
   estimation.setNumberOfThreads(arguments.threads());
   const auto field = pcl::make_shared<pcl::ShapeField>();
   withPclErrors(file.path, [&] { return estimation.compute(*field); });
+  reportResolution(file.path, *field, settings.resolution, report);
   reportUnknown(file.path, *field, arguments.threads(), report);
   if (arguments.has("normals")) {
     const pcl::ShapeModel& model =

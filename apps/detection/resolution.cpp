@@ -4,7 +4,10 @@
 
 #include "detection/resolution.h"
 
+#include "cli/app.h"
 #include "cli/errors.h"
+
+#include <sstream>
 
 namespace pcl::app {
 
@@ -25,6 +28,23 @@ void
 reportResolution(double resolution, Report& report)
 {
   report.setNumber("parameters", "resolution", resolution);
+}
+
+void
+reportResolution(const std::string& path,
+                 const pcl::ShapeField& field,
+                 double given,
+                 Report& report)
+{
+  reportResolution(field.resolution, report);
+  if (field.resolution == given)
+    return;
+  std::ostringstream text;
+  text << path
+       << ": note: neighbors share noise that is larger than the distances between "
+          "points: the result is that of -resolution "
+       << field.resolution;
+  logLine(text.str());
 }
 
 } // namespace pcl::app

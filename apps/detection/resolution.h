@@ -8,6 +8,10 @@
 #include "cli/command_line.h"
 #include "cli/report.h"
 
+#include <pcl/segmentation/shape_field.h>
+
+#include <string>
+
 namespace pcl::app {
 
 void addResolutionOption(CommandLine& command_line);
@@ -17,5 +21,11 @@ double resolutionOf(const Arguments& arguments);
 
 /** \brief Note it among the parameters. */
 void reportResolution(double resolution, Report& report);
+
+/** \brief Note that of a field. If it is not the given one it is said why. */
+void reportResolution(const std::string& path,
+                      const pcl::ShapeField& field,
+                      double given,
+                      Report& report);
 
 } // namespace pcl::app

@@ -5,6 +5,7 @@
 #include "detection/surface_field.h"
 
 #include "cli/pcl_errors.h"
+#include "detection/resolution.h"
 #include "detection/unknown.h"
 
 #include <pcl/segmentation/shape_field_estimation.h>
@@ -27,6 +28,7 @@ surfaceFieldOf(const CloudFile& file,
   estimation.setNumberOfThreads(threads);
   const auto field = pcl::make_shared<pcl::ShapeField>();
   withPclErrors(file.path, [&] { return estimation.compute(*field); });
+  reportResolution(file.path, *field, resolution, report);
   reportUnknown(file.path, *field, threads, report);
   return field;
 }

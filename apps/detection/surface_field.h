@@ -14,8 +14,9 @@
 
 namespace pcl::app {
 
-/** \brief What the default method finds in a cloud. If many points are unknown it is
- * said why. \throws InputError with the reason if the cloud is refused */
+/** \brief What the default method finds in a cloud. If many points are unknown, or
+ * means stand for them that were not asked for, it is said why. \throws InputError with
+ * the reason if the cloud is refused */
 pcl::ShapeField::ConstPtr
 surfaceFieldOf(const CloudFile& file,
                const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& points,

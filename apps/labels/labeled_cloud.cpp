@@ -117,7 +117,6 @@ labelCloud(CloudFile& cloud, const LabelSettings& settings, Report& report)
   const auto points = pointsOf(cloud);
   reportPoints(*points, report);
   report.setNumber("parameters", "confidence", settings.confidence);
-  reportResolution(settings.resolution, report);
   report.setCount("parameters", "threads", settings.threads);
   Labeling labeling = labelingOf(settings);
   labeling.setInputCloud(points);

@@ -18,8 +18,9 @@ template <typename T>
 void
 put(const T& value, Bytes& bytes)
 {
-  const auto* const from = reinterpret_cast<const std::uint8_t*>(&value);
-  bytes.insert(bytes.end(), from, from + sizeof(T));
+  const std::size_t at = bytes.size();
+  bytes.resize(at + sizeof(T));
+  std::memcpy(bytes.data() + at, &value, sizeof(T));
 }
 
 /** \brief How many there are, and the values. */

@@ -132,6 +132,51 @@ scaleOf(const CloudSources& sources)
 
 } // namespace
 
+void
+setOffset(CloudFile& cloud, const std::array<double, 3>& offset, bool is_given)
+{
+  cloud.offset = offset;
+  if (offset == Position{} || is_given)
+    return;
+  const auto& v = cloud.viewpoint; // nobody scans from there
+  cloud.is_view_known = v[0] != 0.0f || v[1] != 0.0f || v[2] != 0.0f;
+}
+
+std::array<float, 3>
+viewPointOf(const CloudSources& sources,
+            const std::array<double, 3>& offset,
+            bool is_given)
+{
+  std::vector<std::array<float, 3>> views;
+  for (const auto& source : sources) {
+    CloudFile cloud = source->stream().description();
+    setOffset(cloud, offset, is_given);
+    views.push_back(viewOriginOf(cloud));
+  }
+  return *std::min_element(views.begin(), views.end());
+}
+
+std::vector<float>
+boxOf(const CloudSources& sources, const std::array<double, 3>& offset)
+{
+  std::vector<float> box;
+  forEachFinite(sources, [&](const Position& p) {
+    std::array<float, 3> at{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      at[axis] = static_cast<float>(p[axis] - offset[axis]);
+    if (!std::all_of(at.begin(), at.end(), [](float a) { return std::isfinite(a); }))
+      return;
+    if (box.empty())
+      for (int corner = 0; corner < 2; ++corner)
+        box.insert(box.end(), at.begin(), at.end());
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      box[axis] = std::min(box[axis], at[axis]);
+      box[3 + axis] = std::max(box[3 + axis], at[axis]);
+    }
+  });
+  return box;
+}
+
 std::array<double, 3>
 offsetOf(const CloudSources& sources)
 {

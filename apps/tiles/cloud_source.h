@@ -9,6 +9,7 @@
 
 #include <pcl/tiling/point_source.h>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -54,6 +55,21 @@ private:
 };
 
 using CloudSources = std::vector<std::shared_ptr<const CloudSource>>;
+
+/** \brief Sets the offset of a cloud, or of a part of it, as chooseOffset() does.
+ * \param[in] is_given whether it was given, not chosen */
+void setOffset(CloudFile& cloud, const std::array<double, 3>& offset, bool is_given);
+
+/** \brief Where points were seen from, in floats: of several inputs the place with the
+ * least coordinates, whatever their order. */
+std::array<float, 3> viewPointOf(const CloudSources& sources,
+                                 const std::array<double, 3>& offset,
+                                 bool is_given);
+
+/** \brief Two corners of the box that holds the points as floats, three coordinates
+ * each; empty if no point is finite. */
+std::vector<float> boxOf(const CloudSources& sources,
+                         const std::array<double, 3>& offset);
 
 /** \brief What chooseOffset() would choose for one cloud of all points, in bounded
  * memory. */

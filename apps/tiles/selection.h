@@ -20,6 +20,71 @@ keyOfFloat(float value)
   return key;
 }
 
+/** \brief Finds one of the sorted values of floats that are not negative, in two passes
+ * over them: first all are counted by the upper half of their bits, then those whose
+ * upper half is that of the value, by the lower half. */
+class FloatSelection {
+public:
+  void
+  add(float value, std::uint64_t times)
+  {
+    const std::uint32_t key = keyOfFloat(value);
+    if (!is_high_known_) {
+      counts_[key >> bits] += times;
+      count_ += times;
+    }
+    else if (key >> bits == high_)
+      counts_[key & digit_mask] += times;
+  }
+
+  /** \brief How many values the first pass had. */
+  std::uint64_t
+  count() const
+  {
+    return count_;
+  }
+
+  /** \brief Ends the first pass; all values are to be added once more. \param[in] rank
+   * how many values are below the one that is to be found, fewer than count() */
+  void
+  chooseHigh(std::uint64_t rank)
+  {
+    rank_ = rank;
+    high_ = takeDigit();
+    is_high_known_ = true;
+    counts_.assign(counts_.size(), 0);
+  }
+
+  /** \brief The value, after the second pass; called once. */
+  float
+  value()
+  {
+    const std::uint32_t key = high_ << bits | takeDigit();
+    float value = 0.0f;
+    std::memcpy(&value, &key, sizeof value);
+    return value;
+  }
+
+private:
+  static constexpr int bits = 16;
+  static constexpr std::uint32_t digit_mask = (1U << bits) - 1;
+
+  std::uint32_t
+  takeDigit()
+  {
+    std::uint32_t digit = 0;
+    while (rank_ >= counts_[digit])
+      rank_ -= counts_[digit++];
+    return digit;
+  }
+
+  std::vector<std::uint64_t> counts_ =
+      std::vector<std::uint64_t>(std::size_t{1} << bits);
+  std::uint64_t count_ = 0, rank_ = 0;
+  std::uint32_t high_ = 0;
+  bool is_high_known_ = false;
+};
+
 /** \brief The value that as many are below as the rank says. \param[in] forEach calls a
  * function for each value, which is not negative, and how many times it is there; it is
  * called twice */
@@ -27,28 +92,14 @@ template <typename ForEach>
 float
 selected(std::uint64_t rank, const ForEach& forEach)
 {
-  constexpr int bits = 16;
-  constexpr std::uint32_t digit_mask = (1U << bits) - 1;
-  std::vector<std::uint64_t> counts(std::size_t{1} << bits, 0);
-  const auto find = [&] {
-    std::uint32_t digit = 0;
-    while (rank >= counts[digit])
-      rank -= counts[digit++];
-    return digit;
+  FloatSelection selection;
+  const auto add = [&](float value, std::uint64_t times) {
+    selection.add(value, times);
   };
-  forEach([&](float value, std::uint64_t count) {
-    counts[keyOfFloat(value) >> bits] += count;
-  });
-  const std::uint32_t high = find();
-  counts.assign(counts.size(), 0);
-  forEach([&](float value, std::uint64_t count) {
-    if (keyOfFloat(value) >> bits == high)
-      counts[keyOfFloat(value) & digit_mask] += count;
-  });
-  const std::uint32_t key = high << bits | find();
-  float value = 0.0f;
-  std::memcpy(&value, &key, sizeof value);
-  return value;
+  forEach(add);
+  selection.chooseHigh(rank);
+  forEach(add);
+  return selection.value();
 }
 
 } // namespace pcl::app

@@ -8,6 +8,7 @@
 #include "cli/pcl_errors.h"
 #include "detection/edges.h"
 #include "tiles/bytes.h"
+#include "tiles/tile_instances.h"
 #include "tiles/tile_places.h"
 #include "tiles/tile_surfaces.h"
 
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <sstream>
 
 namespace pcl::app {
 namespace {
@@ -33,7 +35,8 @@ using pcl::tiling::TilePoints;
 // Sums of floats are rounded; a neighbor at the very border must not be missed.
 constexpr double rounding = 1.001;
 constexpr std::size_t fields_of_surfaces = 2;
-constexpr std::size_t fields_of_means = 4; // before all others: place and spacing
+constexpr std::size_t fields_of_instances = 1; // the last one
+constexpr std::size_t fields_of_means = 4;     // before all others: place and spacing
 const std::string means_name = "means";
 constexpr std::uint32_t nan_bits = 0x7fc00000U; // as std::numeric_limits<float> has it
 
@@ -110,7 +113,7 @@ public:
   {
     TileFaces faces;
     const Rows rows = rowsOf(points, offset, faces);
-    if (!wanted_.surfaces)
+    if (!wanted_.needsSurfaces())
       return rows.toBytes(faces.unknown);
     faces.rows = rows.values();
     return toBytes(faces);
@@ -121,24 +124,57 @@ public:
   withSurfaces(const TiledCloud& cloud,
                std::size_t tile,
                const TilePoints& points,
-               const pcl::FacesAround::Noise& noise) const
+               const pcl::FacesAround::Noise& noise,
+               const std::array<float, 3>& view_point) const
   {
-    const TileSurfaces surfaces =
-        surfacesOf(cloud, tile, points, *numbers_, noise, wanted_.resolution, threads_);
+    TileSurfaces surfaces = surfacesOf(cloud,
+                                       tile,
+                                       points,
+                                       *numbers_,
+                                       noise,
+                                       wanted_.instances,
+                                       wanted_.resolution,
+                                       threads_);
     const std::size_t before = fieldsBeforeSurfaces();
-    Rows rows(surfaces.surface.size(), before + fields_of_surfaces);
+    Rows rows(surfaces.surface.size(), fieldsBeforeInstances());
     rows.addRows(surfaces.rows, before);
-    rows.add([&](std::size_t i) { return bitsOf(surfaces.likelihood[i]); });
-    rows.add([&](std::size_t i) { return surfaces.surface[i]; });
+    if (wanted_.surfaces) {
+      rows.add([&](std::size_t i) { return bitsOf(surfaces.likelihood[i]); });
+      rows.add([&](std::size_t i) { return surfaces.surface[i]; });
+    }
+    if (wanted_.instances.empty())
+      return rows.toBytes(0);
+    return instancePointsOf(std::move(surfaces.places),
+                            surfaces.place_of_row,
+                            rows.values(),
+                            view_point,
+                            numbers_->of_cloud,
+                            threads_);
+  }
+
+  /** All fields, after instances were found. */
+  Bytes
+  withInstances(const TiledCloud& cloud, std::size_t tile) const
+  {
+    const TileInstances instances = instancesOf(cloud, tile);
+    Rows rows(instances.of_row.size(), fieldsBeforeInstances() + fields_of_instances);
+    rows.addRows(instances.rows, fieldsBeforeInstances());
+    rows.add([&](std::size_t i) { return instances.of_row[i]; });
     return rows.toBytes(0);
   }
 
 private:
   std::size_t
-  fieldsBeforeSurfaces() const
+  fieldsBeforeInstances() const
   {
     return (wanted_.resolution > 0.0 ? fields_of_means : 0) + fieldsOf(wanted_).size() -
-           (wanted_.surfaces ? fields_of_surfaces : 0);
+           (wanted_.instances.empty() ? 0 : fields_of_instances);
+  }
+
+  std::size_t
+  fieldsBeforeSurfaces() const
+  {
+    return fieldsBeforeInstances() - (wanted_.surfaces ? fields_of_surfaces : 0);
   }
 
   /** All fields but those of surfaces. */
@@ -170,8 +206,9 @@ private:
   addNormals(const TilePlaces& places, Rows& rows) const
   {
     const pcl::CloudNumbers& numbers = numbers_->of_cloud;
-    const pcl::ShapeModel& model = wanted_.surfaces ? pcl::ShapeModel::defaultSurfaces()
-                                                    : pcl::ShapeModel::defaultEdges();
+    const pcl::ShapeModel& model = wanted_.needsSurfaces()
+                                       ? pcl::ShapeModel::defaultSurfaces()
+                                       : pcl::ShapeModel::defaultEdges();
     const pcl::INADParameters radii = model.parameters();
     const std::vector<float> normals =
         pcl::PartOfCloud(places.view(), places.is_own, threads_)
@@ -206,11 +243,29 @@ private:
           places.is_own[i] && std::isnan(field->edge_likelihood[i]) ? 1 : 0;
     if (wanted_.resolution > 0.0)
       addMeans(places, *field, rows);
-    if (wanted_.surfaces)
+    if (wanted_.needsSurfaces())
       faces.part =
           pcl::facesOfPart(*field, numbers_->of_cloud, places.is_own, threads_);
+    if (!wanted_.instances.empty())
+      faces.places = ownPlaces(places, *field);
     if (wanted_.edges || wanted_.types)
       addEdges(places, field, rows);
+  }
+
+  /** What instances need of the tile's own places. */
+  static std::vector<pcl::InstancePoint>
+  ownPlaces(const TilePlaces& places, const pcl::ShapeField& field)
+  {
+    std::vector<pcl::InstancePoint> own;
+    for (std::size_t i = 0; i < places.is_own.size(); ++i)
+      if (places.is_own[i]) {
+        pcl::InstancePoint& place = own.emplace_back();
+        std::copy_n((*places.places)[i].data, 3, place.position.begin());
+        std::copy_n(field.normals[i].data(), 3, place.normal.begin());
+        place.spacing = field.spacings[i];
+        place.edge = field.edge_likelihood[i];
+      }
+    return own;
   }
 
   /** What points need to find the mean that stands for them. */
@@ -299,7 +354,7 @@ haloOfFields(const TileWanted& wanted, const std::optional<TiledNumbers>& number
                      wanted.normals ? reach.normals : 0.0,
                      wanted.edges ? reach.edges : 0.0,
                      wanted.types ? reach.types : 0.0,
-                     wanted.surfaces ? reach.faces : 0.0});
+                     wanted.needsSurfaces() ? reach.faces : 0.0});
   }
   return haloOf(halo, wanted.resolution);
 }
@@ -307,7 +362,10 @@ haloOfFields(const TileWanted& wanted, const std::optional<TiledNumbers>& number
 /** Means of some tiles with their fields. */
 class MeansAround {
 public:
-  MeansAround(const TileWanted& wanted) : fields_(fieldsOf(wanted)) {}
+  MeansAround(const TileWanted& wanted)
+  : fields_(fieldsOf(wanted))
+  , has_instances_(!wanted.instances.empty())
+  {}
 
   /** \param[in] bytes a result of means */
   void
@@ -333,23 +391,44 @@ public:
   rowsAt(const pcl::XYZView& points, double resolution, unsigned threads) const
   {
     const std::vector<std::int32_t> means =
-        pcl::nearestMeans(points,
-                          {positions_.data(), 3, positions_.size() / 3},
-                          spacings_,
-                          resolution,
-                          threads);
+        nearest(points, spacings_, resolution, threads);
     Rows rows(points.size, fields_.size());
-    for (std::size_t f = 0; f < fields_.size(); ++f)
-      rows.add([&](std::size_t i) {
-        return means[i] < 0
-                   ? fields_[f].unknown
-                   : values_[static_cast<std::size_t>(means[i]) * fields_.size() + f];
-      });
+    const std::size_t of_all =
+        fields_.size() - (has_instances_ ? fields_of_instances : 0);
+    for (std::size_t f = 0; f < of_all; ++f)
+      rows.add([&](std::size_t i) { return valueOf(f, means[i]); });
+    if (has_instances_) {
+      // However wide the spacing of a mean is: its instance is that of its voxel.
+      const std::vector<std::int32_t> near = nearest(
+          points, std::vector<float>(spacings_.size(), 0.0f), resolution, threads);
+      rows.add([&](std::size_t i) { return valueOf(of_all, near[i]); });
+    }
     return rows.toBytes(0);
   }
 
 private:
+  std::vector<std::int32_t>
+  nearest(const pcl::XYZView& points,
+          std::vector<float> spacings,
+          double resolution,
+          unsigned threads) const
+  {
+    return pcl::nearestMeans(points,
+                             {positions_.data(), 3, positions_.size() / 3},
+                             std::move(spacings),
+                             resolution,
+                             threads);
+  }
+
+  std::uint32_t
+  valueOf(std::size_t field, std::int32_t mean) const
+  {
+    return mean < 0 ? fields_[field].unknown
+                    : values_[static_cast<std::size_t>(mean) * fields_.size() + field];
+  }
+
   std::vector<TileField> fields_;
+  bool has_instances_;
   std::vector<float> positions_, spacings_;
   std::vector<std::uint32_t> values_;
 };
@@ -387,6 +466,21 @@ requireFew(std::uint64_t unknown, std::uint64_t places)
                      "cannot be done in tiles; expected at most 2 %");
 }
 
+/** A coarser resolution needs other halos: the tiles that there are cannot be used. */
+void
+requireNoiseWithinRadii(const pcl::CloudNumbers& numbers)
+{
+  const double coarser = pcl::coarserResolution(numbers);
+  if (coarser == 0.0)
+    return;
+  std::ostringstream text;
+  text << "neighbors share noise that is larger than the distances between points: "
+          "pcl_shape_detect works at a resolution of "
+       << coarser << " m there; expected -resolution " << coarser
+       << " or coarser, in another output directory";
+  throw InputError(text.str());
+}
+
 /** \param[in] name of results that begin with the number of their tile */
 std::uint64_t
 unknownOf(TiledCloud& cloud, const std::string& name)
@@ -413,7 +507,13 @@ TileWanted::needsNumbers() const
 bool
 TileWanted::needsEdges() const
 {
-  return edges || types || surfaces;
+  return edges || types || needsSurfaces();
+}
+
+bool
+TileWanted::needsSurfaces() const
+{
+  return surfaces || !instances.empty();
 }
 
 std::vector<TileField>
@@ -436,6 +536,8 @@ fieldsOf(const TileWanted& wanted)
     fields.push_back({"likelihood", true, nan_bits});
     fields.push_back({"surface", false, 0});
   }
+  if (!wanted.instances.empty())
+    fields.push_back({"instance", false, 0});
   return fields;
 }
 
@@ -450,24 +552,35 @@ void
 computeFields(TiledCloud& cloud,
               const TileWanted& wanted,
               const std::optional<TiledNumbers>& numbers,
+              const std::array<float, 3>& view_point,
               unsigned threads)
 {
+  if (wanted.needsEdges())
+    requireNoiseWithinRadii(numbers->of_cloud);
   const TileComputation computation(wanted, numbers, threads);
   const std::string last = wanted.resolution > 0.0 ? means_name : resultsName();
-  const std::string name = wanted.surfaces ? facesName() : last;
+  const std::string name = wanted.needsSurfaces() ? facesName() : last;
   cloud.run(
       name, haloOfFields(wanted, numbers), [&](std::size_t, const TilePoints& points) {
         return computation(points, cloud.offset());
       });
   if (wanted.needsEdges() && wanted.resolution == 0.0)
     requireFew(unknownOf(cloud, name), numbers->places);
-  if (wanted.surfaces) {
+  const bool has_instances = !wanted.instances.empty();
+  if (wanted.needsSurfaces()) {
     const pcl::FacesAround::Noise noise =
         noiseOfFaces(cloud, *numbers, wanted.resolution, threads);
     const double halo = haloOf(0.0, wanted.resolution);
-    cloud.run(last, halo, [&](std::size_t tile, const TilePoints& points) {
-      return computation.withSurfaces(cloud, tile, points, noise);
-    });
+    cloud.run(has_instances ? instancePointsName() : last,
+              halo,
+              [&](std::size_t tile, const TilePoints& points) {
+                return computation.withSurfaces(cloud, tile, points, noise, view_point);
+              });
+  }
+  if (has_instances) {
+    findInstances(cloud, numbers->of_cloud, wanted.resolution, threads);
+    cloud.runOnResults(
+        last, [&](std::size_t tile) { return computation.withInstances(cloud, tile); });
   }
   if (wanted.resolution > 0.0)
     spreadMeans(cloud, wanted, numbers->of_cloud, threads);

@@ -8,6 +8,7 @@
 
 #include <pcl/tiling/tiled_cloud.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -20,10 +21,13 @@ struct TileWanted {
   bool normals = false, edges = false, types = false, surfaces = false;
   double inad_radius = 0.0; ///< meters, 0 for no INAD
   double resolution = 0.0;  ///< meters, 0 for the cloud's own
+  std::string instances;    ///< of what class; empty for none
 
   /** \brief Whether it needs the numbers of the whole cloud. */
   bool needsNumbers() const;
   bool needsEdges() const;
+  /** \brief Whether it needs to know which surface points are of. */
+  bool needsSurfaces() const;
 };
 
 /** \brief A field of a result, four bytes a point. */
@@ -43,10 +47,12 @@ const std::string& resultsName();
 constexpr std::size_t result_header = sizeof(std::uint64_t);
 
 /** \brief Compute the fields of all tiles, as far as that was not done before.
+ * \param[in] view_point where the points were seen from, for instances
  * \throws InputError for a cloud that would be sampled evenly as a whole */
 void computeFields(pcl::tiling::TiledCloud& cloud,
                    const TileWanted& wanted,
                    const std::optional<TiledNumbers>& numbers,
+                   const std::array<float, 3>& view_point,
                    unsigned threads);
 
 } // namespace pcl::app

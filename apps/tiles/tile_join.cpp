@@ -194,11 +194,7 @@ private:
   void
   addFields(CloudFile& part, bool is_given)
   {
-    part.offset = cloud_.offset();
-    if (part.offset != Position{} && !is_given) {
-      const auto& v = part.viewpoint; // nobody scans from there: see chooseOffset()
-      part.is_view_known = v[0] != 0.0f || v[1] != 0.0f || v[2] != 0.0f;
-    }
+    setOffset(part, cloud_.offset(), is_given);
     const std::vector<Position> points = coordinatesOf(part);
     Columns columns(fields_);
     for (const Position& p : points)

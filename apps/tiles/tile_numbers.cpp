@@ -10,7 +10,6 @@
 #include "tiles/tile_places.h"
 
 #include <pcl/segmentation/cloud_reach.h>
-#include <pcl/segmentation/means_of_parts.h>
 
 #include <nlohmann/json.hpp>
 
@@ -85,18 +84,6 @@ unknownPlaces(const TiledCloud& cloud, double resolution)
   return resolution > 0.0 ? 0 : cloud.countNotFinite();
 }
 
-void
-checkResolution(double resolution,
-                const std::array<float, 3>& low,
-                const std::array<float, 3>& high)
-{
-  std::vector<float> corners(low.begin(), low.end());
-  corners.insert(corners.end(), high.begin(), high.end());
-  const std::string problem = pcl::problemOfResolution(resolution, corners);
-  if (!problem.empty())
-    throw InputError(problem);
-}
-
 /** Medians, the box and the number of places, of distances as far as the reach. */
 Json
 mediansOf(const TiledCloud& cloud, const std::string& name, double resolution)
@@ -118,8 +105,6 @@ mediansOf(const TiledCloud& cloud, const std::string& name, double resolution)
       high[axis] = std::max(high[axis], of_tile.high[axis]);
     }
   });
-  if (resolution > 0.0)
-    checkResolution(resolution, low, high);
   if (places < min_places)
     throw InputError("the cloud has " + std::to_string(places) +
                      " different places; expected at least " +

@@ -13,6 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace pcl::app {
@@ -47,6 +48,7 @@ facesOf(const TiledCloud& cloud, std::size_t tile)
   faces.part.piece_of_place = reader.takeAll<std::uint32_t>();
   faces.part.of_model = reader.takeAll<float>();
   faces.rows = reader.takeAll<std::uint32_t>();
+  faces.places = reader.takeAll<pcl::InstancePoint>();
   return faces;
 }
 
@@ -102,23 +104,26 @@ forEachWindows(const TiledCloud& cloud, const Use& use)
   }
 }
 
+/** The files are read twice: once for each digit of the values of all levels. */
 FacesAround::Noise
 noiseOfWindows(const TiledCloud& cloud)
 {
-  std::array<std::uint64_t, FacesAround::levels> counts{};
-  forEachWindows(cloud, [&](std::size_t level, const std::vector<float>& residuals) {
-    counts[level] += residuals.size();
-  });
+  std::array<FloatSelection, FacesAround::levels> selections;
+  const auto addAll = [&] {
+    forEachWindows(cloud, [&](std::size_t level, const std::vector<float>& residuals) {
+      for (const float residual : residuals)
+        selections[level].add(residual, 1);
+    });
+  };
+  addAll();
+  for (FloatSelection& selection : selections)
+    if (selection.count() > 0)
+      selection.chooseHigh(FacesAround::rankOfNoise(selection.count()));
+  addAll();
   FacesAround::Noise noise{};
   for (std::size_t level = 0; level < noise.size(); ++level)
-    if (counts[level] > 0)
-      noise[level] =
-          selected(FacesAround::rankOfNoise(counts[level]), [&](const auto& add) {
-            forEachWindows(cloud, [&](std::size_t l, const std::vector<float>& values) {
-              for (std::size_t k = 0; l == level && k < values.size(); ++k)
-                add(values[k], 1);
-            });
-          });
+    if (selections[level].count() > 0)
+      noise[level] = selections[level].value();
   return noise;
 }
 
@@ -133,6 +138,20 @@ fieldOf(const TilePlaces& places, std::vector<std::vector<float>> likelihoods)
     field->classes.push_back(c.name);
   field->likelihoods = std::move(likelihoods);
   return field;
+}
+
+std::vector<pcl::InstancePoint>
+withLikelihoods(std::vector<pcl::InstancePoint> places,
+                const pcl::ShapeField& field,
+                const std::string& name)
+{
+  const auto c = std::find(field.classes.begin(), field.classes.end(), name) -
+                 field.classes.begin();
+  const std::vector<float>& likelihoods =
+      field.likelihoods.at(static_cast<std::size_t>(c));
+  for (std::size_t i = 0; i < places.size(); ++i)
+    places[i].likelihood = likelihoods[i];
+  return places;
 }
 
 } // namespace
@@ -156,6 +175,7 @@ toBytes(const TileFaces& faces)
   putAll(faces.part.piece_of_place, bytes);
   putAll(faces.part.of_model, bytes);
   putAll(faces.rows, bytes);
+  putAll(faces.places, bytes);
   return bytes;
 }
 
@@ -180,6 +200,7 @@ surfacesOf(const TiledCloud& cloud,
            const TilePoints& points,
            const TiledNumbers& numbers,
            const FacesAround::Noise& noise,
+           const std::string& instances,
            double resolution,
            unsigned threads)
 {
@@ -189,9 +210,10 @@ surfacesOf(const TiledCloud& cloud,
     return {};
   FacesAround faces(own.part, places.view(), numbers.of_cloud, threads);
   addNeighbors(cloud, tile, numbers, resolution, faces);
+  const pcl::ShapeField::ConstPtr field = fieldOf(places, faces.likelihoods(noise));
   SurfaceDetector detector;
   detector.setInputCloud(places.places);
-  detector.setShapeField(fieldOf(places, faces.likelihoods(noise)));
+  detector.setShapeField(field);
   std::vector<std::vector<float>> likelihoods;
   withPclErrors("tile", [&] {
     detector.compute(likelihoods);
@@ -207,6 +229,10 @@ surfacesOf(const TiledCloud& cloud,
   for (const std::int32_t place : places.own_places) {
     result.likelihood.push_back(likelihoods.front()[static_cast<std::size_t>(place)]);
     result.surface.push_back(surface[static_cast<std::size_t>(place)]);
+  }
+  if (!instances.empty()) {
+    result.places = withLikelihoods(std::move(own.places), *field, instances);
+    result.place_of_row.assign(places.own_places.begin(), places.own_places.end());
   }
   return result;
 }

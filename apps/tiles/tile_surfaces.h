@@ -8,6 +8,7 @@
 #include "tiles/tile_numbers.h"
 
 #include <pcl/segmentation/faces_of_parts.h>
+#include <pcl/segmentation/instances_of_parts.h>
 #include <pcl/tiling/tiled_cloud.h>
 
 #include <cstdint>
@@ -21,6 +22,8 @@ struct TileFaces {
   std::uint64_t unknown = 0; ///< how many of its places have no edge likelihood
   pcl::PartOfFaces part;
   std::vector<std::uint32_t> rows; ///< the other fields of its points
+  /** \brief Of its places, for instances: all but likelihoods; empty without. */
+  std::vector<pcl::InstancePoint> places;
 };
 
 /** \brief The name of these results; they begin with how many are unknown. */
@@ -40,13 +43,18 @@ struct TileSurfaces {
   std::vector<std::uint32_t> rows; ///< the other fields
   std::vector<float> likelihood;
   std::vector<std::uint32_t> surface; ///< 1 planar, 2 curved, 0 unknown
+  /** \brief With the likelihood of the class; empty without a class. */
+  std::vector<pcl::InstancePoint> places;
+  std::vector<std::uint32_t> place_of_row;
 };
 
+/** \param[in] instances the class of instances, or empty */
 TileSurfaces surfacesOf(const pcl::tiling::TiledCloud& cloud,
                         std::size_t tile,
                         const pcl::tiling::TilePoints& points,
                         const TiledNumbers& numbers,
                         const pcl::FacesAround::Noise& noise,
+                        const std::string& instances,
                         double resolution,
                         unsigned threads);
 

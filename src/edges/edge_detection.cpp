@@ -9,12 +9,14 @@
 #include "edges/crease_votes.h"
 #include "edges/edge_band.h"
 #include "features/class_evidence.h"
-#include "features/noise_level.h"
-#include "geometry/point_grid.h"
+#include "geometry/voxel_means.h"
+
+#include <pcl/features/impl/neighborhoods.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace pcl::detail {
 namespace {
@@ -28,6 +30,12 @@ constexpr float needed_evidence = 20.0f;
 constexpr float needed_per_noise = 5.0f;
 // Where the fits of two planes are judged, too, crowded creases can share their voters.
 constexpr float needed_less_if_fits_count = 4.0f;
+
+// Half of the points are left, so that creases stay, and the noise that a few neighbors
+// share is another one.
+constexpr double next_voxel = 0.7; // spacings
+// From the mean of a voxel to the 12th on a plane that fills its voxels.
+constexpr double means_distance = 1.9; // voxels
 
 /** How much the fits of two planes count. At the limit of the noise that is measured,
  * it is not known how much of a fit's deviation the noise explains. */
@@ -83,10 +91,82 @@ markBands(const std::vector<Agreement>& agreements,
   }
 }
 
+std::vector<Agreement>
+agreementsOf(const FieldInput& input,
+             const MeasuredCloud& measured,
+             float whiteness,
+             const ShapeModel& model,
+             ShapeField& field)
+{
+  const std::vector<float> evidence = evidenceOf(input, model, field);
+  field.edge_likelihood.reserve(evidence.size());
+  for (const float e : evidence)
+    field.edge_likelihood.push_back(
+        std::isnan(e) ? std::numeric_limits<float>::quiet_NaN() : 0.0f);
+  const std::vector<Vote> votes =
+      collectVotes(input, field, evidence, whiteness, measured.grid);
+  return countVotes(votes, measured.spacing, measured.bounds, input.threads);
+}
+
+std::vector<CreasePoint>
+creasesOfNextLevel(const FieldInput& input,
+                   const MeasuredCloud& measured,
+                   const ShapeModel& model,
+                   double noise)
+{
+  CloudNumbers numbers;
+  numbers.spacing = measured.spacing;
+  numbers.noise = noise;
+  const NextLevel level = nextLevel(numbers);
+  const std::vector<float> means = voxelMeans(input.points, level.size);
+  const XYZView points{means.data(), 3, means.size() / 3};
+  pcl::Indices all(points.size);
+  std::iota(all.begin(), all.end(), 0);
+  const Neighborhoods neighborhoods(points, points, all, input.threads);
+  const FieldInput of_means{neighborhoods, points, {}, input.threads};
+  ShapeField field;
+  field.spacings = input.is_even
+                       ? localSpacings(neighborhoods, points.size, true)
+                       : localSpacings(neighborhoods, points.size, level.numbers);
+  field.noise = level.numbers.noise;
+  field.noise_level = level.numbers.noise_level;
+  const float spacing = level.numbers.spacing;
+  const MeasuredCloud measured_means{measured.bounds,
+                                     spacing,
+                                     PointGrid(points, 2.0f * spacing, measured.bounds),
+                                     {field.noise_level, 1.0}};
+  markBands(agreementsOf(of_means, measured_means, 0.0f, model, field),
+            0.0f,
+            measured_means.grid,
+            field);
+  return std::move(field.creases);
+}
+
+/** True edges of a level are edges of the next one, the steps of a sensor are not.
+ * Where the noise may be white, its edges count, too. */
+void
+weakenWhatDoesNotPersist(const std::vector<CreasePoint>& next,
+                         const MeasuredCloud& measured,
+                         std::vector<Agreement>& agreements)
+{
+  const PointGrid creases(positionsOf(next), 2.0f * measured.spacing, measured.bounds);
+  const auto left = static_cast<float>(1.0 - measured.noise.correlation);
+  for (Agreement& agreement : agreements) {
+    const float reach =
+        persistenceSpacings() * std::max(measured.spacing, agreement.point.spacing);
+    const bool persists =
+        creases.anyWithin(Eigen::Map<const Vector3f>(agreement.point.position.data()),
+                          reach,
+                          [](std::uint32_t, const Vector3f&) { return true; });
+    if (!persists)
+      agreement.evidence *= left;
+  }
+}
+
 } // namespace
 
-void
-findEdges(const FieldInput& input, const ShapeModel& model, ShapeField& field)
+MeasuredCloud
+measureCloud(const FieldInput& input, ShapeField& field)
 {
   const CloudNumbers* const of_cloud = input.of_cloud;
   field.spacings =
@@ -94,25 +174,56 @@ findEdges(const FieldInput& input, const ShapeModel& model, ShapeField& field)
                : localSpacings(input.neighborhoods, input.points.size, input.is_even);
   const Bounds bounds = boundsOf(input);
   const float spacing = of_cloud ? of_cloud->spacing : median(field.spacings);
-  const PointGrid grid(input.points, 2.0f * spacing, bounds);
+  MeasuredCloud measured{
+      bounds, spacing, PointGrid(input.points, 2.0f * spacing, bounds), {}};
   field.noise =
       of_cloud ? of_cloud->noise : noiseOf(input.neighborhoods, field.spacings);
   // Of normals of one's own it is not known which noise is left in them.
-  const NoiseLevel noise =
+  measured.noise =
       of_cloud ? NoiseLevel{of_cloud->noise_level, of_cloud->noise_correlation}
       : input.normals.size > 0
           ? NoiseLevel{field.noise, 1.0}
-          : noiseLevelOf(input.neighborhoods, field.spacings, field.noise, grid);
-  field.noise_level = noise.level;
-  const std::vector<float> evidence = evidenceOf(input, model, field);
-  field.edge_likelihood.reserve(evidence.size());
-  for (const float e : evidence)
-    field.edge_likelihood.push_back(
-        std::isnan(e) ? std::numeric_limits<float>::quiet_NaN() : 0.0f);
+          : noiseLevelOf(
+                input.neighborhoods, field.spacings, field.noise, measured.grid);
+  field.noise_level = measured.noise.level;
+  return measured;
+}
 
-  const float whiteness = whitenessOf(noise, field.noise);
-  const std::vector<Vote> votes = collectVotes(input, field, evidence, whiteness, grid);
-  markBands(countVotes(votes, spacing, bounds, input.threads), whiteness, grid, field);
+void
+findEdges(const FieldInput& input,
+          const MeasuredCloud& measured,
+          const ShapeModel& model,
+          ShapeField& field)
+{
+  const float whiteness = whitenessOf(measured.noise, field.noise);
+  std::vector<Agreement> agreements =
+      agreementsOf(input, measured, whiteness, model, field);
+  if (measured.noise.correlation > 0.0 && input.normals.size == 0)
+    weakenWhatDoesNotPersist(
+        creasesOfNextLevel(input, measured, model, field.noise), measured, agreements);
+  markBands(agreements, whiteness, measured.grid, field);
+}
+
+NextLevel
+nextLevel(const CloudNumbers& numbers)
+{
+  NextLevel level;
+  level.size = next_voxel * static_cast<double>(numbers.spacing);
+  level.numbers.distance = means_distance * level.size;
+  level.numbers.spacing = static_cast<float>(level.numbers.distance);
+  // As thick as it was, for neighbors share it.
+  level.numbers.noise = numbers.noise / (means_distance * next_voxel);
+  level.numbers.noise_level = level.numbers.noise;
+  level.numbers.noise_correlation = 1.0;
+  level.numbers.low = numbers.low;
+  level.numbers.high = numbers.high;
+  return level;
+}
+
+float
+persistenceSpacings()
+{
+  return 2.0f;
 }
 
 } // namespace pcl::detail

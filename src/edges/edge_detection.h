@@ -5,15 +5,44 @@
 #pragma once
 
 #include "features/adaptive_inad.h"
+#include "features/noise_level.h"
+#include "geometry/point_grid.h"
 
 #include <pcl/features/shape_model.h>
 #include <pcl/segmentation/shape_field.h>
 
 namespace pcl::detail {
 
-/** \brief Find the creases of a cloud: sets its spacings, noise, normals, edge
- * likelihood and creases. See doc/method.md for the steps.
+/** \brief What finding edges needs to know of a cloud. */
+struct MeasuredCloud {
+  segmentation::Bounds bounds;
+  float spacing; ///< the median, meters
+  segmentation::PointGrid grid;
+  NoiseLevel noise;
+};
+
+/** \brief Measure a cloud: sets the spacings, noise and noise level of a field. */
+MeasuredCloud measureCloud(const FieldInput& input, ShapeField& field);
+
+/** \brief Find the creases of a cloud: sets normals, edge likelihood and creases. See
+ * doc/method.md for the steps.
  * \param[in] model two classes, the first of which is the edge */
-void findEdges(const FieldInput& input, const ShapeModel& model, ShapeField& field);
+void findEdges(const FieldInput& input,
+               const MeasuredCloud& measured,
+               const ShapeModel& model,
+               ShapeField& field);
+
+/** \brief The voxel means of a cloud whose creases say which of the cloud's persist. */
+struct NextLevel {
+  double size = 0.0;    ///< of a voxel, meters
+  CloudNumbers numbers; ///< that are expected of the means
+};
+
+/** \param[in] numbers of the cloud */
+NextLevel nextLevel(const CloudNumbers& numbers);
+
+/** \brief How far from a crease the next level must have one, in the larger one of the
+ * local spacing and the cloud's. */
+float persistenceSpacings();
 
 } // namespace pcl::detail

@@ -22,7 +22,6 @@ constexpr double max_ratio = 3.0;
 constexpr double max_contrast = 10.0; // of spacings that are taken as they are
 constexpr float full_depth = 0.8f;    // meters
 constexpr double noise_spacings = 1.5;
-constexpr double max_noise = 0.3;
 constexpr std::size_t noise_points = 20000; // the percentile is then known to 1 %
 
 /** The value that a share of the finite ones is below; 0 if there is none. */

@@ -51,6 +51,9 @@ std::vector<float> adaptiveRadii(AdaptiveRadius::RadiusMode mode,
                                  const Neighborhoods& neighborhoods,
                                  const pcl::Indices& indices);
 
+/** \brief The most that noiseOf() gives, in spacings. */
+constexpr double max_noise = 0.3;
+
 /** \brief How noisy a cloud is: the standard deviation of its points from a smooth
  * surface in local spacings, from 0 to 0.3.
  *

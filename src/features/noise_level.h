@@ -13,8 +13,16 @@ namespace pcl::detail {
 
 /** \brief The noise that the radii of edges are chosen for. */
 struct NoiseLevel {
-  double level = 0.0;       ///< spacings, 0 to 0.3
+  double level = 0.0;       ///< spacings, 0 to max_noise
   double correlation = 0.0; ///< how sure it is that neighbors share noise, 0 to 1
+
+  /** \brief Neighbors share noise that is beyond what radii can grow for: what normals
+   * show is the sensor's steps. */
+  bool
+  isBeyondRadii() const
+  {
+    return level == max_noise && correlation == 1.0;
+  }
 };
 
 /** \brief The level of noise for edges, and its color.

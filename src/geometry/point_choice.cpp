@@ -15,11 +15,31 @@ namespace pcl::segmentation {
 void
 sortByPosition(const XYZView& points, std::vector<std::uint32_t>& indices)
 {
-  std::sort(indices.begin(), indices.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const float* p = points[a];
-    const float* q = points[b];
-    return std::tie(p[0], p[1], p[2], a) < std::tie(q[0], q[1], q[2], b);
+  // Their x beside the indices: few comparisons need the points.
+  struct Entry {
+    float x;
+    std::uint32_t index;
+  };
+  std::vector<Entry> entries;
+  entries.reserve(indices.size());
+  for (const std::uint32_t i : indices)
+    entries.push_back({points[i][0], i});
+  std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+    if (a.x != b.x)
+      return a.x < b.x;
+    const float* p = points[a.index];
+    const float* q = points[b.index];
+    return std::tie(p[1], p[2], a.index) < std::tie(q[1], q[2], b.index);
   });
+  for (std::size_t k = 0; k < indices.size(); ++k)
+    indices[k] = entries[k].index;
+}
+
+std::array<float, 3>
+cellAt(const float* place, float cell)
+{
+  const Eigen::Array3f c = (Eigen::Map<const Eigen::Array3f>(place) / cell).floor();
+  return {c.x(), c.y(), c.z()};
 }
 
 std::vector<std::uint32_t>
@@ -36,9 +56,8 @@ centralPoints(const XYZView& points,
   entries.reserve(candidates.size());
   for (const std::uint32_t i : candidates) {
     const Eigen::Array3f p = positionOf(points, i).array() / cell;
-    const Eigen::Array3f c = p.floor();
-    const float off_center = (p - c - 0.5f).matrix().squaredNorm();
-    entries.push_back({{c.x(), c.y(), c.z()}, off_center, entries.size()});
+    const float off_center = (p - p.floor() - 0.5f).matrix().squaredNorm();
+    entries.push_back({cellAt(points[i], cell), off_center, entries.size()});
   }
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
     return std::tie(a.cell, a.off_center, a.rank) <

@@ -6,6 +6,7 @@
 
 #include <pcl/features/xyz_view.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,9 @@ namespace pcl::segmentation {
 /** \brief Sort indices by the x, y and z of their points; points at the same place by
  * their indices. */
 void sortByPosition(const XYZView& points, std::vector<std::uint32_t>& indices);
+
+/** \brief The cell of space that a place is in, numbered along each axis. */
+std::array<float, 3> cellAt(const float* place, float cell);
 
 /** \brief Of the candidates in each cell of space the one nearest to the middle of the
  * cell, the first of several as near. Cells are in the order of their coordinates. */

@@ -48,11 +48,47 @@ struct Side {
   int points = 0;
 };
 
+/** Labels in the order of a grid's points, to pass over ranges without other faces. */
+class LabelRuns {
+public:
+  LabelRuns(const PointGrid& grid, const Labels& labels)
+  : runs_(grid.order().size() + 1)
+  {
+    const auto size = static_cast<std::uint32_t>(grid.order().size());
+    runs_.back() = {-1, size, size};
+    for (std::uint32_t at = size; at-- > 0;) {
+      const std::int32_t label = labels[grid.order()[at]];
+      const Run& after = runs_[at + 1];
+      runs_[at] = label < 0              ? after
+                  : label == after.label ? Run{label, at, after.change}
+                                         : Run{label, at, after.first};
+    }
+  }
+
+  /** Whether a range of the order has a label of another face. */
+  bool
+  hasOther(std::uint32_t begin, std::uint32_t end, std::int32_t label) const
+  {
+    const Run& run = runs_[begin];
+    return run.first < end && (run.label != label || run.change < end);
+  }
+
+private:
+  /** The first label from a place on, where it is, and where the next other one is. */
+  struct Run {
+    std::int32_t label;
+    std::uint32_t first, change;
+  };
+
+  std::vector<Run> runs_;
+};
+
 /** Adds what one point meets. */
 void
 collect(const InstanceInput& input,
         const PointGrid& grid,
         const Labels& grown,
+        const LabelRuns& runs,
         float cell_size,
         std::size_t i,
         std::vector<Meeting>& meetings)
@@ -61,8 +97,7 @@ collect(const InstanceInput& input,
   const Eigen::Array3f cell = (p.array() / cell_size).floor();
   std::array<std::int32_t, 8> seen{};
   std::size_t count = 0;
-  grid.forEachWithin(p, contact_reach * input.spacings[i], [&](std::uint32_t j, float) {
-    const std::int32_t other = grown[j];
+  const auto meet = [&](std::int32_t other) {
     const auto end = seen.begin() + static_cast<std::ptrdiff_t>(count);
     if (other < 0 || other == grown[i] || count == seen.size() ||
         std::find(seen.begin(), end, other) != end)
@@ -73,6 +108,16 @@ collect(const InstanceInput& input,
                         {cell.x(), cell.y(), cell.z()},
                         {p.x(), p.y(), p.z()},
                         input.spacings[i]});
+  };
+  const float reach = contact_reach * input.spacings[i];
+  grid.forEachRangeWithin(p, reach, [&](std::uint32_t begin, std::uint32_t end) {
+    if (!runs.hasOther(begin, end, grown[i]))
+      return;
+    for (std::uint32_t at = begin; at < end; ++at) {
+      const std::uint32_t j = grid.order()[at];
+      if ((positionOf(input.points, j) - p).squaredNorm() < reach * reach)
+        meet(grown[j]);
+    }
   });
 }
 
@@ -81,13 +126,14 @@ std::vector<Meeting>
 meetingsOf(const InstanceInput& input, const PointGrid& grid, const Labels& grown)
 {
   const float cell_size = medianSpacing(input);
+  const LabelRuns runs(grid, grown);
   constexpr std::size_t part = 8192;
   std::vector<std::vector<Meeting>> found((grown.size() + part - 1) / part);
   kernels::parallelFor(found.size(), input.threads, [&](std::size_t p) {
     const std::size_t end = std::min(grown.size(), (p + 1) * part);
     for (std::size_t i = p * part; i < end; ++i)
       if (grown[i] >= 0)
-        collect(input, grid, grown, cell_size, i, found[p]);
+        collect(input, grid, grown, runs, cell_size, i, found[p]);
   });
   std::vector<Meeting> all;
   for (const auto& some : found)

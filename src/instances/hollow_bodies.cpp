@@ -5,8 +5,7 @@
 #include "instances/hollow_bodies.h"
 
 #include "common/statistics.h"
-#include "geometry/point_choice.h"
-#include "geometry/point_grid.h"
+#include "instances/body_sample.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -21,8 +20,6 @@ using detail::InstanceInput;
 using Eigen::Matrix3f;
 using Eigen::Vector3f;
 
-constexpr std::size_t max_points = 500; // of a body: their means change no more
-constexpr float max_upright = 0.8f;     // of a wall's normal: steeper than 37 degrees
 constexpr std::size_t min_wall_points = 30;
 // The mean cosine between the normals of a half cylinder's inside and the directions to
 // its middle is about 0.6, of a plane 0.
@@ -44,30 +41,19 @@ struct Walls {
 };
 
 Walls
-wallsOf(const InstanceInput& input,
-        std::vector<std::uint32_t> members,
-        const Vector3f& up)
+wallsOf(const BodySample& body, const Vector3f& up)
 {
-  sortByPosition(input.points, members);
-  const std::size_t step = (members.size() + max_points - 1) / max_points;
   Walls walls;
-  std::vector<float> heights;
-  for (std::size_t k = 0; k < members.size(); k += step) {
-    const Vector3f normal = normalOf(input, members[k]);
-    const Vector3f point = positionOf(input.points, members[k]);
-    heights.push_back(up.dot(point));
-    if (!(std::abs(normal.dot(up)) < max_upright))
+  walls.low = body.low;
+  walls.high = body.high;
+  for (std::size_t k = 0; k < body.points.size(); ++k) {
+    if (!(std::abs(body.normals[k].dot(up)) < max_upright))
       continue;
-    walls.points.push_back(point);
-    walls.normals.push_back((normal - normal.dot(up) * up).normalized());
-    walls.middle += point;
+    walls.points.push_back(body.points[k]);
+    walls.normals.push_back(levelPart(body.normals[k], up).normalized());
+    walls.middle += body.points[k];
   }
   walls.middle /= std::max(1.0f, static_cast<float>(walls.points.size()));
-  std::sort(heights.begin(), heights.end());
-  if (!heights.empty()) {
-    walls.low = heights[heights.size() / 20];
-    walls.high = heights[heights.size() - 1 - heights.size() / 20];
-  }
   return walls;
 }
 
@@ -79,7 +65,7 @@ isConcave(const Walls& walls, const Vector3f& up)
   float sum = 0.0f;
   for (std::size_t k = 0; k < walls.points.size(); ++k) {
     const Vector3f to_middle = walls.middle - walls.points[k];
-    const Vector3f level = to_middle - to_middle.dot(up) * up;
+    const Vector3f level = levelPart(to_middle, up);
     sum += level.norm() > 0.0f ? walls.normals[k].dot(level.normalized()) : 0.0f;
   }
   return sum > min_concavity * static_cast<float>(walls.points.size());
@@ -110,8 +96,7 @@ around(const Vector3f& axis_point, const Vector3f& up, const Walls& walls)
   AroundAxis result;
   std::vector<float> radii, misses;
   for (std::size_t k = 0; k < walls.points.size(); ++k) {
-    Vector3f from = walls.points[k] - axis_point;
-    from -= from.dot(up) * up;
+    const Vector3f from = levelPart(walls.points[k] - axis_point, up);
     const float along = from.dot(walls.normals[k]);
     radii.push_back(from.norm());
     misses.push_back((from - along * walls.normals[k]).norm());
@@ -156,16 +141,12 @@ misfit(const Walls& inside, const Walls& outside, const Vector3f& up)
 void
 joinInsides(const InstanceInput& input, const Vector3f& up, Labels& labels)
 {
-  std::vector<std::vector<std::uint32_t>> members;
-  for (std::uint32_t i = 0; i < labels.size(); ++i)
-    if (labels[i] >= 0 && normalOf(input, i).allFinite()) {
-      const auto label = static_cast<std::size_t>(labels[i]);
-      members.resize(std::max(members.size(), label + 1));
-      members[label].push_back(i);
-    }
+  std::size_t count = 0;
+  for (const std::int32_t label : labels)
+    count = std::max(count, static_cast<std::size_t>(label + 1));
   std::vector<Walls> walls;
-  for (auto& of_label : members)
-    walls.push_back(wallsOf(input, std::move(of_label), up));
+  for (const BodySample& body : bodySamples(input, up, labels, count))
+    walls.push_back(wallsOf(body, up));
   std::vector<std::int32_t> joined(walls.size());
   for (std::size_t k = 0; k < walls.size(); ++k) {
     joined[k] = static_cast<std::int32_t>(k);
@@ -183,7 +164,7 @@ joinInsides(const InstanceInput& input, const Vector3f& up, Labels& labels)
     }
   }
   for (std::int32_t& label : labels)
-    if (label >= 0 && static_cast<std::size_t>(label) < joined.size())
+    if (label >= 0)
       label = joined[static_cast<std::size_t>(label)];
 }
 

@@ -32,16 +32,6 @@ isKnown(const InstanceInput& input, std::size_t i)
          !std::isnan(input.likelihood[i]);
 }
 
-std::vector<char>
-membersOf(const InstanceInput& input, double low, bool with_edges)
-{
-  std::vector<char> members(input.points.size, 0);
-  for (std::size_t i = 0; i < members.size(); ++i)
-    members[i] = isKnown(input, i) && input.likelihood[i] >= static_cast<float>(low) &&
-                 (with_edges || !(input.edge[i] > edge_threshold));
-  return members;
-}
-
 /** Labels with too few points of a high likelihood are dropped. */
 void
 dropUnlikely(const InstanceInput& input, double high, Labels& labels)
@@ -58,8 +48,7 @@ dropUnlikely(const InstanceInput& input, double high, Labels& labels)
   }
   for (std::int32_t& label : labels) {
     const auto k = static_cast<std::size_t>(label);
-    if (label >= 0 && static_cast<double>(high_points[k]) <
-                          high_share * static_cast<double>(points[k]))
+    if (label >= 0 && !isLikely(points[k], high_points[k]))
       label = -1;
   }
 }
@@ -79,10 +68,32 @@ addFaces(const std::vector<Support>& supports, Labels& faces)
 
 } // namespace
 
+std::vector<char>
+membersOf(const InstanceInput& input, double low, bool with_edges)
+{
+  std::vector<char> members(input.points.size, 0);
+  for (std::size_t i = 0; i < members.size(); ++i)
+    members[i] = isKnown(input, i) && input.likelihood[i] >= static_cast<float>(low) &&
+                 (with_edges || !(input.edge[i] > edge_threshold));
+  return members;
+}
+
+bool
+isLikely(std::size_t points, std::size_t high_points)
+{
+  return static_cast<double>(high_points) >= high_share * static_cast<double>(points);
+}
+
+float
+gridCell(const InstanceInput& input)
+{
+  return grid_spacings * medianSpacing(input);
+}
+
 InstanceLabels
 findComponents(const InstanceInput& input, const InstanceLimits& limits)
 {
-  const PointGrid grid(input.points, grid_spacings * medianSpacing(input));
+  const PointGrid grid(input.points, gridCell(input));
   Labels labels = smoothPieces(input, grid, membersOf(input, limits.low, false));
   dropUnlikely(input, limits.high, labels);
   growLabels(input, grid, {membersOf(input, limits.low, true), true}, labels);
@@ -93,7 +104,7 @@ findComponents(const InstanceInput& input, const InstanceLimits& limits)
 InstanceLabels
 findObjects(const InstanceInput& input, const InstanceLimits& limits)
 {
-  const PointGrid grid(input.points, grid_spacings * medianSpacing(input));
+  const PointGrid grid(input.points, gridCell(input));
   std::vector<char> members = membersOf(input, 0.0, false);
   const std::vector<Support> planes = supportPlanes(input, grid, members);
   for (const Support& plane : planes)

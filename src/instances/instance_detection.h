@@ -7,6 +7,7 @@
 #include <pcl/segmentation/shape_instance_segmentation.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pcl::detail {
@@ -20,10 +21,21 @@ struct InstanceInput {
   std::vector<float> likelihood; ///< of the class, of planar for objects; NaN unknown
   double noise = 0.0;            ///< in spacings
   unsigned threads = 0;
+  std::optional<float> median_spacing; ///< of the cloud that the points are a part of
 };
 
 /** \brief The instance of each point, 0 and up, -1 for none; the largest is first. */
 using InstanceLabels = std::vector<std::int32_t>;
+
+/** \brief Which points instances of a class may hold: those that are known, and of at
+ * least the low likelihood. \param[in] with_edges whether they may be on edges */
+std::vector<char> membersOf(const InstanceInput& input, double low, bool with_edges);
+
+/** \brief Whether enough of a piece's points are of the high likelihood. */
+bool isLikely(std::size_t points, std::size_t high_points);
+
+/** \brief The size of the cells that points are visited in, meters. */
+float gridCell(const InstanceInput& input);
 
 /** \brief Connected components of a class over its likelihood. See doc/instances.md for
  * the steps. */

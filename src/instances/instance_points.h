@@ -27,7 +27,19 @@ normalOf(const detail::InstanceInput& input, std::size_t i)
 inline float
 medianSpacing(const detail::InstanceInput& input)
 {
-  return medianSpacing(input.spacings);
+  return input.median_spacing ? *input.median_spacing : medianSpacing(input.spacings);
+}
+
+/** \brief The same normal, or its opposite: the one towards where a point was seen
+ * from. */
+inline Eigen::Vector3f
+turnedNormal(const Eigen::Vector3f& normal,
+             const Eigen::Vector3f& position,
+             const Eigen::Vector3f& view_point)
+{
+  if (normal.dot(view_point - position) < 0.0f)
+    return -normal;
+  return normal;
 }
 
 /** \brief How far a point may be off a surface, in spacings: two and a half times the

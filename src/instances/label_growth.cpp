@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 namespace pcl::segmentation {
@@ -56,7 +57,20 @@ bestAnchor(const InstanceInput& input,
   return result;
 }
 
+int
+roundsOf(double noise)
+{
+  const float both_sides = 2.0f * edgeBand(noise);
+  return static_cast<int>(std::ceil(both_sides / (0.5f * reach)));
+}
+
 } // namespace
+
+float
+growthReach(double noise)
+{
+  return static_cast<float>(roundsOf(noise)) * reach;
+}
 
 void
 growLabels(const InstanceInput& input,
@@ -71,8 +85,7 @@ growLabels(const InstanceInput& input,
       anchors[i] = static_cast<std::int64_t>(i);
     else if (growth.open[i] && kernels::isFinite(input.points[i]))
       waiting.push_back(i);
-  const float both_sides = 2.0f * edgeBand(input.noise);
-  const int rounds = static_cast<int>(std::ceil(both_sides / (0.5f * reach)));
+  const int rounds = roundsOf(input.noise);
   bool changed = true;
   for (int round = 0; round < rounds && changed; ++round) {
     std::vector<std::int64_t> found(waiting.size());
@@ -93,38 +106,42 @@ growLabels(const InstanceInput& input,
   }
 }
 
+std::vector<std::int32_t>
+ranksOf(const std::vector<LabelSize>& labels, std::size_t min_points)
+{
+  std::vector<std::size_t> order(labels.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return labels[a].points != labels[b].points ? labels[a].points > labels[b].points
+                                                : labels[a].first < labels[b].first;
+  });
+  std::vector<std::int32_t> ranks(labels.size(), -1);
+  std::int32_t next = 0;
+  for (const std::size_t label : order)
+    if (labels[label].points >= std::max<std::size_t>(1, min_points))
+      ranks[label] = next++;
+  return ranks;
+}
+
 void
 sortLabels(const InstanceInput& input, std::size_t min_points, Labels& labels)
 {
-  struct Entry {
-    std::size_t points = 0;
-    std::tuple<float, float, float> first;
-    std::size_t label = 0;
-  };
-  std::vector<Entry> entries;
+  std::vector<LabelSize> sizes;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i] < 0)
       continue;
     const auto label = static_cast<std::size_t>(labels[i]);
-    if (entries.size() <= label)
-      entries.resize(label + 1);
+    if (sizes.size() <= label)
+      sizes.resize(label + 1);
     const float* p = input.points[i];
-    const std::tuple<float, float, float> position(p[0], p[1], p[2]);
-    Entry& entry = entries[label];
-    entry.first = entry.points++ == 0 ? position : std::min(entry.first, position);
-    entry.label = label;
+    const std::array<float, 3> position{p[0], p[1], p[2]};
+    LabelSize& size = sizes[label];
+    size.first = size.points++ == 0 ? position : std::min(size.first, position);
   }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return a.points != b.points ? a.points > b.points : a.first < b.first;
-  });
-  std::vector<std::int32_t> renamed(entries.size(), -1);
-  std::int32_t next = 0;
-  for (const Entry& entry : entries)
-    if (entry.points >= std::max<std::size_t>(1, min_points))
-      renamed[entry.label] = next++;
+  const std::vector<std::int32_t> ranks = ranksOf(sizes, min_points);
   for (std::int32_t& label : labels)
     if (label >= 0)
-      label = renamed[static_cast<std::size_t>(label)];
+      label = ranks[static_cast<std::size_t>(label)];
 }
 
 } // namespace pcl::segmentation

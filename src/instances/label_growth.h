@@ -7,6 +7,8 @@
 #include "geometry/point_grid.h"
 #include "instances/instance_points.h"
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 namespace pcl::segmentation {
@@ -24,6 +26,21 @@ void growLabels(const detail::InstanceInput& input,
                 const PointGrid& grid,
                 const Growth& growth,
                 Labels& labels);
+
+/** \brief How far from a point that is to be determines its label after growth, in
+ * spacings. */
+float growthReach(double noise);
+
+/** \brief The points of a label. */
+struct LabelSize {
+  std::size_t points = 0;
+  std::array<float, 3> first{}; ///< of their positions, in the order of coordinates
+};
+
+/** \brief The rank of each label: by the number of points, the most first, ties by the
+ * first point; -1 for those with fewer points, or none. */
+std::vector<std::int32_t> ranksOf(const std::vector<LabelSize>& labels,
+                                  std::size_t min_points);
 
 /** \brief Sort labels by their number of points, the largest first, ties by the first
  * point in the order of coordinates; drop those with fewer points. */

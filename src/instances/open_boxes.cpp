@@ -5,8 +5,7 @@
 #include "instances/open_boxes.h"
 
 #include "common/disjoint_sets.h"
-#include "common/statistics.h"
-#include "geometry/point_choice.h"
+#include "instances/body_sample.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,9 +19,7 @@ namespace {
 using detail::InstanceInput;
 using Eigen::Vector3f;
 
-constexpr std::size_t max_points = 500;  // of a body: more change little
 constexpr std::size_t min_points = 30;   // fewer are a rim, or noise
-constexpr float max_upright = 0.8f;      // of a wall's normal: steeper than 37 degrees
 constexpr float min_share = 0.8f;        // of the points: some are at a rim
 constexpr float min_flat = 0.95f;        // length of the mean normal: one plane
 constexpr float max_corner = 0.5f;       // cosine of the normals of two sides of a box
@@ -34,86 +31,29 @@ constexpr float max_thickness = 0.15f, max_thickness_spacings = 6.0f;
 // Of the size of the inside, of which often only two walls are seen: a corner.
 constexpr float max_beyond = 2.0f;
 
-/** Points of the faces of one group, without its edges. */
-struct Body {
-  std::vector<Vector3f> points;
-  std::vector<Vector3f> normals;
-  Vector3f middle = Vector3f::Zero();
-  Vector3f facing = Vector3f::Zero(); ///< mean normal, shorter than 1 if curved
-  float low = 0.0f, high = 0.0f; ///< heights, but for the lowest and highest points
-  float spacing = 0.0f;
-  float upright = 0.0f; ///< share of the points on walls
-  float level = 0.0f;   ///< share of the points on floors and lids
-};
-
-Vector3f
-levelPart(const Vector3f& v, const Vector3f& up)
-{
-  return v - v.dot(up) * up;
-}
-
-Body
-bodyOf(const InstanceInput& input,
-       std::vector<std::uint32_t> members,
-       const Vector3f& up)
-{
-  sortByPosition(input.points, members);
-  const std::size_t step = (members.size() + max_points - 1) / max_points;
-  Body body;
-  std::vector<float> heights, spacings;
-  for (std::size_t k = 0; k < members.size(); k += step) {
-    body.points.push_back(positionOf(input.points, members[k]));
-    body.normals.push_back(normalOf(input, members[k]));
-    body.middle += body.points.back();
-    body.facing += body.normals.back();
-    heights.push_back(up.dot(body.points.back()));
-    spacings.push_back(input.spacings[members[k]]);
-    const float rise = up.dot(body.normals.back());
-    body.upright += std::abs(rise) < max_upright ? 1.0f : 0.0f;
-    body.level += rise >= max_upright ? 1.0f : 0.0f;
-  }
-  if (body.points.empty())
-    return body;
-  const auto count = static_cast<float>(body.points.size());
-  body.middle /= count;
-  body.facing /= count;
-  body.upright /= count;
-  body.level /= count;
-  body.spacing = median(std::move(spacings));
-  std::sort(heights.begin(), heights.end());
-  body.low = heights[heights.size() / 20];
-  body.high = heights[heights.size() - 1 - heights.size() / 20];
-  return body;
-}
-
-std::vector<Body>
+/** The groups' faces, without their edges. */
+std::vector<BodySample>
 bodiesOf(const InstanceInput& input,
          const Vector3f& up,
          const Labels& faces,
          const Labels& groups)
 {
-  std::vector<std::vector<std::uint32_t>> members(groups.size());
-  for (std::uint32_t i = 0; i < faces.size(); ++i) {
-    const std::int32_t group =
-        faces[i] < 0 ? -1 : groups[static_cast<std::size_t>(faces[i])];
-    if (group >= 0 && normalOf(input, i).allFinite())
-      members[static_cast<std::size_t>(group)].push_back(i);
-  }
-  std::vector<Body> bodies;
-  for (auto& of_label : members)
-    bodies.push_back(bodyOf(input, std::move(of_label), up));
-  return bodies;
+  Labels bodies(faces.size(), -1);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (faces[i] >= 0)
+      bodies[i] = groups[static_cast<std::size_t>(faces[i])];
+  return bodySamples(input, up, bodies, groups.size());
 }
 
 /** Without a lid, which a closed box has. */
 bool
-isOpenWall(const Body& body)
+isOpenWall(const BodySample& body)
 {
   return body.points.size() >= min_points && body.upright >= min_share;
 }
 
 bool
-endAtOneHeight(const Body& a, const Body& b)
+endAtOneHeight(const BodySample& a, const BodySample& b)
 {
   const float height = std::max(a.high - a.low, b.high - b.low);
   const float limit = std::max(max_rim_step * height,
@@ -123,7 +63,7 @@ endAtOneHeight(const Body& a, const Body& b)
 
 /** Two sides of an inside: they meet at an upright concave edge. */
 bool
-areInnerWalls(const Body& a, const Body& b, float concave)
+areInnerWalls(const BodySample& a, const BodySample& b, float concave)
 {
   const float height = std::min(a.high - a.low, b.high - b.low);
   return isOpenWall(a) && isOpenWall(b) && a.facing.norm() > min_flat &&
@@ -134,14 +74,14 @@ areInnerWalls(const Body& a, const Body& b, float concave)
 }
 
 /** Some walls, or their points, as one. */
-Body
-together(const std::vector<Body>& bodies, const std::vector<std::size_t>& some)
+BodySample
+together(const std::vector<BodySample>& bodies, const std::vector<std::size_t>& some)
 {
-  Body all;
+  BodySample all;
   all.low = std::numeric_limits<float>::infinity();
   all.high = -all.low;
   for (const std::size_t k : some) {
-    const Body& body = bodies[k];
+    const BodySample& body = bodies[k];
     all.points.insert(all.points.end(), body.points.begin(), body.points.end());
     all.normals.insert(all.normals.end(), body.normals.begin(), body.normals.end());
     all.low = std::min(all.low, body.low);
@@ -154,7 +94,7 @@ together(const std::vector<Body>& bodies, const std::vector<std::size_t>& some)
 
 /** Level, from a middle. */
 float
-farthest(const Body& body, const Vector3f& middle, const Vector3f& up)
+farthest(const BodySample& body, const Vector3f& middle, const Vector3f& up)
 {
   float radius = 0.0f;
   for (const Vector3f& point : body.points)
@@ -164,7 +104,7 @@ farthest(const Body& body, const Vector3f& middle, const Vector3f& up)
 
 /** The nearest two sampled points. */
 float
-distanceBetween(const Body& a, const Body& b)
+distanceBetween(const BodySample& a, const BodySample& b)
 {
   float nearest = std::numeric_limits<float>::infinity();
   for (const Vector3f& p : a.points)
@@ -175,7 +115,7 @@ distanceBetween(const Body& a, const Body& b)
 
 /** The share of the points that face away from a middle. */
 float
-outwardShare(const Body& body, const Vector3f& middle, const Vector3f& up)
+outwardShare(const BodySample& body, const Vector3f& middle, const Vector3f& up)
 {
   std::size_t outward = 0;
   for (std::size_t k = 0; k < body.points.size(); ++k)
@@ -185,7 +125,7 @@ outwardShare(const Body& body, const Vector3f& middle, const Vector3f& up)
 
 /** Around an inside, back to back with it. */
 bool
-isOutside(const Body& body, const Body& inside, const Vector3f& up)
+isOutside(const BodySample& body, const BodySample& inside, const Vector3f& up)
 {
   if (!isOpenWall(body) || !endAtOneHeight(body, inside) ||
       outwardShare(body, inside.middle, up) < min_share)
@@ -199,7 +139,7 @@ isOutside(const Body& body, const Body& inside, const Vector3f& up)
 
 /** Between inner walls, at their feet. */
 bool
-isFloor(const Body& body, const Body& inside, const Vector3f& up)
+isFloor(const BodySample& body, const BodySample& inside, const Vector3f& up)
 {
   const float limit = max_thickness_spacings * inside.spacing;
   if (body.points.size() < min_points || body.level < min_share ||
@@ -211,9 +151,72 @@ isFloor(const Body& body, const Body& inside, const Vector3f& up)
          farthest(inside, inside.middle, up) + limit;
 }
 
+/** Whether the middles of some insides are before one wall, along it. */
+bool
+spans(const BodySample& wall,
+      const std::vector<const BodySample*>& insides,
+      const Vector3f& up)
+{
+  const Vector3f along = up.cross(wall.facing);
+  float low = std::numeric_limits<float>::infinity(), high = -low;
+  for (const Vector3f& point : wall.points) {
+    low = std::min(low, along.dot(point));
+    high = std::max(high, along.dot(point));
+  }
+  return std::all_of(insides.begin(), insides.end(), [&](const BodySample* inside) {
+    const float middle = along.dot(inside->middle);
+    return low < middle && middle < high;
+  });
+}
+
+/** Two compartments of a crate: a wall apart, and with one outer wall along both, which
+ * two boxes that touch do not have. */
+bool
+areCompartments(const std::vector<BodySample>& bodies,
+                const std::vector<std::size_t>& first,
+                const std::vector<std::size_t>& second,
+                const Vector3f& up)
+{
+  const BodySample a = together(bodies, first), b = together(bodies, second);
+  std::vector<std::size_t> walls = first;
+  walls.insert(walls.end(), second.begin(), second.end());
+  const BodySample both = together(bodies, walls);
+  const float limit = std::max(max_thickness * farthest(both, both.middle, up),
+                               max_thickness_spacings * both.spacing);
+  if (!endAtOneHeight(a, b) || distanceBetween(a, b) > limit)
+    return false;
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    if (std::find(walls.begin(), walls.end(), k) == walls.end() &&
+        isOutside(bodies[k], both, up) && spans(bodies[k], {&a, &b}, up))
+      return true;
+  return false;
+}
+
+/** Compartments of one crate are one inside. */
+std::vector<std::vector<std::size_t>>
+joinCompartments(const std::vector<BodySample>& bodies,
+                 const std::vector<std::vector<std::size_t>>& insides,
+                 const Vector3f& up)
+{
+  DisjointSets sets(insides.size());
+  for (std::uint32_t a = 0; a < insides.size(); ++a)
+    for (std::uint32_t b = a + 1; b < insides.size(); ++b)
+      if (areCompartments(bodies, insides[a], insides[b], up))
+        sets.unite(a, b);
+  std::map<std::uint32_t, std::vector<std::size_t>> by_root;
+  for (std::uint32_t k = 0; k < insides.size(); ++k) {
+    auto& walls = by_root[sets.find(k)];
+    walls.insert(walls.end(), insides[k].begin(), insides[k].end());
+  }
+  std::vector<std::vector<std::size_t>> joined;
+  for (auto& [root, walls] : by_root)
+    joined.push_back(std::move(walls));
+  return joined;
+}
+
 /** The insides, as lists of bodies: inner walls that meet. */
 std::vector<std::vector<std::size_t>>
-insidesOf(const std::vector<Body>& bodies,
+insidesOf(const std::vector<BodySample>& bodies,
           const std::map<std::pair<std::size_t, std::size_t>, float>& concave)
 {
   DisjointSets sets(bodies.size());
@@ -241,7 +244,7 @@ joinOpenBoxes(const InstanceInput& input,
               const Labels& groups,
               Labels& labels)
 {
-  const std::vector<Body> bodies = bodiesOf(input, up, faces, groups);
+  const std::vector<BodySample> bodies = bodiesOf(input, up, faces, groups);
   std::map<std::pair<std::size_t, std::size_t>, float> concave;
   for (const FaceContact& contact : contacts) {
     const auto [a, b] = std::minmax(groups[static_cast<std::size_t>(contact.first)],
@@ -253,13 +256,14 @@ joinOpenBoxes(const InstanceInput& input,
   std::vector<std::int32_t> joined(bodies.size());
   for (std::size_t k = 0; k < joined.size(); ++k)
     joined[k] = static_cast<std::int32_t>(k);
-  const std::vector<std::vector<std::size_t>> insides = insidesOf(bodies, concave);
+  const std::vector<std::vector<std::size_t>> insides =
+      joinCompartments(bodies, insidesOf(bodies, concave), up);
   std::vector<char> is_inner(bodies.size(), 0); // a wall has one box
   for (const std::vector<std::size_t>& walls : insides)
     for (const std::size_t wall : walls)
       is_inner[wall] = 1;
   for (const std::vector<std::size_t>& walls : insides) {
-    const Body inside = together(bodies, walls);
+    const BodySample inside = together(bodies, walls);
     const auto name = static_cast<std::int32_t>(walls.front());
     for (const std::size_t wall : walls)
       joined[wall] = name;

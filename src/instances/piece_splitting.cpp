@@ -35,7 +35,8 @@ constexpr double both_sides = 0.25;   // of the larger side: noise makes less
 // within 1.5 L on either side, a surface that only touches there half a disc, 3.5 L^2.
 constexpr float neck_reach = 1.5f;
 constexpr double min_neck_area = 2.25;
-constexpr double node_area = 2.25; // squares of spacings: nodes are 1.5 apart
+constexpr float node_spacing = 1.5f; // in spacings
+constexpr double node_area = 2.25;   // squares of spacings
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 using PartOfNode = std::vector<std::uint32_t>;
@@ -236,7 +237,8 @@ isNeck(const SurfacePiece& piece,
        const SurfacePart& b,
        const Border& border)
 {
-  const float length = border.places.diagonal().norm();
+  // As long as two nodes are apart at least: one pair of nodes is one place.
+  const float length = std::max(border.places.diagonal().norm(), node_spacing);
   const auto isWide = [&](const SurfacePart& part) {
     const auto near = std::count_if(part.nodes.begin(), part.nodes.end(), [&](auto k) {
       return (piece.nodes[k].position - border.places.center()).norm() <
@@ -383,20 +385,34 @@ joinParts(const SurfacePiece& piece, const std::vector<SurfacePart>& parts)
   return joined;
 }
 
+std::vector<std::vector<NodeIndices>>
+cutPieces(std::size_t pieces,
+          const std::function<std::vector<SurfaceNode>(std::size_t)>& nodesOf,
+          double noise,
+          unsigned threads)
+{
+  std::vector<std::vector<NodeIndices>> groups(pieces);
+  const detail::Quiet quiet;
+  kernels::parallelFor(pieces, threads, [&](std::size_t i) {
+    groups[i] = cut({nodesOf(i), static_cast<float>(noise)});
+  });
+  return groups;
+}
+
 Labels
 splitSurfaces(const detail::InstanceInput& input,
               const std::vector<SurfaceNode>& nodes,
               Labels labels)
 {
   const std::vector<NodeIndices> pieces = piecesOf(labels);
-  std::vector<std::vector<NodeIndices>> groups(pieces.size());
-  const detail::Quiet quiet;
-  kernels::parallelFor(pieces.size(), input.threads, [&](std::size_t i) {
+  const auto nodesOf = [&](std::size_t i) {
     std::vector<SurfaceNode> of_piece;
     for (const std::uint32_t node : pieces[i])
       of_piece.push_back(nodes[node]);
-    groups[i] = cut({std::move(of_piece), static_cast<float>(input.noise)});
-  });
+    return of_piece;
+  };
+  const std::vector<std::vector<NodeIndices>> groups =
+      cutPieces(pieces.size(), nodesOf, input.noise, input.threads);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (groups[i].empty())
       continue;

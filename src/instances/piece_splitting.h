@@ -6,6 +6,10 @@
 
 #include "instances/surface_piece.h"
 
+#include <cstddef>
+#include <functional>
+#include <vector>
+
 namespace pcl::segmentation {
 
 /** \brief Give each node of a piece to a part whose surface is near and which others
@@ -18,6 +22,15 @@ void assignNodes(const SurfacePiece& piece, std::vector<SurfacePart>& parts);
  * do, and those too small to be another. */
 std::vector<NodeIndices> joinParts(const SurfacePiece& piece,
                                    const std::vector<SurfacePart>& parts);
+
+/** \brief The groups of nodes that each of some pieces falls into; none if it stays
+ * whole. \param[in] nodesOf gives the nodes of a piece, in the order of their cells
+ * \param[in] noise in spacings */
+std::vector<std::vector<NodeIndices>>
+cutPieces(std::size_t pieces,
+          const std::function<std::vector<SurfaceNode>(std::size_t)>& nodesOf,
+          double noise,
+          unsigned threads);
 
 /** \brief Cut pieces that are planes, cylinders or spheres on each side of a border
  * where these do not meet: faces that cross, or are nearly in line.

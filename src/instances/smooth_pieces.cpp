@@ -65,8 +65,11 @@ fitAt(const InstanceInput& input,
   const float variance = normal.dot(squares * normal) / static_cast<float>(count) -
                          normal.dot(mean) * normal.dot(mean);
   const float spacing = input.spacings[i];
-  return {
-      position + mean, normal, spacing, std::sqrt(std::max(0.0f, variance)) / spacing};
+  return {position + mean,
+          normal,
+          spacing,
+          std::sqrt(std::max(0.0f, variance)) / spacing,
+          static_cast<std::uint32_t>(i)};
 }
 
 /** Two points of a circle, or of a line: the chord is square to the mean normal. */
@@ -96,10 +99,10 @@ hasMiddle(const SurfaceNode& a, const SurfaceNode& b, const PointGrid& nodes)
 /** The nodes that the surface runs to from one.
  * \return none if these are too few of those around */
 std::vector<std::uint32_t>
-linksOf(const SurfaceNode& node,
-        const std::vector<SurfaceNode>& nodes,
-        const PointGrid& grid,
-        float step_limit)
+linksFrom(const SurfaceNode& node,
+          const std::vector<SurfaceNode>& nodes,
+          const PointGrid& grid,
+          float step_limit)
 {
   const float min_squared = min_chord * min_chord * node.spacing * node.spacing;
   int candidates = 0;
@@ -123,11 +126,8 @@ linkedNodes(const InstanceInput& input,
             const std::vector<SurfaceNode>& nodes,
             const PointGrid& grid)
 {
-  const float step_limit = stepLimit(input);
-  std::vector<std::vector<std::uint32_t>> links(nodes.size());
-  kernels::parallelForEach(nodes.size(), input.threads, [&](std::size_t k) {
-    links[k] = linksOf(nodes[k], nodes, grid, step_limit);
-  });
+  const std::vector<std::vector<std::uint32_t>> links =
+      linksOf(input, nodes, grid, nodes.size());
   DisjointSets sets(nodes.size());
   for (std::uint32_t k = 0; k < nodes.size(); ++k)
     for (const std::uint32_t other : links[k])
@@ -171,6 +171,65 @@ labelAt(const InstanceInput& input,
 
 } // namespace
 
+float
+nodeCell(const InstanceInput& input)
+{
+  return node_spacings * medianSpacing(input);
+}
+
+float
+nodeGridCell(const InstanceInput& input)
+{
+  return max_chord * medianSpacing(input);
+}
+
+float
+nodeReach()
+{
+  return std::max(node_spacings, fit_spacings);
+}
+
+float
+linkReach()
+{
+  return std::max(max_chord, 0.5f * max_chord + middle_spacings);
+}
+
+float
+pieceReach()
+{
+  return near_spacings;
+}
+
+std::vector<std::vector<std::uint32_t>>
+linksOf(const InstanceInput& input,
+        const std::vector<SurfaceNode>& nodes,
+        const PointGrid& grid,
+        std::size_t count)
+{
+  const float step_limit = stepLimit(input);
+  std::vector<std::vector<std::uint32_t>> links(count);
+  kernels::parallelForEach(count, input.threads, [&](std::size_t k) {
+    links[k] = linksFrom(nodes[k], nodes, grid, step_limit);
+  });
+  return links;
+}
+
+Labels
+labelsAt(const InstanceInput& input,
+         const std::vector<char>& members,
+         const std::vector<SurfaceNode>& nodes,
+         const PointGrid& grid,
+         const Labels& labels_of_nodes)
+{
+  Labels labels(members.size(), -1);
+  kernels::parallelForEach(members.size(), input.threads, [&](std::size_t i) {
+    if (members[i])
+      labels[i] = labelAt(input, i, nodes, grid, labels_of_nodes);
+  });
+  return labels;
+}
+
 std::vector<SurfaceNode>
 surfaceNodes(const InstanceInput& input,
              const PointGrid& points,
@@ -182,7 +241,7 @@ surfaceNodes(const InstanceInput& input,
       candidates.push_back(i);
   sortByPosition(input.points, candidates);
   const std::vector<std::uint32_t> chosen =
-      centralPoints(input.points, candidates, node_spacings * medianSpacing(input));
+      centralPoints(input.points, candidates, nodeCell(input));
   std::vector<SurfaceNode> nodes(chosen.size());
   kernels::parallelForEach(chosen.size(), input.threads, [&](std::size_t k) {
     nodes[k] = fitAt(input, chosen[k], points, members);
@@ -198,14 +257,10 @@ smoothPieces(const InstanceInput& input,
              const std::vector<char>& members)
 {
   const std::vector<SurfaceNode> nodes = surfaceNodes(input, grid, members);
-  const PointGrid node_grid(positionsOf(nodes), max_chord * medianSpacing(input));
+  const PointGrid node_grid(positionsOf(nodes), nodeGridCell(input));
   const Labels labels =
       splitSurfaces(input, nodes, linkedNodes(input, nodes, node_grid));
-  Labels pieces(members.size(), -1);
-  kernels::parallelForEach(members.size(), input.threads, [&](std::size_t i) {
-    if (members[i])
-      pieces[i] = labelAt(input, i, nodes, node_grid, labels);
-  });
+  Labels pieces = labelsAt(input, members, nodes, node_grid, labels);
   sortLabels(input, 1, pieces);
   return pieces;
 }

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <vector>
 
 namespace pcl::segmentation {
@@ -21,6 +22,7 @@ struct SurfaceNode {
   Eigen::Vector3f normal;   ///< unit
   float spacing = 0.0f;     ///< meters
   float noise = 0.0f;       ///< of those around it about their plane, in spacings
+  std::uint32_t point = 0;  ///< the member
 };
 
 /** \brief One node in each cell of space that has enough members around it, in the
@@ -28,6 +30,34 @@ struct SurfaceNode {
 std::vector<SurfaceNode> surfaceNodes(const detail::InstanceInput& input,
                                       const PointGrid& points,
                                       const std::vector<char>& members);
+
+/** \brief The size of the cells of space that nodes are made in, and of those in which
+ * nodes are visited, meters. */
+float nodeCell(const detail::InstanceInput& input);
+float nodeGridCell(const detail::InstanceInput& input);
+
+/** \brief How far it is from a member to those that its node is made of, from a node to
+ * those that the surface may run to, and from a point to the node of its piece; in
+ * spacings. */
+float nodeReach();
+float linkReach();
+float pieceReach();
+
+/** \brief The nodes that the surface runs to from each of the first ones; none if these
+ * are too few of those around. \param[in] count how many are the first
+ * \param[in] grid of all nodes */
+std::vector<std::vector<std::uint32_t>> linksOf(const detail::InstanceInput& input,
+                                                const std::vector<SurfaceNode>& nodes,
+                                                const PointGrid& grid,
+                                                std::size_t count);
+
+/** \brief For each member the label of the nearest node with one whose surface it is
+ * on; -1 if there is none. \param[in] grid of the nodes */
+Labels labelsAt(const detail::InstanceInput& input,
+                const std::vector<char>& members,
+                const std::vector<SurfaceNode>& nodes,
+                const PointGrid& grid,
+                const Labels& labels_of_nodes);
 
 /** \brief Pieces of surface that are smooth inside.
  *

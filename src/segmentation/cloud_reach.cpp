@@ -4,6 +4,7 @@
 
 #include "edges/crease_votes.h"
 #include "edges/edge_band.h"
+#include "edges/edge_detection.h"
 #include "edges/edge_types.h"
 #include "features/local_spacing.h"
 #include "features/noise_level.h"
@@ -67,6 +68,34 @@ windowReach(const CloudNumbers& numbers, double most)
   return reach;
 }
 
+/** An agreement: from its mean to its vote, from there to the others, from each of them
+ * to its candidate, and what that needs. */
+double
+agreementReach(const CloudNumbers& numbers, const ShapeModel& edge_model)
+{
+  const double most = rounding * mostSpacing(numbers.distance);
+  const INADParameters radii = withNoise(edge_model.parameters(), numbers.noise_level);
+  const double normal =
+      std::max(radii.normal_radius * most, rounding * spacingReach(numbers.distance));
+  const double inad = radii.radius * most + normal;
+  const double patch =
+      segmentation::patchSpacings(numbers.noise, numbers.noise_level) * most;
+  const double candidate = std::max(inad, patch + normal);
+  return 2.0 * segmentation::agreementSpacings() * most + patch + candidate;
+}
+
+/** From an agreement to what decides whether the next level has it, too. */
+double
+persistenceReach(const CloudNumbers& numbers, const ShapeModel& edge_model)
+{
+  if (numbers.noise_correlation == 0.0)
+    return 0.0;
+  const NextLevel level = nextLevel(numbers);
+  const double most = rounding * mostSpacing(numbers.distance);
+  return segmentation::agreementSpacings() * most + persistenceSpacings() * most +
+         agreementReach(level.numbers, edge_model) + std::sqrt(3.0) * level.size;
+}
+
 } // namespace
 
 double
@@ -90,14 +119,8 @@ reachOf(const CloudNumbers& numbers, const ShapeModel& edge_model)
   reach.noise = reach.spacing + std::max(variationReach(), angleReach()) * most;
   const double normal = std::max(radii.normal_radius * most, reach.spacing);
   reach.normals = normal;
-  const double inad = radii.radius * most + normal;
-  const double patch =
-      segmentation::patchSpacings(numbers.noise, numbers.noise_level) * most;
-  const double candidate = std::max(inad, patch + normal);
-  // An agreement: from its mean to its vote, from there to the others, from each of
-  // them to its candidate.
-  const double agreement =
-      2.0 * segmentation::agreementSpacings() * most + patch + candidate;
+  const double agreement = std::max(agreementReach(numbers, edge_model),
+                                    persistenceReach(numbers, edge_model));
   reach.edges = segmentation::edgeBand(numbers.noise_level) * most + agreement;
   reach.types = std::max({reach.edges,
                           cornerSpacings(numbers.noise_level) * most + agreement,

@@ -3,6 +3,7 @@
 // Voxel means of a part of a cloud, and which of them stands for a point.
 
 #include "features/local_spacing.h"
+#include "features/noise_level.h"
 #include "geometry/voxel_means.h"
 
 #include <pcl/segmentation/means_of_parts.h>
@@ -46,6 +47,19 @@ double
 reachOfMeans(double distance, double resolution)
 {
   return std::max(detail::mostSpacing(distance), voxelDiagonal(resolution));
+}
+
+double
+coarserResolution(const CloudNumbers& numbers)
+{
+  constexpr double voxel = 0.8; // spacings: points of some three steps of a sensor
+  if (!detail::NoiseLevel{numbers.noise_level, numbers.noise_correlation}
+           .isBeyondRadii())
+    return 0.0;
+  const double size = voxel * static_cast<double>(numbers.spacing);
+  // Two digits, so that it can be given again.
+  const double scale = std::pow(10.0, 1.0 - std::floor(std::log10(size)));
+  return std::round(size * scale) / scale;
 }
 
 std::string

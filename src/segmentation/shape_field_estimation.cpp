@@ -14,6 +14,7 @@
 
 #include <pcl/features/distinct_points.h>
 #include <pcl/impl/instantiate.hpp>
+#include <pcl/segmentation/means_of_parts.h>
 #include <pcl/segmentation/impl/shape_field_estimation.hpp>
 
 #include <algorithm>
@@ -52,7 +53,8 @@ problemOfPart(const FieldRequest& request)
       "numbers of a cloud are set, of which the input is a part: ";
   if (!request.edges_only)
     return given +
-           "classes of surfaces look too far for parts, call setEdgesOnly(true)";
+           "classes of surfaces look too far for parts, call setEdgesOnly(true), then "
+           "facesOfPart() for surfaces";
   if (request.resolution != 0.0)
     return given + "they are not those of voxel means, leave the resolution out";
   if (request.has_normals)
@@ -62,18 +64,25 @@ problemOfPart(const FieldRequest& request)
 
 // With more unknown points the spacing is looked at again: scans have as many strays.
 constexpr double max_unknown = 0.02;
+// Each is about half as dense as the one before. What is rough at all of them is not a
+// surface.
+constexpr int max_coarser = 4;
 
-using Condition = std::function<bool(const ShapeField& edges)>;
+/** What a field goes on with; without it being true it stays unfinished. */
+struct Conditions {
+  std::function<bool(const MeasuredCloud& cloud)> for_edges =
+      [](const MeasuredCloud& /*cloud*/) { return true; };
+  std::function<bool(const ShapeField& edges)> for_surfaces =
+      [](const ShapeField& /*edges*/) { return true; };
+};
 
-/** \param[in] goesOn without it being true of the edges, surfaces are not classified */
 ShapeField
-fieldOf(
-    const FieldRequest& request,
-    const shared_ptr<const void>& owner,
-    const XYZView& points,
-    const NeighborFinder& finder,
-    bool is_even = false,
-    const Condition& goesOn = [](const ShapeField&) { return true; })
+fieldOf(const FieldRequest& request,
+        const shared_ptr<const void>& owner,
+        const XYZView& points,
+        const NeighborFinder& finder,
+        bool is_even = false,
+        const Conditions& conditions = {})
 {
   pcl::Indices all(points.size);
   std::iota(all.begin(), all.end(), 0);
@@ -90,8 +99,11 @@ fieldOf(
   field.cloud = owner;
   field.points = points;
   field.resolution = request.resolution;
-  findEdges(input, request.edge_model, field);
-  if (goesOn(field) && !request.edges_only)
+  const MeasuredCloud measured = measureCloud(input, field);
+  if (!conditions.for_edges(measured))
+    return field;
+  findEdges(input, measured, request.edge_model, field);
+  if (conditions.for_surfaces(field) && !request.edges_only)
     classifySurfaces(input, request.surface_model, field);
   return field;
 }
@@ -131,48 +143,100 @@ struct Base {
   bool is_other = false;
 };
 
-Base
-baseOf(const FieldRequest& request)
+NeighborFinder
+finderAmong(const FieldRequest& request, const std::vector<float>& points)
 {
-  const auto finderAmong = [&](const std::vector<float>& points) {
-    return request.makeFinder ? request.makeFinder(points) : NeighborFinder();
-  };
-  if (request.resolution == 0.0) {
-    const auto fieldOfSurface = [&](bool is_even, const Condition& goesOn) {
-      return fieldOf(request,
-                     request.surface_owner,
-                     request.surface,
-                     finderAmong({}),
-                     is_even,
-                     goesOn);
-    };
-    std::size_t unknown = 0;
-    bool is_fine = false;
-    ShapeField field = fieldOfSurface(false, [&](const ShapeField& edges) {
-      unknown = countUnknown(request.surface, edges, request.threads);
-      is_fine = static_cast<double>(unknown) <=
-                    max_unknown * static_cast<double>(countFinite(request.surface)) ||
-                request.has_normals || request.of_cloud;
-      return is_fine;
-    });
-    if (is_fine)
-      return {std::move(field), false};
-    const std::vector<float> spacings = plainSpacings(request, finderAmong({}));
-    const std::vector<float> even = evenSampling(request.surface, spacings);
-    const ShapeField means = fieldOf(
-        request, nullptr, {even.data(), 3, even.size() / 3}, finderAmong(even), true);
-    const bool helps = countUnknown(request.surface, means, request.threads) < unknown;
-    field = fieldOfSurface(helps, [](const ShapeField&) { return true; });
-    if (helps)
-      takeFromMeans(means, spacings, request.threads, field);
-    return {std::move(field), false};
-  }
+  return request.makeFinder ? request.makeFinder(points) : NeighborFinder();
+}
+
+/** \param[in] for_edges what the field of the means goes on with */
+Base
+baseOfMeans(const FieldRequest& request,
+            const std::function<bool(const MeasuredCloud& means)>& for_edges)
+{
   const auto means = std::make_shared<const std::vector<float>>(
       voxelMeans(request.surface, request.resolution));
-  return {
-      fieldOf(
-          request, means, {means->data(), 3, means->size() / 3}, finderAmong(*means)),
-      true};
+  Conditions conditions;
+  conditions.for_edges = for_edges;
+  return {fieldOf(request,
+                  means,
+                  {means->data(), 3, means->size() / 3},
+                  finderAmong(request, *means),
+                  false,
+                  conditions),
+          true};
+}
+
+/** \param[in] for_edges what the field goes on with */
+Base
+baseOfPoints(const FieldRequest& request,
+             const std::function<bool(const MeasuredCloud& cloud)>& for_edges)
+{
+  const auto fieldOfSurface = [&](bool is_even, const Conditions& conditions) {
+    return fieldOf(request,
+                   request.surface_owner,
+                   request.surface,
+                   finderAmong(request, {}),
+                   is_even,
+                   conditions);
+  };
+  std::size_t unknown = 0;
+  bool is_fine = true;
+  Conditions conditions;
+  conditions.for_edges = for_edges;
+  conditions.for_surfaces = [&](const ShapeField& edges) {
+    unknown = countUnknown(request.surface, edges, request.threads);
+    is_fine = static_cast<double>(unknown) <=
+                  max_unknown * static_cast<double>(countFinite(request.surface)) ||
+              request.has_normals || request.of_cloud;
+    return is_fine;
+  };
+  ShapeField field = fieldOfSurface(false, conditions);
+  if (is_fine)
+    return {std::move(field), false};
+  const std::vector<float> spacings = plainSpacings(request, finderAmong(request, {}));
+  const std::vector<float> even = evenSampling(request.surface, spacings);
+  const ShapeField means = fieldOf(request,
+                                   nullptr,
+                                   {even.data(), 3, even.size() / 3},
+                                   finderAmong(request, even),
+                                   true);
+  const bool helps = countUnknown(request.surface, means, request.threads) < unknown;
+  field = fieldOfSurface(helps, {});
+  if (helps)
+    takeFromMeans(means, spacings, request.threads, field);
+  return {std::move(field), false};
+}
+
+/** The field of the points, or of means that are coarse enough for the noise which
+ * neighbors share. */
+Base
+baseOf(FieldRequest request)
+{
+  int steps = request.has_normals || request.of_cloud ? 0 : max_coarser;
+  double coarser = 0.0;
+  const auto isFine = [&](const MeasuredCloud& measured) {
+    CloudNumbers numbers;
+    numbers.spacing = measured.spacing;
+    numbers.noise_level = measured.noise.level;
+    numbers.noise_correlation = measured.noise.correlation;
+    coarser = coarserResolution(numbers);
+    return steps == 0 || coarser == 0.0 ||
+           !problemOfResolution(coarser, request.surface).empty();
+  };
+  bool is_fine = false;
+  const auto forEdges = [&](const MeasuredCloud& measured) {
+    is_fine = isFine(measured);
+    return is_fine;
+  };
+  Base base = request.resolution == 0.0 ? baseOfPoints(request, forEdges)
+                                        : baseOfMeans(request, forEdges);
+  while (!is_fine) {
+    --steps;
+    request.resolution = coarser;
+    base = baseOfMeans(request, forEdges);
+  }
+  return base;
 }
 
 /** Three numbers of each place, those of its first point; zeros are positive. */

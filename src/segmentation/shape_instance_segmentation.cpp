@@ -5,6 +5,7 @@
 #include "common/number_text.h"
 #include "geometry/voxel_means.h"
 #include "instances/instance_detection.h"
+#include "instances/instance_points.h"
 #include "segmentation/compiled_estimations.h"
 #include "segmentation/field_places.h"
 
@@ -85,10 +86,10 @@ valuesAt(const InstanceRequest& request, const std::vector<float>& positions)
     const bool is_known = points[i] >= 0;
     const auto point = static_cast<std::size_t>(is_known ? points[i] : 0);
     const Eigen::Map<const Eigen::Vector3f> position(&positions[3 * i]);
-    Eigen::Vector3f normal =
-        is_known ? field.normals[point] : Eigen::Vector3f::Constant(nan);
-    if (normal.dot(request.view_point - position) < 0.0f)
-      normal = -normal;
+    const Eigen::Vector3f normal = segmentation::turnedNormal(
+        is_known ? field.normals[point] : Eigen::Vector3f::Constant(nan),
+        position,
+        request.view_point);
     input.normals.insert(input.normals.end(), normal.data(), normal.data() + 3);
     input.spacings.push_back(is_known ? field.spacings[point] : nan);
     input.edge.push_back(is_known ? field.edge_likelihood[point] : nan);

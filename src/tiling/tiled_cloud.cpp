@@ -23,6 +23,7 @@
 #include <optional>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <unistd.h>
 
 #include <sys/file.h>
@@ -313,6 +314,44 @@ public:
     compute(name, [&](std::size_t tile) { return function(tile, load(tile, halo)); });
   }
 
+  void
+  runOnResults(const std::string& name, const ResultFunction& function)
+  {
+    compute(name, function);
+  }
+
+  void
+  runAtOnce(const std::string& name,
+            const std::function<void(const Write& write)>& function)
+  {
+    team_.meet();
+    const bool is_missing = !missingOf(name).empty();
+    makePlaceFor(name);
+    std::string failure;
+    const auto work = [&](std::size_t) {
+      std::string results; // a line for each tile
+      function([&](std::size_t tile, const Bytes& bytes) {
+        results += std::to_string(tile) + ' ' + written(name, tile, bytes) + '\n';
+      });
+      return results;
+    };
+    team_.run(is_missing ? std::vector<std::size_t>{0} : std::vector<std::size_t>{},
+              work,
+              [&](std::size_t, const std::string& results, const std::string& error) {
+                failure = error;
+                std::istringstream lines(error.empty() ? results : std::string());
+                std::size_t tile = 0;
+                for (std::string result; lines >> tile && std::getline(lines, result);)
+                  if (const Complete now = completeOf(result);
+                      !isRecorded(name, tile, now))
+                    complete(name, tile, now);
+              });
+    refresh();
+    if (!missingOf(name).empty())
+      throw TilingError(failure.empty() ? name + " of some tiles were not written"
+                                        : name + ": " + failure);
+  }
+
   std::string
   pathOf(const std::string& name, std::size_t tile) const
   {
@@ -521,6 +560,22 @@ private:
     return missing;
   }
 
+  void
+  makePlaceFor(const std::string& name)
+  {
+    names_.insert(name);
+    makeDirectory(directory_ + '/' + name);
+  }
+
+  /** \return bytes and checksum */
+  std::string
+  written(const std::string& name, std::size_t tile, const Bytes& bytes) const
+  {
+    writeWhole(pathOf(name, tile), bytes);
+    return std::to_string(bytes.size()) + ' ' +
+           toText(checksumOf(bytes.data(), bytes.size()));
+  }
+
   /** Compute the files of a name that are missing. */
   void
   compute(const std::string& name, const std::function<Bytes(std::size_t)>& function)
@@ -529,20 +584,14 @@ private:
     // What is missing is asked by each rank for itself, and file systems may answer
     // differently: the list of the first one counts, so that all of them run.
     const std::vector<std::size_t> missing = missingOf(name);
-    names_.insert(name);
-    makeDirectory(directory_ + '/' + name);
+    makePlaceFor(name);
     std::string failure;
     team_.run(
         missing,
-        [&](std::size_t tile) {
-          const Bytes bytes = function(tile);
-          writeWhole(pathOf(name, tile), bytes);
-          return std::to_string(bytes.size()) + ' ' +
-                 toText(checksumOf(bytes.data(), bytes.size()));
-        },
+        [&](std::size_t tile) { return written(name, tile, function(tile)); },
         [&](std::size_t tile, const std::string& result, const std::string& error) {
           if (error.empty())
-            complete(name, tile, result);
+            complete(name, tile, completeOf(result));
           else if (failure.empty())
             failure = name + " of tile " + std::to_string(tile) + ": " + error;
         });
@@ -557,16 +606,30 @@ private:
                                   "same command");
   }
 
-  /** \param[in] result bytes and checksum */
-  void
-  complete(const std::string& name, std::size_t tile, const std::string& result)
+  /** \param[in] result what written() returned */
+  static Complete
+  completeOf(const std::string& result)
   {
-    const std::size_t space = result.find(' ');
+    Complete complete;
+    std::istringstream(result) >> complete.bytes >> complete.check;
+    return complete;
+  }
+
+  bool
+  isRecorded(const std::string& name, std::size_t tile, const Complete& now)
+  {
+    const Complete& before = complete_[name][tile];
+    return before.bytes == now.bytes && before.check == now.check;
+  }
+
+  void
+  complete(const std::string& name, std::size_t tile, const Complete& now)
+  {
     add({{"event", "result"},
          {"name", name},
          {"tile", tile},
-         {"bytes", std::stoull(result.substr(0, space))},
-         {"check", result.substr(space + 1)}});
+         {"bytes", now.bytes},
+         {"check", now.check}});
     if (name == tiles_name)
       removeFile(pathOf(buckets_name, tile));
   }
@@ -771,6 +834,19 @@ void
 TiledCloud::run(const std::string& name, double halo, const Function& function)
 {
   state_->run(name, halo, function);
+}
+
+void
+TiledCloud::runOnResults(const std::string& name, const ResultFunction& function)
+{
+  state_->runOnResults(name, function);
+}
+
+void
+TiledCloud::runAtOnce(const std::string& name,
+                      const std::function<void(const Write& write)>& function)
+{
+  state_->runAtOnce(name, function);
 }
 
 std::vector<std::uint8_t>

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <unistd.h>
 
 #include <sys/stat.h>
 
@@ -186,6 +187,59 @@ TEST_F(TileFaults, AFullDiskIsAnErrorAndTheRerunGoesOn)
   EXPECT_TRUE(output("out") == output("whole"));
 }
 
+TEST_F(TileFaults, AReadOnlyDirectoryIsRefused)
+{
+  if (::geteuid() == 0)
+    GTEST_SKIP() << "root may write everywhere";
+  constexpr mode_t read_only = 0500, writable = 0700;
+  ASSERT_EQ(::mkdir(path("out").c_str(), read_only), 0);
+  expectRefused(tiles("out"), 1, {"out/room.pcd", "Permission denied", "expected"});
+  expectRefused(tiles("out/deeper"), 1, {"out/deeper", "Permission denied"});
+  // Outputs may be there to be written, but there is no place for tiles.
+  ASSERT_EQ(::chmod(path("out").c_str(), writable), 0);
+  ASSERT_EQ(::mkdir(path("out/tiles").c_str(), read_only), 0);
+  expectRefused(tiles("out"), 1, {"out/tiles", "Permission denied"});
+  ASSERT_EQ(::chmod(path("out/tiles").c_str(), writable), 0);
+  expectSuccess(tiles("out"));
+}
+
+TEST_F(TileFaults, RunsOfInstancesThatAreKilledGoOn)
+{
+  constexpr std::size_t points = 3000; // surfaces take long
+  write(input, withTrouble(roomCloud(points)));
+  const auto find = [&](const std::string& out, const std::string& processes) {
+    return Words{input,
+                 "-output_dir",
+                 path(out),
+                 "-instances",
+                 "planar",
+                 "-tile",
+                 "3.1",
+                 "-threads",
+                 "1",
+                 "-processes",
+                 processes,
+                 "-keep_tiles"};
+  };
+  expectSuccess(runApp("pcl_shape_tiles", find("whole", "1")));
+  const std::size_t all = countLines("whole");
+  {
+    // In the steps that follow surfaces, of which one process does some for all tiles.
+    RunningApp app("pcl_shape_tiles", find("out", "2"));
+    app.waitUntil([&] { return countLines("out") >= all * 7 / 10; });
+    app.kill();
+  }
+  expectSuccess(runApp("pcl_shape_tiles", find("out", "2")));
+  EXPECT_EQ(countLines("out"), all);
+  EXPECT_TRUE(output("out") == output("whole"));
+  // A file of a step is made anew, with those that are written with it.
+  fs::remove(path("out/tiles/pieces/000002.bin"));
+  fs::remove(path("out/tiles/fields/000001.bin"));
+  fs::remove(path("out/room.pcd"));
+  expectSuccess(runApp("pcl_shape_tiles", find("out", "1")));
+  EXPECT_TRUE(output("out") == output("whole"));
+}
+
 TEST_F(TileFaults, WhatCannotBeIsRefused)
 {
   file("file", "text");
@@ -200,6 +254,7 @@ TEST_F(TileFaults, WhatCannotBeIsRefused)
   expectRefused(tiles("out", {"-memory", "3"}), 2, {"-memory", "'3'", "300M"});
   expectRefused(tiles("out", {"-processes", "0"}), 2, {"-processes"});
   expectRefused(tiles("out", {"-inad", "-1"}), 2, {"-inad"});
+  expectRefused(tiles("out", {"-instances", "object"}), 2, {"-instances", "planar"});
   expectRefused(tiles("out", {"-json", path("out/room.pcd")}), 2, {"-json"});
   write(input, TilePointCloud(cloud.begin(), cloud.begin() + 9));
   expectRefused(tiles("out"), 1, {"9 different places", "at least 13"});

@@ -5,6 +5,7 @@
 #include "app_test.h"
 #include "io/pcd.h"
 #include "tile_clouds.h"
+#include "tiles/selection.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <sstream>
 
 namespace {
 
@@ -142,8 +144,8 @@ TEST_P(EqualTiles, GiveTheSameInAnyOrder)
   const TilePointCloud points = cloud();
   Words wanted{"-edges", "-types"}, names{"edge_likelihood", "edge", "edge_type"};
   if (std::string(GetParam()) == "room") { // surfaces take several times as long
-    wanted.push_back("-surfaces");
-    names.insert(names.end(), {"likelihood", "surface"});
+    wanted.insert(wanted.end(), {"-surfaces", "-instances", "planar"});
+    names.insert(names.end(), {"likelihood", "surface", "instance"});
   }
   const std::string expected = detected(whole(points), wanted);
   const pcl::app::CloudFile of_whole = pcl::app::decodePcd("whole", expected);
@@ -186,6 +188,8 @@ TEST_P(EqualTiles, GiveTheFileOfTheWholeCloudAtAResolution)
   Words wanted{"-edges", "-types", "-resolution", resolution};
   if (name != "street") // without surfaces tiles take another way
     wanted.push_back("-surfaces");
+  if (name == "room")
+    wanted.insert(wanted.end(), {"-instances", "curved"});
   const std::string expected = detected(file, wanted);
   wanted.insert(wanted.end(), {"-tile", edges().back(), "-processes", "2"});
   expectSuccess(tiles({file}, wanted));
@@ -207,18 +211,71 @@ TEST_P(EqualTiles, GiveTheInadOfTheWholeCloud)
   }
 }
 
-TEST_F(Tiles, HaveTheSurfacesOfACloudThatIsLongerThanTheyLook)
+TEST_F(Tiles, HaveTheSurfacesAndInstancesOfACloudThatIsLongerThanTheyLook)
 {
   constexpr std::size_t points = 120000;
   const std::string file = whole(pathCloud(points));
-  const std::string expected = detected(file, {"-surfaces", "-normals"});
-  const Bits surfaces = bitsOf(pcl::app::decodePcd("whole", expected), "surface");
+  const Words wanted{"-surfaces", "-normals", "-instances", "planar"};
+  const std::string expected = detected(file, wanted);
+  const pcl::app::CloudFile of_whole = pcl::app::decodePcd("whole", expected);
+  const Bits surfaces = bitsOf(of_whole, "surface");
   for (const std::uint32_t surface : {1U, 2U})
     EXPECT_GT(std::count(surfaces.begin(), surfaces.end(), surface), 1000);
-  expectSuccess(
-      tiles({file}, {"-surfaces", "-normals", "-tile", "13", "-json", path("json")}));
+  Words options = wanted;
+  options.insert(options.end(), {"-tile", "13", "-json", path("json")});
+  expectSuccess(tiles({file}, options));
+  EXPECT_EQ(differences(readFile(path("out/cloud.pcd")), expected), 0U);
+  const Bits instances = bitsOf(of_whole, "instance");
+  const std::uint32_t most = *std::max_element(instances.begin(), instances.end());
+  EXPECT_GT(most, 1U);
+  EXPECT_EQ(count("instances"), most);
+  EXPECT_GT(count("tiles"), 4U);
+}
+
+TEST_F(Tiles, SayWhichResolutionStepsNeedAndHaveItsBits)
+{
+  const std::string file = whole(stepsCloud());
+  const std::string expected =
+      detected(file, {"-edges", "-types", "-json", path("whole.json")});
+  const double resolution =
+      nlohmann::json::parse(readFile(path("whole.json")))["parameters"]["resolution"];
+  EXPECT_GT(resolution, 0.01);
+  std::ostringstream option;
+  option << resolution;
+  expectRefused(tiles({file}, {"-edges", "-types"}),
+                1,
+                {"neighbors share noise", "-resolution " + option.str()});
+  const Words wanted{"-edges",
+                     "-types",
+                     "-resolution",
+                     option.str(),
+                     "-tile",
+                     "0.8",
+                     "-json",
+                     path("json")};
+  expectSuccess(tiles({file}, wanted));
   EXPECT_EQ(differences(readFile(path("out/cloud.pcd")), expected), 0U);
   EXPECT_GT(count("tiles"), 4U);
+  const Bits edges = bitsOf(pcl::app::decodePcd("whole", expected), "edge");
+  EXPECT_GT(std::count(edges.begin(), edges.end(), 1U), 200);
+}
+
+TEST(FloatSelections, FindTheValueOfEachRankInTwoPasses)
+{
+  const std::vector<float> values{
+      0.5f, 0.0f, 3e-30f, 0.5f, 7.25f, 7.250001f, 1e30f, 0.25f};
+  std::vector<float> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t rank = 0; rank < values.size(); ++rank) {
+    pcl::app::FloatSelection selection;
+    for (const float value : values)
+      selection.add(value, 1);
+    EXPECT_EQ(selection.count(), values.size());
+    selection.chooseHigh(rank);
+    for (const float value : values)
+      selection.add(value, 1);
+    EXPECT_EQ(selection.value(), sorted[rank]) << "rank " << rank;
+  }
 }
 
 TEST_F(Tiles, RefuseAResolutionThatDoesNotFit)
@@ -231,9 +288,16 @@ TEST_F(Tiles, RefuseAResolutionThatDoesNotFit)
       options.push_back("0.5");
     expectRefused(tiles({file}, options), 2, {option, "own points", "-resolution"});
   }
+  // Nothing stays that would refuse the next run, which has another resolution.
   expectRefused(tiles({file}, {"-resolution", "30"}),
                 1,
                 {"resolution is 30 m", "less than the cloud's extent"});
+  EXPECT_FALSE(exists(path("out/tiles")));
+  expectRefused(again({file}, {"-resolution", "1e-9"}),
+                1,
+                {"resolution is 1e-09 m", "what a float holds"});
+  EXPECT_FALSE(exists(path("out/tiles")));
+  expectSuccess(again({file}, {"-resolution", "0.5"}));
   expectRefused(tiles({file}, {"-resolution", "-1"}), 2, {"-resolution '-1'"});
 }
 

@@ -169,6 +169,23 @@ pathCloud(std::size_t points)
 }
 
 TilePointCloud
+stepsCloud()
+{
+  constexpr int side = 240;
+  constexpr double spacing = 0.01, step = 0.04;
+  Random random(12);
+  TilePointCloud cloud;
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      const double x = spacing * (i + random(-0.3, 0.3));
+      const double y = spacing * (j + random(-0.3, 0.3));
+      const double height = -std::abs(x - 0.5 * spacing * side);
+      cloud.push_back({x, y, step * std::round(height / step)});
+    }
+  return cloud;
+}
+
+TilePointCloud
 withTrouble(TilePointCloud points)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -27,6 +27,9 @@ TilePointCloud sheetCloud(std::size_t points);
  * surfaces look, and wide enough for the largest windows of faces. */
 TilePointCloud pathCloud(std::size_t points);
 
+/** \brief A ridge whose heights have steps of 4 cm, points 1 cm apart. */
+TilePointCloud stepsCloud();
+
 /** \brief With points that are not finite, equal points, and points far away. */
 TilePointCloud withTrouble(TilePointCloud points);
 

@@ -217,6 +217,42 @@ TEST(AdaptiveRadius, NoiseThatNeighborsShareNeedsRadiiOfItsSize)
   EXPECT_EQ(noise, level);
 }
 
+/** A tilted plane whose depth has steps, each as wide as some spacings. */
+Surface
+planeOfSteps(double width)
+{
+  constexpr double slope = 0.5, spacing = 0.0015;
+  Random random(44);
+  Surface surface;
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 120; ++x) {
+      const double u = spacing * (x + random.uniform(-0.3, 0.3));
+      const double v = spacing * (y + random.uniform(-0.3, 0.3));
+      const double step = slope * width * spacing;
+      surface.add({{u, v, step * std::round(slope * u / step)}, {0, 0, 1}});
+    }
+  return surface;
+}
+
+TEST(AdaptiveRadius, StepsOfASensorAreBeyondRadii)
+{
+  const auto isBeyondRadii = [](const Surface& surface) {
+    return noiseOfCloud(surface).second.isBeyondRadii();
+  };
+  EXPECT_FALSE(isBeyondRadii(planeOfSteps(1e-6)));
+  EXPECT_TRUE(isBeyondRadii(planeOfSteps(6.0)));
+  EXPECT_TRUE(isBeyondRadii(planeOfSteps(8.0)));
+  // Wide stairs, edges and curvature are not.
+  EXPECT_FALSE(isBeyondRadii(planeOfSteps(12.0)));
+  EXPECT_FALSE(isBeyondRadii(noisyFold(0.0)));
+  Random random(43);
+  EXPECT_FALSE(isBeyondRadii(sampled(60000, random, [](Random& any) {
+    const Eigen::Vector3d n =
+        Eigen::Vector3d(any.normal(), any.normal(), any.normal()).normalized();
+    return SurfacePoint{0.1 * n, n};
+  })));
+}
+
 TEST(DefaultModels, AreThereAndSeparateTheirClasses)
 {
   const ShapeModel& edges = ShapeModel::defaultEdges();

@@ -23,10 +23,21 @@ using namespace pcl;
 using Eigen::Vector3d;
 
 constexpr double none = std::numeric_limits<double>::infinity();
-enum Label { table = 1, cup = 2, box = 3 };
+enum Label { table = 1, cup = 2, box = 3, second_box = 4 };
 
 constexpr double radius = 0.045, wall = 0.004, height = 0.09; // of the cup
-const Vector3d box_low(0.10, -0.05, 0.0), box_high(0.18, 0.04, 0.07);
+
+/** A box on the table, without a lid if it has compartments. */
+struct Box {
+  Vector3d low, high;
+  int compartments = 0; ///< side by side in x
+};
+
+Box
+boxWith(int compartments)
+{
+  return {{0.10, -0.05, 0.0}, {0.18, 0.04, 0.07}, compartments};
+}
 
 /** Where a ray meets an upright cylinder between the table and the rim. */
 double
@@ -43,28 +54,33 @@ cylinderHit(const Vector3d& from, const Vector3d& ray, double r, bool from_insid
 }
 
 double
-boxHit(const Vector3d& from, const Vector3d& ray)
+closedHit(const Box& of, const Vector3d& from, const Vector3d& ray)
 {
-  const Eigen::Array3d a = (box_low - from).array() / ray.array();
-  const Eigen::Array3d b = (box_high - from).array() / ray.array();
+  const Eigen::Array3d a = (of.low - from).array() / ray.array();
+  const Eigen::Array3d b = (of.high - from).array() / ray.array();
   const double enter = a.min(b).maxCoeff(), leave = a.max(b).minCoeff();
   return enter < leave && enter > 0.0 ? enter : none;
 }
 
-/** The box without a lid: through the opening its inside is seen. */
+/** Through an opening the inside of its compartment is seen. */
 double
-openBoxHit(const Vector3d& from, const Vector3d& ray)
+boxHit(const Box& of, const Vector3d& from, const Vector3d& ray)
 {
   constexpr double thickness = 0.004, floor = 0.008;
-  const Vector3d low = box_low + Vector3d(thickness, thickness, floor);
-  const Vector3d high = box_high - Vector3d(thickness, thickness, 0.0);
-  const Vector3d at_rim = from + (box_high.z() - from.z()) / ray.z() * ray;
-  if ((at_rim.head<2>().array() < low.head<2>().array()).any() ||
-      (at_rim.head<2>().array() > high.head<2>().array()).any())
-    return boxHit(from, ray);
-  const Eigen::Array3d a = (low - from).array() / ray.array();
-  const Eigen::Array3d b = (high - from).array() / ray.array();
-  return a.max(b).minCoeff();
+  const Vector3d at_rim = from + (of.high.z() - from.z()) / ray.z() * ray;
+  const double width = (of.high.x() - of.low.x() - thickness) / of.compartments;
+  for (int k = 0; k < of.compartments; ++k) {
+    const double left = of.low.x() + thickness + k * width;
+    const Vector3d low(left, of.low.y() + thickness, of.low.z() + floor);
+    const Vector3d high(left + width - thickness, of.high.y() - thickness, of.high.z());
+    if ((at_rim.head<2>().array() < low.head<2>().array()).any() ||
+        (at_rim.head<2>().array() > high.head<2>().array()).any())
+      continue;
+    const Eigen::Array3d a = (low - from).array() / ray.array();
+    const Eigen::Array3d b = (high - from).array() / ray.array();
+    return a.max(b).minCoeff();
+  }
+  return closedHit(of, from, ray);
 }
 
 struct Scene {
@@ -72,11 +88,13 @@ struct Scene {
   std::vector<int> labels;
 };
 
-/** A table with a cup and a box on it, as a depth camera above sees them.
- * \param[in] ripple of the depth, meters, over 40 mm \param[in] is_open the box has no
- * lid */
+/** A table with a cup and boxes on it, as a depth camera above sees them.
+ * \param[in] ripple of the depth, meters, over 40 mm */
 Scene
-tableScene(double ripple, double spacing, bool is_open, std::mt19937& random)
+tableScene(double ripple,
+           double spacing,
+           const std::vector<Box>& boxes,
+           std::mt19937& random)
 {
   const Vector3d from(0.0, -0.45, 0.5);
   const Vector3d forward = (Vector3d(0.05, 0.0, 0.03) - from).normalized();
@@ -88,10 +106,11 @@ tableScene(double ripple, double spacing, bool is_open, std::mt19937& random)
   for (double u = -0.45; u < 0.45; u += step)
     for (double v = -0.35; v < 0.35; v += step) {
       const Vector3d ray = (forward + u * right + v * up).normalized();
-      std::array<double, 4> hits{-from.z() / ray.z(),
-                                 cylinderHit(from, ray, radius, false),
-                                 cylinderHit(from, ray, radius - wall, true),
-                                 is_open ? openBoxHit(from, ray) : boxHit(from, ray)};
+      std::vector<double> hits{-from.z() / ray.z(),
+                               cylinderHit(from, ray, radius, false),
+                               cylinderHit(from, ray, radius - wall, true)};
+      for (const Box& of : boxes)
+        hits.push_back(boxHit(of, from, ray));
       // The inside is seen through the opening only.
       const double at_rim = (height - from.z()) / ray.z();
       if ((from + at_rim * ray).head<2>().norm() < radius - wall) {
@@ -113,7 +132,9 @@ tableScene(double ripple, double spacing, bool is_open, std::mt19937& random)
       scene.cloud->push_back(PointXYZ(static_cast<float>(seen.x()),
                                       static_cast<float>(seen.y()),
                                       static_cast<float>(seen.z())));
-      scene.labels.push_back(which == 3 ? box : which > 0 || in_cup ? cup : table);
+      scene.labels.push_back(which >= 3            ? box + which - 3
+                             : which > 0 || in_cup ? cup
+                                                   : table);
     }
   return scene;
 }
@@ -168,7 +189,8 @@ class ObjectsOnSupports : public testing::TestWithParam<View> {};
 TEST_P(ObjectsOnSupports, TheTableIsNoneAndTheCupIsOne)
 {
   std::mt19937 random(3);
-  const Scene scene = tableScene(GetParam().ripple, GetParam().spacing, false, random);
+  const Scene scene =
+      tableScene(GetParam().ripple, GetParam().spacing, {boxWith(0)}, random);
   const std::vector<ShapeInstance> objects = objectsOf(scene);
   EXPECT_LT(tableShare(scene, objects), 0.02);
   EXPECT_GT(bestOverlap(scene, objects, cup), 0.85);
@@ -179,12 +201,37 @@ TEST(OpenBoxes, AreOneWithTheirInside)
 {
   for (const double ripple : {0.0, 0.0015}) {
     std::mt19937 random(3);
-    const Scene scene = tableScene(ripple, 0.0015, true, random);
+    const Scene scene = tableScene(ripple, 0.0015, {boxWith(1)}, random);
     const std::vector<ShapeInstance> objects = objectsOf(scene);
     EXPECT_LT(tableShare(scene, objects), 0.02) << ripple;
     EXPECT_GT(bestOverlap(scene, objects, box), 0.85) << ripple;
     EXPECT_GT(bestOverlap(scene, objects, cup), 0.85) << ripple;
   }
+}
+
+TEST(OpenBoxes, ACrateOfTwoCompartmentsIsOne)
+{
+  std::mt19937 random(4);
+  Box crate = boxWith(2);
+  crate.high.x() = 0.24;
+  const Scene scene = tableScene(0.0, 0.0015, {crate}, random);
+  const std::vector<ShapeInstance> objects = objectsOf(scene);
+  EXPECT_LT(tableShare(scene, objects), 0.02);
+  EXPECT_GT(bestOverlap(scene, objects, box), 0.85);
+}
+
+TEST(OpenBoxes, TwoAreTwo)
+{
+  std::mt19937 random(5);
+  const Box first = boxWith(1);
+  Box second = first;
+  second.low.x() = first.high.x() + 0.015;
+  second.high.x() = second.low.x() + 0.08;
+  const Scene scene = tableScene(0.0, 0.0015, {first, second}, random);
+  const std::vector<ShapeInstance> objects = objectsOf(scene);
+  EXPECT_LT(tableShare(scene, objects), 0.02);
+  EXPECT_GT(bestOverlap(scene, objects, box), 0.85);
+  EXPECT_GT(bestOverlap(scene, objects, second_box), 0.85);
 }
 
 INSTANTIATE_TEST_SUITE_P(Views,

@@ -4,6 +4,7 @@
 
 #include "grasp_surfaces.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,6 +23,40 @@ has(const SuctionGrasp& grasp, SealProblem problem)
 {
   return std::find(grasp.problems.begin(), grasp.problems.end(), problem) !=
          grasp.problems.end();
+}
+
+/** What a camera above sees of a height over a rectangle, in pixels of 1 mm. It
+ * averages its noise over several pixels, so that neighbors share it. */
+template <typename Height>
+Surface
+seenByACamera(const Eigen::AlignedBox2d& area,
+              double deviation,
+              Random& random,
+              const Height& height)
+{
+  constexpr double pixel = 0.001;
+  constexpr int averaged = 2; // pixels to each side
+  const auto columns = static_cast<int>(area.sizes().x() / pixel);
+  const auto rows = static_cast<int>(area.sizes().y() / pixel);
+  Eigen::MatrixXd white(rows + 2 * averaged, columns + 2 * averaged);
+  std::generate_n(white.data(), white.size(), [&] { return random.normal(); });
+  Surface surface;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      constexpr int side = 2 * averaged + 1;
+      const double noise = white.block(row, column, side, side).sum() / side;
+      const Eigen::Vector2d p = area.min() + pixel * Eigen::Vector2d(column, row);
+      surface.add({{p.x(), p.y(), height(p.x(), p.y()) + deviation * noise},
+                   Vector3d::UnitZ()});
+    }
+  return surface;
+}
+
+/** The upper side of a tube along x. */
+double
+tube(double radius, double y)
+{
+  return std::sqrt(radius * radius - y * y) - radius;
 }
 
 TEST(SuctionGrasps, DoNotSealOnAStripNarrowerThanTheCup)
@@ -186,6 +221,58 @@ TEST(SuctionGrasps, DoNotSealOnARoughSurface)
   EXPECT_TRUE(grasps.front().seals());
   for (const SuctionGrasp& grasp : grasps)
     EXPECT_TRUE(!grasp.seals() || grasp.position.x() > 0.05f);
+}
+
+TEST(SuctionGrasps, SealWhereASoftBodyIsFlatEnough)
+{
+  // A ridge, where the likelihood has its mode, that is too narrow for the cup, between
+  // flanks that are not.
+  constexpr double ridge = 0.006, of_ridge = 1 / 0.016, of_flanks = 1 / 0.06;
+  const auto height = [=](double, double y) {
+    const double on_ridge = std::min(std::abs(y), ridge);
+    const double beyond = std::abs(y) - on_ridge;
+    return -of_ridge * on_ridge * (on_ridge / 2 + beyond) -
+           of_flanks * beyond * beyond / 2;
+  };
+  for (const std::uint64_t seed : {920U, 921U, 922U}) {
+    Random random(seed);
+    Estimation estimation = seenFromAbove(toCloud<PointXYZ>(
+        seenByACamera({Eigen::Vector2d(-0.018, -0.024), Eigen::Vector2d(0.018, 0.024)},
+                      0.0003,
+                      random,
+                      height)));
+    estimation.setSurface(Estimation::CURVED);
+    const Grasps grasps = graspsOf(estimation);
+    ASSERT_FALSE(grasps.empty());
+    const SuctionGrasp& first = grasps.front();
+    EXPECT_TRUE(first.seals()) << seed;
+    const double y = first.position.y(); // across the cup, from rim to rim
+    const Vector3d outward(0, height(0, y - cup) - height(0, y + cup), 2 * cup);
+    const Vector3d approach = first.approach.cast<double>();
+    constexpr double within = 0.0872; // 5 degrees
+    EXPECT_LT((approach + outward.normalized()).norm(), within) << seed;
+  }
+}
+
+TEST(SuctionGrasps, SealWithNoiseWhereTheyWouldWithout)
+{
+  // A tube as narrow as the cup allows.
+  double sealing = 0, all = 0;
+  for (const std::uint64_t seed : {930U, 931U}) {
+    Random random(seed);
+    const Surface body =
+        seenByACamera({Eigen::Vector2d(0, -0.02), Eigen::Vector2d(0.2, 0.02)},
+                      0.0003,
+                      random,
+                      [](double, double y) { return tube(0.025, y); });
+    for (const SuctionGrasp& grasp : graspsOn(body))
+      if (std::abs(grasp.position.x() - 0.1f) < 0.085f) {
+        all += 1;
+        sealing += grasp.seals() ? 1 : 0;
+      }
+  }
+  EXPECT_GE(all, 8);
+  EXPECT_GE(sealing, 0.8 * all);
 }
 
 } // namespace

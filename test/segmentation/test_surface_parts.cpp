@@ -126,6 +126,25 @@ TEST(PartBorders, WidePartsThatABridgeJoinsStay)
           .size());
 }
 
+TEST(PartBorders, WidePartsThatOnePairOfNodesJoinsStay)
+{
+  Surface other = floorPatch(31.6, 0, 0, 20, 20, 1.5); // just out of reach
+  const auto nearest = [&](std::size_t i) {
+    return other.position(i).x() < 32 && other.position(i).y() == 15;
+  };
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < other.size(); ++i)
+    if (nearest(i)) {
+      other.xyz[3 * i] = 31.4f;
+      ++moved;
+    }
+  ASSERT_EQ(1U, moved);
+  EXPECT_EQ(
+      2U,
+      joined(floorPatch(0, 0, 0, 20, 20, 1.5), levelAt(0.0f), other, levelAt(0.0f))
+          .size());
+}
+
 TEST(PartBorders, AStripGoesOnThroughItsShortSide)
 {
   EXPECT_EQ(1U,

@@ -201,6 +201,62 @@ TEST_F(TiledClouds, GoOnAfterAnError)
   EXPECT_EQ(done, std::set<std::size_t>{1});
 }
 
+TEST_F(TiledClouds, ComputeFromResultsAlone)
+{
+  countPoints();
+  std::size_t done = 0;
+  const auto doubled = [&](std::size_t tile) {
+    ++done;
+    Bytes bytes = cloud->resultOf("counts", tile);
+    const Bytes copy = bytes;
+    bytes.insert(bytes.end(), copy.begin(), copy.end());
+    return bytes;
+  };
+  cloud->runOnResults("doubled", doubled);
+  EXPECT_EQ(done, cloud->size());
+  EXPECT_EQ(cloud->resultOf("doubled", 3).size(), 8U);
+  divide();
+  cloud->runOnResults("doubled", doubled);
+  EXPECT_EQ(done, cloud->size()); // not again
+}
+
+TEST_F(TiledClouds, ComputeAllTilesAtOnce)
+{
+  std::size_t runs = 0;
+  const auto numbered = [&](const TiledCloud::Write& write) {
+    ++runs;
+    for (std::size_t tile = 0; tile < cloud->size(); ++tile)
+      write(tile, {static_cast<std::uint8_t>(tile)});
+  };
+  cloud->runAtOnce("numbers", numbered);
+  EXPECT_EQ(cloud->resultOf("numbers", 5), Bytes{5});
+  divide();
+  cloud->runAtOnce("numbers", numbered);
+  EXPECT_EQ(runs, 1U);
+  std::filesystem::remove(cloud->pathOf("numbers", 2)); // one of them is missing
+  cloud->runAtOnce("numbers", numbered);
+  EXPECT_EQ(runs, 2U);
+  EXPECT_EQ(cloud->resultOf("numbers", 2), Bytes{2});
+  cloud.reset();
+  team = makeTeam(2); // another process writes
+  divide();
+  cloud->runAtOnce("others", numbered);
+  EXPECT_EQ(cloud->resultOf("others", 7), Bytes{7});
+  cloud->remove();
+  EXPECT_FALSE(std::filesystem::exists(directory));
+}
+
+TEST_F(TiledClouds, SayWhatAllAtOnceLacks)
+{
+  const auto fails = [](const TiledCloud::Write&) {
+    throw std::runtime_error("no paper");
+  };
+  EXPECT_EQ(refusal([&] { cloud->runAtOnce("numbers", fails); }), "numbers: no paper");
+  const auto writes_one = [](const TiledCloud::Write& write) { write(0, {}); };
+  EXPECT_EQ(refusal([&] { cloud->runAtOnce("numbers", writes_one); }),
+            "numbers of some tiles were not written");
+}
+
 TEST_F(TiledClouds, DecideOnce)
 {
   EXPECT_EQ(cloud->decide("color", [] { return std::string("red"); }), "red");

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <pcl/features/cloud_numbers.h>
 #include <pcl/features/xyz_view.h>
 #include <pcl/pcl_shape_exports.h>
 
@@ -45,6 +46,12 @@ PCL_SHAPE_EXPORTS std::vector<std::int32_t> nearestMeans(const XYZView& points,
 /** \brief How far a point's mean may be, meters. \param[in] distance the
  * CloudNumbers::distance of the means \param[in] resolution size of a voxel, meters */
 PCL_SHAPE_EXPORTS double reachOfMeans(double distance, double resolution);
+
+/** \brief The resolution that the default method works at where neighbors share noise
+ * beyond what radii can grow for, meters; 0 where they do not, and it works at the
+ * points as they are. \param[in] numbers of the points, or of means at a finer
+ * resolution */
+PCL_SHAPE_EXPORTS double coarserResolution(const CloudNumbers& numbers);
 
 /** \brief What is wrong with a resolution; empty if nothing is. \param[in] resolution
  * size of a voxel, meters \param[in] corners the two of the box that holds the cloud,

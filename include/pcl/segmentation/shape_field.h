@@ -77,7 +77,7 @@ struct ShapeField {
   std::vector<std::string> classes;     ///< of surfaces; none if only edges were wanted
   std::vector<std::vector<float>> likelihoods; ///< of every class; NaN unknown
 
-  double resolution = 0.0; ///< meters, 0 for the cloud's own
+  double resolution = 0.0; ///< meters, 0 for the cloud's own; at least the one set
   /** \brief What the values were computed for, if these are not the cloud's own points:
    * the voxel means at the resolution, the points of another search surface, or, if
    * points are equal, one for each place.

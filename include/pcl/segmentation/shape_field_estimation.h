@@ -94,6 +94,10 @@ public:
    * voxel of this size stands for them, and each point gets what the nearest mean gets.
    * It is much faster in dense clouds, and tolerates noise larger than the distances
    * between points.
+   *
+   * Where neighbors share noise that is larger than the distances between points, as
+   * where points lie on the steps of a depth camera, a coarser one than this is taken:
+   * ShapeField::resolution. It is not with normals of one's own or setCloudNumbers().
    * \param[in] meters between points; 0 (default) for the cloud's own */
   void
   setResolution(double meters)

@@ -115,7 +115,24 @@ public:
    * \throws TilingError with the first error, after the other tiles are done */
   void run(const std::string& name, double halo, const Function& function);
 
-  /** \brief What run() has computed. */
+  /** \brief What is computed of a tile from other results: its points are not read. */
+  using ResultFunction = std::function<std::vector<std::uint8_t>(std::size_t tile)>;
+
+  /** \brief Compute what is missing of a result as run() does. */
+  void runOnResults(const std::string& name, const ResultFunction& function);
+
+  /** \brief Writes what is computed of a tile. */
+  using Write =
+      std::function<void(std::size_t tile, const std::vector<std::uint8_t>& bytes)>;
+
+  /** \brief Compute a result of all tiles in one process, unless it is complete.
+   * \param[in] name of letters, digits and underscores
+   * \param[in] function writes once for each tile that has points
+   * \throws TilingError with its error */
+  void runAtOnce(const std::string& name,
+                 const std::function<void(const Write& write)>& function);
+
+  /** \brief What run() and its likes have computed. */
   std::vector<std::uint8_t> resultOf(const std::string& name, std::size_t tile) const;
 
   /** \brief Where it is. */

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Instances of a class over tiles: steps of tiles, and between them steps of one
+// process that unites, cuts and ranks what tiles have found.
+
+#include "tiles/tile_instances.h"
+
+#include "tiles/tile_pieces.h"
+#include "tiles/tile_places.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace pcl::app {
+namespace {
+
+using pcl::InstanceNode;
+using pcl::InstancePoint;
+using pcl::InstancesOfParts;
+using pcl::LabelCount;
+using pcl::tiling::TiledCloud;
+
+constexpr std::uint32_t none = 0xffffffffU; // no point of instances at a row
+const std::string nodes_name = "nodes", links_name = "links", pieces_name = "pieces";
+const std::string labels_name = "labels", ranks_name = "ranks";
+const std::string grown_name = "grown", instances_name = "instances";
+
+std::vector<InstancePoint>
+pointsOf(const TiledCloud& cloud, std::size_t tile)
+{
+  const Bytes bytes = cloud.resultOf(instancePointsName(), tile);
+  return ByteReader(bytes).takeAll<InstancePoint>();
+}
+
+/** The box of some points, grown along each axis. */
+class GrownBox {
+public:
+  GrownBox(const std::vector<InstancePoint>& points, double by)
+  {
+    for (const InstancePoint& point : points)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double at = point.position[axis];
+        low_[axis] = &point == points.data() ? at - by : std::min(low_[axis], at - by);
+        high_[axis] =
+            &point == points.data() ? at + by : std::max(high_[axis], at + by);
+      }
+  }
+
+  bool
+  holds(const InstancePoint& point) const
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (point.position[axis] < low_[axis] || point.position[axis] > high_[axis])
+        return false;
+    return true;
+  }
+
+private:
+  std::array<double, 3> low_{}, high_{};
+};
+
+/** Labels of a tile's points: numbers of its own, and what they are in the cloud. */
+struct TileLabels {
+  std::vector<LabelCount> counts;   ///< of the labels that it has
+  std::vector<std::int32_t> places; ///< of each point's label among these; -1 none
+};
+
+Bytes
+labelBytes(const InstancesOfParts& parts,
+           const std::vector<InstancePoint>& points,
+           const std::vector<std::int32_t>& labels)
+{
+  const std::vector<LabelCount> counts = parts.count(points, labels);
+  std::vector<std::int32_t> places;
+  for (const std::int32_t label : labels) {
+    const auto found = std::lower_bound(
+        counts.begin(), counts.end(), label, [](const LabelCount& count, auto l) {
+          return count.label < l;
+        });
+    places.push_back(label < 0 ? -1
+                               : static_cast<std::int32_t>(found - counts.begin()));
+  }
+  Bytes bytes;
+  putAll(counts, bytes);
+  putAll(places, bytes);
+  return bytes;
+}
+
+TileLabels
+labelsOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
+{
+  const Bytes bytes = cloud.resultOf(name, tile);
+  ByteReader reader(bytes);
+  TileLabels labels;
+  labels.counts = reader.takeAll<LabelCount>();
+  labels.places = reader.takeAll<std::int32_t>();
+  return labels;
+}
+
+/** The rank of each label of a tile in the cloud, and how many the cloud has. */
+struct TileRanks {
+  std::uint64_t count = 0;
+  std::vector<std::int32_t> ranks;
+};
+
+TileRanks
+ranksOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
+{
+  const Bytes bytes = cloud.resultOf(name, tile);
+  ByteReader reader(bytes);
+  TileRanks ranks;
+  ranks.count = reader.take<std::uint64_t>();
+  ranks.ranks = reader.takeAll<std::int32_t>();
+  return ranks;
+}
+
+/** For each point of a tile the rank of its label; -1 none. */
+std::vector<std::int32_t>
+ranksOfPoints(const TiledCloud& cloud,
+              const std::string& labels,
+              const std::string& ranks,
+              std::size_t tile)
+{
+  std::vector<std::int32_t> result = labelsOf(cloud, labels, tile).places;
+  const TileRanks of_labels = ranksOf(cloud, ranks, tile);
+  for (std::int32_t& label : result)
+    if (label >= 0)
+      label = of_labels.ranks[static_cast<std::size_t>(label)];
+  return result;
+}
+
+/** The steps in their order. */
+class Steps {
+public:
+  Steps(TiledCloud& cloud,
+        const pcl::CloudNumbers& numbers,
+        double resolution,
+        unsigned threads)
+  : cloud_(cloud)
+  , parts_(numbers, {}, threads)
+  , resolution_(resolution)
+  {}
+
+  void
+  run()
+  {
+    cloud_.runOnResults(nodes_name, [&](std::size_t tile) { return nodesOf(tile); });
+    cloud_.runOnResults(links_name, [&](std::size_t tile) { return linksOf(tile); });
+    cloud_.runAtOnce(pieces_name, [&](const TiledCloud::Write& write) {
+      cutPieces(cloud_, {nodes_name, links_name}, parts_, write);
+    });
+    cloud_.runOnResults(labels_name, [&](std::size_t tile) { return labelsAt(tile); });
+    rank(labels_name, ranks_name, &InstancesOfParts::pieceRanks);
+    cloud_.runOnResults(grown_name, [&](std::size_t tile) { return grown(tile); });
+    rank(grown_name, instances_name, &InstancesOfParts::instanceRanks);
+  }
+
+private:
+  std::vector<std::size_t>
+  tilesAround(std::size_t tile, double reach) const
+  {
+    return cloud_.tilesAround(tile, haloOf(reach, resolution_));
+  }
+
+  Bytes
+  nodesOf(std::size_t tile) const
+  {
+    std::vector<InstancePoint> points = pointsOf(cloud_, tile);
+    const std::size_t own = points.size();
+    if (own > 0) {
+      const GrownBox box(points, parts_.reach().nodes);
+      for (const std::size_t other : tilesAround(tile, parts_.reach().nodes))
+        for (const InstancePoint& point : pointsOf(cloud_, other))
+          if (box.holds(point))
+            points.push_back(point);
+    }
+    Bytes bytes;
+    putAll(parts_.nodes(points, own), bytes);
+    return bytes;
+  }
+
+  Bytes
+  linksOf(std::size_t tile) const
+  {
+    std::vector<InstanceNode> nodes = pcl::app::nodesOf(cloud_, nodes_name, tile);
+    const std::size_t own = nodes.size();
+    std::vector<NodeOfTile> around;
+    for (const std::size_t other : tilesAround(tile, parts_.reach().links)) {
+      std::uint32_t number = 0;
+      for (const InstanceNode& node : pcl::app::nodesOf(cloud_, nodes_name, other)) {
+        nodes.push_back(node);
+        around.push_back({static_cast<std::uint32_t>(other), number++});
+      }
+    }
+    return linkBytes(parts_.link(nodes, own), own, around);
+  }
+
+  Bytes
+  labelsAt(std::size_t tile) const
+  {
+    const std::vector<InstancePoint> points = pointsOf(cloud_, tile);
+    CutNodes all = cutNodesOf(cloud_, nodes_name, pieces_name, tile);
+    for (const std::size_t other : tilesAround(tile, parts_.reach().labels)) {
+      const CutNodes some = cutNodesOf(cloud_, nodes_name, pieces_name, other);
+      all.nodes.insert(all.nodes.end(), some.nodes.begin(), some.nodes.end());
+      all.labels.insert(all.labels.end(), some.labels.begin(), some.labels.end());
+    }
+    const std::vector<std::int32_t> labels =
+        parts_.labels(points, std::move(all.nodes), all.labels, all.low, all.high);
+    return labelBytes(parts_, points, labels);
+  }
+
+  Bytes
+  grown(std::size_t tile) const
+  {
+    std::vector<InstancePoint> points = pointsOf(cloud_, tile);
+    std::vector<std::int32_t> labels =
+        ranksOfPoints(cloud_, labels_name, ranks_name, tile);
+    const std::size_t own = points.size();
+    if (own > 0) {
+      const GrownBox box(points, parts_.reach().growth);
+      for (const std::size_t other : tilesAround(tile, parts_.reach().growth)) {
+        const std::vector<InstancePoint> some = pointsOf(cloud_, other);
+        const std::vector<std::int32_t> of_some =
+            ranksOfPoints(cloud_, labels_name, ranks_name, other);
+        for (std::size_t i = 0; i < some.size(); ++i)
+          if (box.holds(some[i])) {
+            points.push_back(some[i]);
+            labels.push_back(of_some[i]);
+          }
+      }
+    }
+    labels = parts_.grow(points, std::move(labels));
+    points.resize(own);
+    labels.resize(own);
+    return labelBytes(parts_, points, labels);
+  }
+
+  using Rank = std::vector<std::int32_t> (InstancesOfParts::*)(
+      const std::vector<LabelCount>& all) const;
+
+  /** From the counts of all tiles to the ranks of their labels. */
+  void
+  rank(const std::string& labels, const std::string& name, Rank rank)
+  {
+    cloud_.runAtOnce(name, [&, rank](const TiledCloud::Write& write) {
+      const auto forEachTile = [&](const auto& use) {
+        for (std::size_t tile = 0; tile < cloud_.size(); ++tile)
+          if (cloud_.pointsOf(tile) > 0)
+            use(tile, labelsOf(cloud_, labels, tile).counts);
+      };
+      std::vector<LabelCount> all;
+      forEachTile([&](std::size_t, const std::vector<LabelCount>& counts) {
+        InstancesOfParts::add(counts, all);
+      });
+      const std::vector<std::int32_t> ranks = (parts_.*rank)(all);
+      const auto is_some = [](std::int32_t r) { return r >= 0; };
+      const auto count = std::count_if(ranks.begin(), ranks.end(), is_some);
+      forEachTile([&](std::size_t tile, const std::vector<LabelCount>& counts) {
+        std::vector<std::int32_t> of_tile;
+        for (const LabelCount& label : counts)
+          of_tile.push_back(ranks[static_cast<std::size_t>(label.label)]);
+        Bytes bytes;
+        put<std::uint64_t>(static_cast<std::uint64_t>(count), bytes);
+        putAll(of_tile, bytes);
+        write(tile, bytes);
+      });
+    });
+  }
+
+  TiledCloud& cloud_;
+  InstancesOfParts parts_;
+  double resolution_;
+};
+
+} // namespace
+
+const std::string&
+instancePointsName()
+{
+  static const std::string name = "instance_points";
+  return name;
+}
+
+Bytes
+instancePointsOf(std::vector<InstancePoint> places,
+                 const std::vector<std::uint32_t>& place_of_row,
+                 const std::vector<std::uint32_t>& rows,
+                 const std::array<float, 3>& view_point,
+                 const pcl::CloudNumbers& numbers,
+                 unsigned threads)
+{
+  const std::vector<bool> is_held =
+      InstancesOfParts(numbers, {}, threads).mayHold(places);
+  std::vector<InstancePoint> points;
+  std::vector<std::uint32_t> point_of_place(places.size(), none);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (is_held[i]) {
+      point_of_place[i] = static_cast<std::uint32_t>(points.size());
+      InstancesOfParts::turn(view_point, places[i]);
+      points.push_back(places[i]);
+    }
+  std::vector<std::uint32_t> point_of_row;
+  for (const std::uint32_t place : place_of_row)
+    point_of_row.push_back(point_of_place[place]);
+  Bytes bytes;
+  putAll(points, bytes);
+  putAll(point_of_row, bytes);
+  putAll(rows, bytes);
+  return bytes;
+}
+
+void
+findInstances(TiledCloud& cloud,
+              const pcl::CloudNumbers& numbers,
+              double resolution,
+              unsigned threads)
+{
+  Steps(cloud, numbers, resolution, threads).run();
+}
+
+TileInstances
+instancesOf(const TiledCloud& cloud, std::size_t tile)
+{
+  const Bytes bytes = cloud.resultOf(instancePointsName(), tile);
+  ByteReader reader(bytes);
+  reader.takeAll<InstancePoint>();
+  const auto point_of_row = reader.takeAll<std::uint32_t>();
+  const std::vector<std::int32_t> instances =
+      ranksOfPoints(cloud, grown_name, instances_name, tile);
+  TileInstances result;
+  for (const std::uint32_t point : point_of_row)
+    result.of_row.push_back(
+        point == none ? 0 : static_cast<std::uint32_t>(instances[point] + 1));
+  result.rows = reader.takeAll<std::uint32_t>();
+  return result;
+}
+
+std::uint64_t
+countInstances(const TiledCloud& cloud)
+{
+  for (std::size_t tile = 0; tile < cloud.size(); ++tile)
+    if (cloud.pointsOf(tile) > 0)
+      return ranksOf(cloud, instances_name, tile).count;
+  return 0;
+}
+
+} // namespace pcl::app

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Pieces of surface that run over several tiles, united and cut by one process.
+
+#include "tiles/tile_pieces.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace pcl::app {
+namespace {
+
+using pcl::InstanceNode;
+using pcl::LinkedNodes;
+using pcl::tiling::TiledCloud;
+
+constexpr std::uint32_t none = LinkedNodes::none;
+// Some 150 bytes each while pieces are cut: as much as other steps take.
+constexpr std::uint64_t nodes_at_a_time = 2000000;
+
+/** A piece of a tile goes on at a node of another tile, unless that is of no piece. */
+struct OutwardLink {
+  std::uint32_t piece = 0;
+  NodeOfTile node;
+};
+
+struct TileLinks {
+  std::uint32_t pieces = 0;
+  std::vector<std::uint32_t> piece; ///< of each node, or none
+  std::vector<OutwardLink> outward;
+};
+
+TileLinks
+linksOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
+{
+  const Bytes bytes = cloud.resultOf(name, tile);
+  ByteReader reader(bytes);
+  TileLinks links;
+  links.pieces = reader.take<std::uint32_t>();
+  links.piece = reader.takeAll<std::uint32_t>();
+  links.outward = reader.takeAll<OutwardLink>();
+  return links;
+}
+
+/** Sets of pieces of tiles; the root of each is its first one. */
+class PieceSets {
+public:
+  void
+  add(std::size_t count)
+  {
+    const std::size_t before = parents_.size();
+    parents_.resize(before + count);
+    std::iota(parents_.begin() + static_cast<std::ptrdiff_t>(before),
+              parents_.end(),
+              static_cast<std::uint32_t>(before));
+  }
+
+  std::uint32_t
+  find(std::uint32_t piece)
+  {
+    while (parents_[piece] != piece)
+      piece = parents_[piece] = parents_[parents_[piece]];
+    return piece;
+  }
+
+  void
+  unite(std::uint32_t a, std::uint32_t b)
+  {
+    a = find(a);
+    b = find(b);
+    parents_[std::max(a, b)] = std::min(a, b);
+  }
+
+  std::size_t
+  size() const
+  {
+    return parents_.size();
+  }
+
+private:
+  std::vector<std::uint32_t> parents_;
+};
+
+/** The pieces of the cloud: for each tile those of its nodes. */
+struct Pieces {
+  std::vector<std::vector<std::uint32_t>> of_nodes; ///< or none
+  std::vector<std::uint64_t> sizes;                 ///< in nodes
+};
+
+Pieces
+unitedPieces(const TiledCloud& cloud, const std::string& links_name)
+{
+  Pieces pieces;
+  pieces.of_nodes.resize(cloud.size());
+  PieceSets sets;
+  for (std::size_t tile = 0; tile < cloud.size(); ++tile) {
+    if (cloud.pointsOf(tile) == 0)
+      continue;
+    TileLinks links = linksOf(cloud, links_name, tile);
+    for (std::uint32_t& piece : links.piece)
+      if (piece != none)
+        piece += static_cast<std::uint32_t>(sets.size());
+    sets.add(links.pieces);
+    pieces.of_nodes[tile] = std::move(links.piece);
+  }
+  std::uint32_t first = 0; // piece of the tile
+  for (std::size_t tile = 0; tile < cloud.size(); ++tile) {
+    if (cloud.pointsOf(tile) == 0)
+      continue;
+    const TileLinks links = linksOf(cloud, links_name, tile);
+    for (const OutwardLink& link : links.outward) {
+      const std::uint32_t other = pieces.of_nodes[link.node.tile][link.node.number];
+      if (other != none)
+        sets.unite(first + link.piece, other);
+    }
+    first += links.pieces;
+  }
+  std::vector<std::uint32_t> numbers(sets.size(), none);
+  for (std::uint32_t piece = 0; piece < sets.size(); ++piece) {
+    if (sets.find(piece) == piece) {
+      numbers[piece] = static_cast<std::uint32_t>(pieces.sizes.size());
+      pieces.sizes.push_back(0);
+    }
+    numbers[piece] = numbers[sets.find(piece)];
+  }
+  for (std::vector<std::uint32_t>& of_tile : pieces.of_nodes)
+    for (std::uint32_t& piece : of_tile)
+      if (piece != none) {
+        piece = numbers[piece];
+        ++pieces.sizes[piece];
+      }
+  return pieces;
+}
+
+/** Cuts some pieces after the other. */
+class Cutting {
+public:
+  Cutting(const TiledCloud& cloud,
+          const std::string& nodes_name,
+          const pcl::InstancesOfParts& parts,
+          const Pieces& pieces)
+  : cloud_(cloud)
+  , nodes_name_(nodes_name)
+  , parts_(parts)
+  , pieces_(pieces)
+  {
+    for (const auto& of_tile : pieces.of_nodes)
+      labels_.emplace_back(of_tile.size(), -1);
+  }
+
+  /** \return for each tile the labels of its nodes, -1 none */
+  const std::vector<std::vector<std::int32_t>>&
+  run()
+  {
+    const std::size_t all = pieces_.sizes.size();
+    for (std::size_t begin = 0, end = 0; begin < all; begin = end) {
+      std::uint64_t nodes = 0;
+      while (end < all &&
+             (end == begin || nodes + pieces_.sizes[end] <= nodes_at_a_time))
+        nodes += pieces_.sizes[end++];
+      cut(begin, end);
+    }
+    return labels_;
+  }
+
+private:
+  bool
+  hasAny(std::size_t tile, std::size_t begin, std::size_t end) const
+  {
+    const auto& of_nodes = pieces_.of_nodes[tile];
+    return std::any_of(of_nodes.begin(), of_nodes.end(), [&](std::uint32_t piece) {
+      return piece >= begin && piece < end;
+    });
+  }
+
+  void
+  cut(std::size_t begin, std::size_t end)
+  {
+    std::vector<std::vector<InstanceNode>> nodes(end - begin);
+    std::vector<std::vector<NodeOfTile>> places(end - begin);
+    for (std::size_t tile = 0; tile < pieces_.of_nodes.size(); ++tile) {
+      if (!hasAny(tile, begin, end))
+        continue;
+      const std::vector<InstanceNode> of_tile = nodesOf(cloud_, nodes_name_, tile);
+      for (std::uint32_t k = 0; k < of_tile.size(); ++k) {
+        const std::size_t piece = pieces_.of_nodes[tile][k];
+        if (piece < begin || piece >= end)
+          continue;
+        nodes[piece - begin].push_back(of_tile[k]);
+        places[piece - begin].push_back({static_cast<std::uint32_t>(tile), k});
+      }
+    }
+    const std::vector<std::vector<std::int32_t>> groups =
+        parts_.cut(end - begin, [&](std::size_t i) { return std::move(nodes[i]); });
+    for (std::size_t i = 0; i < groups.size(); ++i)
+      setLabels(places[i], groups[i]);
+  }
+
+  void
+  setLabels(const std::vector<NodeOfTile>& places,
+            const std::vector<std::int32_t>& groups)
+  {
+    std::int32_t most = -1;
+    for (std::size_t k = 0; k < places.size(); ++k)
+      if (groups[k] >= 0) {
+        labels_[places[k].tile][places[k].number] = next_ + groups[k];
+        most = std::max(most, groups[k]);
+      }
+    next_ += most + 1;
+  }
+
+  const TiledCloud& cloud_;
+  const std::string& nodes_name_;
+  const pcl::InstancesOfParts& parts_;
+  const Pieces& pieces_;
+  std::vector<std::vector<std::int32_t>> labels_;
+  std::int32_t next_ = 0;
+};
+
+} // namespace
+
+std::vector<InstanceNode>
+nodesOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
+{
+  const Bytes bytes = cloud.resultOf(name, tile);
+  return ByteReader(bytes).takeAll<InstanceNode>();
+}
+
+Bytes
+linkBytes(const LinkedNodes& linked,
+          std::size_t own,
+          const std::vector<NodeOfTile>& around)
+{
+  std::vector<OutwardLink> outward;
+  for (const auto& [piece, node] : linked.outward)
+    outward.push_back({piece, around[node - own]});
+  Bytes bytes;
+  put(linked.pieces, bytes);
+  putAll(linked.piece, bytes);
+  putAll(outward, bytes);
+  return bytes;
+}
+
+void
+cutPieces(const TiledCloud& cloud,
+          const NamesOfLinks& names,
+          const pcl::InstancesOfParts& parts,
+          const TiledCloud::Write& write)
+{
+  constexpr float far = std::numeric_limits<float>::infinity();
+  std::array<float, 3> low{far, far, far}, high{-far, -far, -far};
+  for (std::size_t tile = 0; tile < cloud.size(); ++tile)
+    if (cloud.pointsOf(tile) > 0)
+      for (const InstanceNode& node : nodesOf(cloud, names.nodes, tile))
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          low[axis] = std::min(low[axis], node.position[axis]);
+          high[axis] = std::max(high[axis], node.position[axis]);
+        }
+  const Pieces pieces = unitedPieces(cloud, names.links);
+  Cutting cutting(cloud, names.nodes, parts, pieces);
+  const std::vector<std::vector<std::int32_t>>& labels = cutting.run();
+  for (std::size_t tile = 0; tile < cloud.size(); ++tile) {
+    if (cloud.pointsOf(tile) == 0)
+      continue;
+    Bytes bytes;
+    put(low, bytes);
+    put(high, bytes);
+    putAll(labels[tile], bytes);
+    write(tile, bytes);
+  }
+}
+
+CutNodes
+cutNodesOf(const TiledCloud& cloud,
+           const std::string& nodes,
+           const std::string& pieces,
+           std::size_t tile)
+{
+  CutNodes result;
+  result.nodes = nodesOf(cloud, nodes, tile);
+  const Bytes bytes = cloud.resultOf(pieces, tile);
+  ByteReader reader(bytes);
+  result.low = reader.take<std::array<float, 3>>();
+  result.high = reader.take<std::array<float, 3>>();
+  result.labels = reader.takeAll<std::int32_t>();
+  return result;
+}
+
+} // namespace pcl::app
