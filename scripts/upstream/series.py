@@ -40,14 +40,15 @@ SERIES = [
     ("`ShapeFieldEstimation`, `ShapeEdgeDetection`, `ShapeBackProjection`", [
         HEADERS + "*", "src/features/*", "src/geometry/*", "src/edges/*", "src/surfaces/*",
         *named(SEGMENTATION + "*{}*", "shape_field", "shape_detection", "shape_edge_detection",
-               "shape_back_projection", "unknown_points", "cloud_reach"),
+               "shape_back_projection", "unknown_points", "cloud_reach", "means_of_parts"),
         *named(SEGMENTATION + "impl/{}*", "shape_field", "shape_detection", "shape_edge", "shape_back"),
         *named("src/segmentation/{}*", "cloud_reach", "compiled_estimations", "evidence_reach", "field_places",
+               "means_of_parts",
                "shape_detection", "shape_field", "uneven_field", "unknown_points"),
         "tools/scene/*", "test/features/*",
         *named("test/segmentation/{}*", "crease_truth", "detect", "test_adaptive", "test_close",
                "test_coincident", "test_crease", "test_detection", "test_edge", "test_generated", "test_own",
-               "test_paper", "test_shape_detection", "test_uneven",
+               "test_paper", "test_sensor", "test_shape_detection", "test_uneven",
                "test_unknown"),
         *named("doc/tutorials/content/{}.rst", "shape_edge_detection", "shape_back_projection")]),
     ("`ShapeInstanceSegmentation`", [
