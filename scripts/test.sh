@@ -18,4 +18,4 @@ fi
 jobs=$(nproc)
 cmake -S . -B "$build" -G Ninja "${options[@]}"
 cmake --build "$build" --parallel "$jobs"
-ctest --test-dir "$build" --parallel "$jobs" --output-on-failure --no-tests=error
+ctest --test-dir "$build" --parallel "$jobs" --output-on-failure --no-tests=error --no-label-summary

@@ -5,26 +5,32 @@
 # Usage: scripts/upstream.sh PCL_SOURCE [PULL_REQUESTS]
 # PULL_REQUESTS: only the first so many. BUILD: where to build (default: build/upstream);
 # JOBS: how many compilers at a time; PCL_OPTIONS: more of CMake's, such as
-# -DWITH_HIGHWAY=OFF, or -DPCL_NO_PRECOMPILE=ON for a shorter build.
+# -DWITH_HIGHWAY=OFF, or -DPCL_NO_PRECOMPILE=ON for a shorter build; PCL_TESTS=OFF: without
+# PCL's own tests.
 set -euo pipefail
-pcl=$(realpath -m "${1:?usage: scripts/upstream.sh PCL_SOURCE [PULL_REQUESTS]}")
-build=$(realpath -m "${BUILD:-$(dirname "${BASH_SOURCE[0]}")/../build/upstream}")
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/pcl_source.sh
-check_pcl_source "$pcl"
-jobs=${JOBS:-$(nproc)}
+source "$(dirname "${BASH_SOURCE[0]}")/pcl_source.sh"
+begin_with_pcl_source upstream "$@"
 
-if [[ $build/pcl/ == "$pcl"/* || $pcl/ == "$build"/pcl/* ]]; then
-  echo "BUILD is $build: it must not hold PCL's source tree $pcl, nor be in it" >&2
-  exit 2
-fi
 rm -rf "$build/pcl"
-mkdir -p "$build"
 cp -a "$pcl" "$build/pcl"
-scripts/upstream/lay_out.py "$build/pcl" "${@:2}"
-configure_pcl "$build/pcl" "$build/build" -DBUILD_global_tests=ON
-targets=(pcl_features pcl_segmentation test/features/all test/segmentation/all)
-cmake --build "$build/build" --parallel "$jobs" --target "${targets[@]}"
-for module in features segmentation; do
-  ctest --test-dir "$build/build/test/$module" --parallel "$jobs" --output-on-failure --no-tests=error
-done
+added=$(scripts/upstream/lay_out.py "$build/pcl" "${@:2}")
+mapfile -t targets <<<"$added"
+tests=$(sed -n 's/^test_//p' <<<"$added" | paste -sd '|')
+configure_pcl "$build/pcl" "$build/build" -DBUILD_global_tests=ON -DBUILD_tools=ON
+
+# run_tests DIRECTORY [OPTION OF CTEST...]: a program has all tests of a pull request, which
+# take minutes on a busy machine.
+run_tests() {
+  ctest --test-dir "$build/build/test/$1" --parallel "$jobs" --timeout 3600 --output-on-failure \
+    --no-tests=error "${@:2}"
+}
+
+if [[ ${PCL_TESTS:-ON} == OFF ]]; then
+  cmake --build "$build/build" --parallel "$jobs" --target "${targets[@]}"
+  run_tests . -R "^($tests)\$"
+else
+  targets+=(pcl_features pcl_segmentation test/features/all test/segmentation/all)
+  cmake --build "$build/build" --parallel "$jobs" --target "${targets[@]}"
+  run_tests features
+  run_tests segmentation
+fi

@@ -62,7 +62,8 @@ found(Request request, const KnownCloud& known)
   estimation.setInputCloud(known.cloud.points);
   estimation.setShapeField(known.field);
   if (request.target)
-    estimation.setIndices(pcl::make_shared<pcl::Indices>(*request.target));
+    estimation.setIndices(
+        pcl::make_shared<pcl::Indices>(request.target->begin(), request.target->end()));
   estimation.setCupRadius(request.cup.radius);
   estimation.setCompliance(request.cup.compliance);
   estimation.setSurface(request.surface);

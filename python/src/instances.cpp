@@ -9,6 +9,9 @@
 #include <pcl/segmentation/shape_instance_segmentation.h>
 #include <pcl/segmentation/impl/shape_instance_segmentation.hpp>
 
+#include <cstdint>
+#include <type_traits>
+
 #include <pybind11/stl.h>
 
 namespace pcl::python {
@@ -65,6 +68,9 @@ py::array
 indicesOf(const Instance& instance)
 {
   const pcl::Indices& indices = instance.found->indices;
+  // PCL may have indices of another type.
+  if constexpr (!std::is_same_v<pcl::index_t, std::int32_t>)
+    return arrayOf(std::vector<std::int32_t>(indices.begin(), indices.end()));
   return viewOf(
       indices.data(), {static_cast<py::ssize_t>(indices.size())}, instance.found);
 }

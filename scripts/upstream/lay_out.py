@@ -4,7 +4,7 @@
 """Lay the pull requests of doc/upstream.md into a source tree of PCL that has none of them yet.
 
 Usage: scripts/upstream/lay_out.py PCL_SOURCE [PULL_REQUESTS]
-PULL_REQUESTS: the first so many only. Prints the names of the tests that were added.
+PULL_REQUESTS: the first so many only. Prints the targets that were added: tests and tools.
 """
 import pathlib
 import re
@@ -105,14 +105,30 @@ def lay_modules(series, tree):
         build_files.extend_module(tree, segmentation, [f"src/{SHAPE}", FEATURES_SOURCES])
 
 
+def is_tool(name):
+    return name.startswith("tools/upstream/") and name.endswith(".cpp")
+
+
 def lay_extras(names, tree):
     """Tools and tutorials."""
     for name in names:
         path = pathlib.PurePosixPath(name)
-        if name.startswith("tools/upstream/"):
+        if is_tool(name):
             build_files.add_tool(tree, path.stem, *TOOLS[path.stem])
         elif name.startswith(tutorials.CONTENT):
             tutorials.lay_tutorial(path.stem, tree)
+
+
+def count_of(written, most):
+    """How many pull requests, of a command line."""
+    if not re.fullmatch("[0-9]+", written) or not 1 <= int(written) <= most:
+        sys.exit(f"'{written}' pull requests: it must be a number from 1 to {most}")
+    return int(written)
+
+
+def targets_of(series):
+    tests = [f"test_{TESTS[number]}" for number in sorted(TESTS) if number <= len(series)]
+    return tests + [f"pcl_{pathlib.PurePosixPath(name).stem}" for _, names in series for name in filter(is_tool, names)]
 
 
 def main():
@@ -120,9 +136,7 @@ def main():
         sys.exit(__doc__)
     tree = pathlib.Path(sys.argv[1])
     series = files_of_series()
-    count = int(sys.argv[2]) if len(sys.argv) == 3 else len(series)
-    if not 1 <= count <= len(series):
-        sys.exit(f"{count} pull requests: it must be 1 to {len(series)}")
+    count = count_of(sys.argv[2], len(series)) if len(sys.argv) == 3 else len(series)
     missing = find_missing(series)
     if missing:
         sys.exit("\n".join(missing))
@@ -137,7 +151,7 @@ def main():
     lay_tests(series, tree)
     for _, names in series:
         lay_extras(names, tree)
-    print("\n".join(TESTS[number] for number in sorted(TESTS) if number <= count))
+    print("\n".join(targets_of(series)))
 
 
 if __name__ == "__main__":

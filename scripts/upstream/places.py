@@ -33,6 +33,7 @@ SPDX = re.compile(r"// SPDX-License-Identifier: BSD-3-Clause\n// SPDX-FileCopyri
 REPLACED = [
     ("#include <pcl/pcl_shape_exports.h>", "#include <pcl/pcl_exports.h>"),
     ("#include <pcl/pcl_shape_alignment.h>\n", ""),  # PCL looks after alignment itself
+    ('#include "upstream/', '#include "'),  # PCL's tools are in one folder
     ("#include <gtest/gtest.h>", "#include <pcl/test/gtest.h>"),
     ("PCL_SHAPE_EXPORTS", "PCL_EXPORTS"),
     ("PCL_SHAPE_HAS_HIGHWAY", "PCL_HAS_HIGHWAY"),

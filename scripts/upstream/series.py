@@ -25,7 +25,7 @@ SERIES = [
         *named(HEADERS + "{}", "adaptive_radius.h", "cloud_numbers.h", "inad.h", "inad_parameters.h", "inad_point.h",
                "impl/inad.hpp", "impl/neighborhoods.hpp"),
         *named("src/features/{}.*", "inad", "neighborhoods", "listed_neighborhoods", "local_spacing", "some_points"),
-        "tools/upstream/inad_estimation.cpp", "test/support/clouds.h",
+        "tools/upstream/extended_cloud.h", "tools/upstream/inad_estimation.cpp", "test/support/clouds.h",
         *named("test/features/test_{}.cpp", "inad", "listed_neighborhoods"),
         "doc/tutorials/content/inad_estimation.rst"]),
     ("`NormalEstimationSweep`", [
@@ -40,14 +40,15 @@ SERIES = [
     ("`ShapeFieldEstimation`, `ShapeEdgeDetection`, `ShapeBackProjection`", [
         HEADERS + "*", "src/features/*", "src/geometry/*", "src/edges/*", "src/surfaces/*",
         *named(SEGMENTATION + "*{}*", "shape_field", "shape_detection", "shape_edge_detection",
-               "shape_back_projection", "unknown_points", "cloud_reach"),
+               "shape_back_projection", "unknown_points", "cloud_reach", "means_of_parts"),
         *named(SEGMENTATION + "impl/{}*", "shape_field", "shape_detection", "shape_edge", "shape_back"),
         *named("src/segmentation/{}*", "cloud_reach", "compiled_estimations", "evidence_reach", "field_places",
+               "means_of_parts",
                "shape_detection", "shape_field", "uneven_field", "unknown_points"),
         "tools/scene/*", "test/features/*",
         *named("test/segmentation/{}*", "crease_truth", "detect", "test_adaptive", "test_close",
                "test_coincident", "test_crease", "test_detection", "test_edge", "test_generated", "test_own",
-               "test_paper", "test_shape_detection", "test_uneven",
+               "test_paper", "test_sensor", "test_shape_detection", "test_uneven",
                "test_unknown"),
         *named("doc/tutorials/content/{}.rst", "shape_edge_detection", "shape_back_projection")]),
     ("`ShapeInstanceSegmentation`", [

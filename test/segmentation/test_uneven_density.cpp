@@ -86,9 +86,9 @@ TEST_P(UnevenDensity, TheResultDependsOnNeitherOrderNorThreads)
   std::mt19937 random(6);
   const Cloud::Ptr cloud = floorWithStripe(GetParam(), random);
   const ShapeField expected = fieldOf(cloud, 1);
-  std::vector<int> order(cloud->size());
+  pcl::Indices order(cloud->size());
   for (std::size_t i = 0; i < order.size(); ++i)
-    order[i] = static_cast<int>(i);
+    order[i] = static_cast<pcl::index_t>(i);
   std::shuffle(order.begin(), order.end(), random);
   const ShapeField field = fieldOf(pcl::make_shared<Cloud>(*cloud, order), 3);
   for (std::size_t i = 0; i < order.size(); ++i) {

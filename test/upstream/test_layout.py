@@ -13,37 +13,10 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "scripts"))
 
+from stand_in import STAND_IN, make_stand_in  # noqa: E402
 from upstream.places import place_of  # noqa: E402
 from upstream.series import files_of_series  # noqa: E402
 
-MODULE = """set(SUBSYS_NAME {name})
-set(incs
-  "include/pcl/${{SUBSYS_NAME}}/own.h"
-)
-set(impl_incs
-  "include/pcl/${{SUBSYS_NAME}}/impl/own.hpp"
-)
-set(srcs
-  src/own.cpp
-)
-set(LIB_NAME "pcl_${{SUBSYS_NAME}}")
-PCL_ADD_LIBRARY(${{LIB_NAME}} COMPONENT ${{SUBSYS_NAME}} SOURCES ${{srcs}} ${{incs}} ${{impl_incs}})
-PCL_MAKE_PKGCONFIG(${{LIB_NAME}} COMPONENT ${{SUBSYS_NAME}})
-"""
-STAND_IN = {
-    "CMakeLists.txt": "project(PCL VERSION 1.2.3)\nfind_package(nanoflann 1.4.2 QUIET)\nif(TRUE)\nendif()\n",
-    "features/CMakeLists.txt": MODULE.format(name="features"),
-    "segmentation/CMakeLists.txt": MODULE.format(name="segmentation"),
-    "test/features/CMakeLists.txt": "set(SUBSYS_NAME tests_features)\n",
-    "test/segmentation/CMakeLists.txt": "set(SUBSYS_NAME tests_segmentation)\n",
-    "tools/CMakeLists.txt":
-        "  target_link_libraries (pcl_crf_segmentation pcl_common pcl_io pcl_segmentation)\n"
-        "  target_link_libraries (pcl_normal_estimation pcl_common pcl_io pcl_kdtree pcl_features)\n",
-    "doc/tutorials/content/index.rst":
-        ".. _features_tutorial:\n\n.. _filtering_tutorial:\n\n.. _segmentation_tutorial:\n\n.. _surface_tutorial:\n",
-    "doc/tutorials/content/images/pcl_logo.png": "",
-    "doc/tutorials/content/sources/own/CMakeLists.txt": "",
-}
 # Where a file's quoted includes are looked for, by the beginning of its place.
 ROOTS = {
     "features/": ["features/src/shape"],
@@ -67,10 +40,7 @@ class Layout(unittest.TestCase):
         directory = tempfile.TemporaryDirectory()
         self.addCleanup(directory.cleanup)
         self.tree = pathlib.Path(directory.name)
-        for name, text in STAND_IN.items():
-            path = self.tree / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, encoding="utf-8")
+        make_stand_in(self.tree)
 
     def text(self, name):
         return (self.tree / name).read_text(encoding="utf-8")
@@ -86,8 +56,9 @@ class Layout(unittest.TestCase):
         return result.stdout.split()
 
     def test_every_file_has_its_place(self):
-        tests = self.lay()
-        self.assertEqual("neighborhood_sweep", tests[0])
+        targets = self.lay()
+        self.assertEqual("test_neighborhood_sweep", targets[0])
+        self.assertEqual("pcl_shape_instance_segmentation", targets[-1])
         expected = sorted(place_of(name) for _, names in files_of_series() for name in names
                           if name.endswith(ENDINGS))
         self.assertEqual(expected, self.laid())
@@ -122,7 +93,7 @@ class Layout(unittest.TestCase):
         self.assertIn("#ifndef PCL_NO_PRECOMPILE\nPCL_INSTANTIATE", self.text("features/src/shape/features/inad.cpp"))
 
     def test_the_first_needs_neither_json_nor_highway(self):
-        self.assertEqual(["neighborhood_sweep"], self.lay("1"))
+        self.assertEqual(["test_neighborhood_sweep"], self.lay("1"))
         self.assertEqual(STAND_IN["CMakeLists.txt"], self.text("CMakeLists.txt"))
         self.assertEqual(STAND_IN["segmentation/CMakeLists.txt"], self.text("segmentation/CMakeLists.txt"))
         self.assertNotIn("HIGHWAY", self.text("features/CMakeLists.txt"))
@@ -136,7 +107,9 @@ class Layout(unittest.TestCase):
             self.assertNotIn("pcl_shape", path.read_text(encoding="utf-8"), path)
 
     def test_refusals(self):
-        self.assertIn("it must be 1 to 7", lay_out(self.tree, "8").stderr)
+        for count in ("0", "8", "-1", "x", "1.5", "", "\u0661"):
+            self.assertEqual(f"'{count}' pull requests: it must be a number from 1 to 7\n",
+                             lay_out(self.tree, count).stderr)
         self.lay("2")
         self.assertIn("has the files already", lay_out(self.tree).stderr)
         self.assertIn("no source tree of PCL", lay_out(self.tree / "doc").stderr)

@@ -2,13 +2,12 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // A tool for PCL's own tree: adds normals and INAD to a cloud.
 
-#include <pcl/common/io.h>
+#include "upstream/extended_cloud.h"
+
 #include <pcl/console/parse.h>
 #include <pcl/console/print.h>
-#include <pcl/conversions.h>
 #include <pcl/features/inad.h>
 #include <pcl/features/normal_3d_omp.h>
-#include <pcl/io/pcd_io.h>
 
 #include <cstdlib>
 #include <string>
@@ -18,7 +17,7 @@ namespace {
 
 using namespace pcl::console;
 
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using Cloud = ExtendedCloud::Points;
 using Normals = pcl::PointCloud<pcl::Normal>;
 using InadCloud = pcl::PointCloud<pcl::INAD>;
 
@@ -73,30 +72,15 @@ run(const std::string& input_name,
     const std::string& output_name,
     const Options& options)
 {
-  pcl::PCLPointCloud2 input;
-  Eigen::Vector4f origin;
-  Eigen::Quaternionf orientation;
-  if (pcl::io::loadPCDFile(input_name, input, origin, orientation) < 0)
+  ExtendedCloud cloud;
+  if (!cloud.load(input_name))
     return EXIT_FAILURE;
-  const auto cloud = pcl::make_shared<Cloud>();
-  pcl::fromPCLPointCloud2(input, *cloud);
-  cloud->sensor_origin_ = origin;
-
-  const Normals::Ptr normals = estimateNormals(cloud, options.normal_radius);
-  const InadCloud inad = estimateInad(cloud, normals, options);
-  if (inad.size() != cloud->size())
-    return EXIT_FAILURE;
-
-  pcl::PCLPointCloud2 normal_fields, inad_fields, with_normals, output;
-  pcl::toPCLPointCloud2(*normals, normal_fields);
-  pcl::toPCLPointCloud2(inad, inad_fields);
-  if (!pcl::concatenateFields(input, normal_fields, with_normals) ||
-      !pcl::concatenateFields(with_normals, inad_fields, output))
-    return EXIT_FAILURE;
-  pcl::PCDWriter writer;
-  return writer.writeBinaryCompressed(output_name, output, origin, orientation) == 0
-             ? EXIT_SUCCESS
-             : EXIT_FAILURE;
+  const Normals::Ptr normals = estimateNormals(cloud.points(), options.normal_radius);
+  const InadCloud inad = estimateInad(cloud.points(), normals, options);
+  const bool is_written = inad.size() == cloud.points()->size() &&
+                          cloud.add(*normals) && cloud.add(inad) &&
+                          cloud.save(output_name);
+  return is_written ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 } // namespace

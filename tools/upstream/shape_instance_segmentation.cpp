@@ -2,11 +2,10 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // A tool for PCL's own tree: labels the points of a cloud with their instances.
 
-#include <pcl/common/io.h>
+#include "upstream/extended_cloud.h"
+
 #include <pcl/console/parse.h>
 #include <pcl/console/print.h>
-#include <pcl/conversions.h>
-#include <pcl/io/pcd_io.h>
 #include <pcl/segmentation/shape_instance_segmentation.h>
 
 #include <cstdint>
@@ -18,7 +17,7 @@ namespace {
 
 using namespace pcl::console;
 
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using Cloud = ExtendedCloud::Points;
 using Labels = pcl::PointCloud<pcl::Label>;
 using Instances = std::vector<pcl::ShapeInstance>;
 
@@ -62,17 +61,12 @@ run(const std::string& input_name,
     const std::string& output_name,
     const std::string& class_name)
 {
-  pcl::PCLPointCloud2 input;
-  Eigen::Vector4f origin;
-  Eigen::Quaternionf orientation;
-  if (pcl::io::loadPCDFile(input_name, input, origin, orientation) < 0)
+  ExtendedCloud cloud;
+  if (!cloud.load(input_name))
     return EXIT_FAILURE;
-  const auto cloud = pcl::make_shared<Cloud>();
-  pcl::fromPCLPointCloud2(input, *cloud);
-  cloud->sensor_origin_ = origin;
 
   pcl::ShapeInstanceSegmentation<pcl::PointXYZ> segmentation;
-  segmentation.setInputCloud(cloud);
+  segmentation.setInputCloud(cloud.points());
   segmentation.setClass(class_name);
   segmentation.setPrimitive(pcl::PrimitiveType::Auto);
   Instances instances;
@@ -81,14 +75,9 @@ run(const std::string& input_name,
   for (std::size_t i = 0; i < instances.size(); ++i)
     printInstance(i + 1, instances[i]);
 
-  pcl::PCLPointCloud2 label_field, output;
-  pcl::toPCLPointCloud2(labelsOf(instances, *cloud), label_field);
-  if (!pcl::concatenateFields(input, label_field, output))
-    return EXIT_FAILURE;
-  pcl::PCDWriter writer;
-  return writer.writeBinaryCompressed(output_name, output, origin, orientation) == 0
-             ? EXIT_SUCCESS
-             : EXIT_FAILURE;
+  const bool is_written =
+      cloud.add(labelsOf(instances, *cloud.points())) && cloud.save(output_name);
+  return is_written ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 } // namespace
