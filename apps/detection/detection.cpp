@@ -138,7 +138,7 @@ fieldOf(CloudFile& file,
   estimation.setNumberOfThreads(arguments.threads());
   const auto field = pcl::make_shared<pcl::ShapeField>();
   withPclErrors(file.path, [&] { return estimation.compute(*field); });
-  reportResolution(file.path, *field, settings.resolution, report);
+  reportResolution(file.path, field->resolution, settings.resolution, report);
   reportUnknown(file.path, *field, arguments.threads(), report);
   if (arguments.has("normals")) {
     const pcl::ShapeModel& model =

@@ -31,19 +31,16 @@ reportResolution(double resolution, Report& report)
 }
 
 void
-reportResolution(const std::string& path,
-                 const pcl::ShapeField& field,
-                 double given,
-                 Report& report)
+reportResolution(const std::string& path, double of_field, double given, Report& report)
 {
-  reportResolution(field.resolution, report);
-  if (field.resolution == given)
+  reportResolution(of_field, report);
+  if (of_field == given)
     return;
   std::ostringstream text;
   text << path
        << ": note: neighbors share noise that is larger than the distances between "
           "points: the result is that of -resolution "
-       << field.resolution;
+       << of_field;
   logLine(text.str());
 }
 

@@ -8,8 +8,6 @@
 #include "cli/command_line.h"
 #include "cli/report.h"
 
-#include <pcl/segmentation/shape_field.h>
-
 #include <string>
 
 namespace pcl::app {
@@ -22,9 +20,9 @@ double resolutionOf(const Arguments& arguments);
 /** \brief Note it among the parameters. */
 void reportResolution(double resolution, Report& report);
 
-/** \brief Note that of a field. If it is not the given one it is said why. */
+/** \brief Note the one that a field has. If it is not the given one it is said why. */
 void reportResolution(const std::string& path,
-                      const pcl::ShapeField& field,
+                      double of_field,
                       double given,
                       Report& report);
 

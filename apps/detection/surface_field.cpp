@@ -28,7 +28,7 @@ surfaceFieldOf(const CloudFile& file,
   estimation.setNumberOfThreads(threads);
   const auto field = pcl::make_shared<pcl::ShapeField>();
   withPclErrors(file.path, [&] { return estimation.compute(*field); });
-  reportResolution(file.path, *field, resolution, report);
+  reportResolution(file.path, field->resolution, resolution, report);
   reportUnknown(file.path, *field, threads, report);
   return field;
 }
