@@ -7,6 +7,7 @@
 #include "cli/filter_app.h"
 #include "cli/pcl_errors.h"
 #include "detection/resolution.h"
+#include "detection/surface_field.h"
 #include "results/result_files.h"
 #include "results/selection.h"
 
@@ -14,6 +15,7 @@
 
 #include <array>
 #include <cstdio>
+#include <optional>
 #include <sstream>
 
 namespace {
@@ -41,14 +43,11 @@ makeEstimation(const Arguments& arguments, Report& report)
   const std::uint64_t max_grasps =
       arguments.integer("max_grasps", 1, grasp_limit).value_or(default_grasps);
   estimation.setMaximumGrasps(max_grasps);
-  const double resolution = resolutionOf(arguments);
-  estimation.setResolution(resolution);
   estimation.setNumberOfThreads(arguments.threads());
   report.setText("parameters", "surface", surface);
   report.setNumber("parameters", "cup_radius", estimation.getCupRadius());
   report.setNumber("parameters", "compliance", estimation.getCompliance());
   report.setCount("parameters", "max_grasps", max_grasps);
-  reportResolution(resolution, report);
   report.setCount("parameters", "threads", arguments.threads());
   return estimation;
 }
@@ -76,10 +75,19 @@ setViewPoint(Estimation& estimation, const CloudFile& file, const Arguments& arg
 }
 
 Grasps
-findGrasps(Estimation& estimation, const CloudFile& file, const Arguments& arguments)
+findGrasps(Estimation& estimation,
+           const CloudFile& file,
+           const Arguments& arguments,
+           Report& report)
 {
   const auto points = pointsOf(file);
   estimation.setInputCloud(points);
+  estimation.setShapeField(surfaceFieldOf(file,
+                                          points,
+                                          std::nullopt,
+                                          resolutionOf(arguments),
+                                          arguments.threads(),
+                                          report));
   estimation.setIndices(selectedPoints(file, *points, arguments));
   setViewPoint(estimation, file, arguments);
   Grasps grasps;
@@ -124,8 +132,8 @@ run(const Arguments& arguments)
   reportViewPoint(file, arguments, report);
   reportSelection(arguments, report);
   reportPoints(*pointsOf(file), report);
-  const Grasps grasps =
-      report.time("grasps", [&] { return findGrasps(estimation, file, arguments); });
+  const Grasps grasps = report.time(
+      "grasps", [&] { return findGrasps(estimation, file, arguments, report); });
   std::uint64_t sealing = 0;
   for (const pcl::SuctionGrasp& grasp : grasps)
     sealing += grasp.seals() ? 1 : 0;

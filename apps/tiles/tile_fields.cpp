@@ -468,16 +468,19 @@ requireFew(std::uint64_t unknown, std::uint64_t places)
 
 /** A coarser resolution needs other halos: the tiles that there are cannot be used. */
 void
-requireNoiseWithinRadii(const pcl::CloudNumbers& numbers)
+requireNoiseWithinRadii(const TileWanted& wanted, const TiledNumbers& numbers)
 {
-  const double coarser = pcl::coarserResolution(numbers);
+  const double coarser =
+      pcl::coarserResolution(numbers.of_cloud, numbers.places, wanted.resolution);
   if (coarser == 0.0)
     return;
   std::ostringstream text;
   text << "neighbors share noise that is larger than the distances between points: "
-          "pcl_shape_detect works at a resolution of "
+          "pcl_shape_detect goes on to a resolution of "
        << coarser << " m there; expected -resolution " << coarser
-       << " or coarser, in another output directory";
+       << (wanted.normals ? " without -normals, which are of the points themselves,"
+                          : ",")
+       << " and another output directory";
   throw InputError(text.str());
 }
 
@@ -555,8 +558,8 @@ computeFields(TiledCloud& cloud,
               const std::array<float, 3>& view_point,
               unsigned threads)
 {
-  if (wanted.needsEdges())
-    requireNoiseWithinRadii(numbers->of_cloud);
+  if (wanted.needsNumbers())
+    requireNoiseWithinRadii(wanted, *numbers);
   const TileComputation computation(wanted, numbers, threads);
   const std::string last = wanted.resolution > 0.0 ? means_name : resultsName();
   const std::string name = wanted.needsSurfaces() ? facesName() : last;

@@ -335,7 +335,8 @@ constexpr const char* detect_text =
 Neighborhoods follow the density and the noise: there is no radius to choose.
 
 points: float32 or float64 (n, 3), meters. Points with NaN or infinity are unknown.
-resolution: meters between points; work as if none were closer. 0 for the cloud's own.
+resolution: meters between points; work as if none were closer. 0 for the cloud's own;
+    a coarser one is taken where points lie on a sensor's steps, see ShapeField.
 threshold: the edge likelihood above 1 - threshold makes an edge, 0 to 1.
 edges_only: leave the classes of surfaces out, which saves half of the time.
 edge_model, surface_model: ShapeModel of scale "density" instead of the default ones.

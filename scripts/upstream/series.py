@@ -46,7 +46,7 @@ SERIES = [
                "means_of_parts",
                "shape_detection", "shape_field", "uneven_field", "unknown_points"),
         "tools/scene/*", "test/features/*",
-        *named("test/segmentation/{}*", "crease_truth", "detect", "test_adaptive", "test_close",
+        *named("test/segmentation/{}*", "bumpy_plane", "crease_truth", "detect", "test_adaptive", "test_close",
                "test_coincident", "test_crease", "test_detection", "test_edge", "test_generated", "test_own",
                "test_paper", "test_sensor", "test_shape_detection", "test_uneven",
                "test_unknown"),

@@ -9,6 +9,7 @@
 #include "edges/crease_votes.h"
 #include "edges/edge_band.h"
 #include "features/class_evidence.h"
+#include "features/some_points.h"
 #include "geometry/voxel_means.h"
 
 #include <pcl/features/impl/neighborhoods.hpp>
@@ -67,17 +68,31 @@ evidenceOf(const FieldInput& input, const ShapeModel& model, ShapeField& field)
   return evidence;
 }
 
+float
+neededEvidence(float whiteness, double noise_level)
+{
+  return (needed_evidence - needed_less_if_fits_count * whiteness) *
+         (1.0f + needed_per_noise * static_cast<float>(noise_level));
+}
+
+std::vector<CreasePoint>
+creasesAmong(const std::vector<Agreement>& agreements, float needed)
+{
+  std::vector<CreasePoint> creases;
+  for (const Agreement& agreement : agreements)
+    if (agreement.evidence >= needed)
+      creases.push_back(agreement.point);
+  return creases;
+}
+
 /** Points near an agreement take its likelihood, evidence / (evidence + needed). */
 void
 markBands(const std::vector<Agreement>& agreements,
-          float whiteness,
+          float needed,
           const PointGrid& grid,
           ShapeField& field)
 {
-  const auto noise = static_cast<float>(field.noise_level);
   const float band = edgeBand(field.noise_level);
-  const float needed = (needed_evidence - needed_less_if_fits_count * whiteness) *
-                       (1.0f + needed_per_noise * noise);
   for (const Agreement& agreement : agreements) {
     const Vector3f center = Eigen::Map<const Vector3f>(agreement.point.position.data());
     const float likelihood = agreement.evidence / (agreement.evidence + needed);
@@ -86,8 +101,6 @@ markBands(const std::vector<Agreement>& agreements,
           if (!(field.edge_likelihood[i] >= likelihood))
             field.edge_likelihood[i] = likelihood;
         });
-    if (agreement.evidence >= needed)
-      field.creases.push_back(agreement.point);
   }
 }
 
@@ -134,12 +147,11 @@ creasesOfNextLevel(const FieldInput& input,
   const MeasuredCloud measured_means{measured.bounds,
                                      spacing,
                                      PointGrid(points, 2.0f * spacing, measured.bounds),
-                                     {field.noise_level, 1.0}};
-  markBands(agreementsOf(of_means, measured_means, 0.0f, model, field),
-            0.0f,
-            measured_means.grid,
-            field);
-  return std::move(field.creases);
+                                     {field.noise_level, 1.0},
+                                     points.size};
+  constexpr float whiteness = 0.0f;
+  return creasesAmong(agreementsOf(of_means, measured_means, whiteness, model, field),
+                      neededEvidence(whiteness, field.noise_level));
 }
 
 /** True edges of a level are edges of the next one, the steps of a sensor are not.
@@ -173,9 +185,12 @@ measureCloud(const FieldInput& input, ShapeField& field)
       of_cloud ? localSpacings(input.neighborhoods, input.points.size, *of_cloud)
                : localSpacings(input.neighborhoods, input.points.size, input.is_even);
   const Bounds bounds = boundsOf(input);
-  const float spacing = of_cloud ? of_cloud->spacing : median(field.spacings);
-  MeasuredCloud measured{
-      bounds, spacing, PointGrid(input.points, 2.0f * spacing, bounds), {}};
+  const float spacing = spacingOfCloud(input, field.spacings);
+  MeasuredCloud measured{bounds,
+                         spacing,
+                         PointGrid(input.points, 2.0f * spacing, bounds),
+                         {},
+                         countFinite(input.points)};
   field.noise =
       of_cloud ? of_cloud->noise : noiseOf(input.neighborhoods, field.spacings);
   // Of normals of one's own it is not known which noise is left in them.
@@ -201,7 +216,9 @@ findEdges(const FieldInput& input,
   if (measured.noise.correlation > 0.0 && input.normals.size == 0)
     weakenWhatDoesNotPersist(
         creasesOfNextLevel(input, measured, model, field.noise), measured, agreements);
-  markBands(agreements, whiteness, measured.grid, field);
+  const float needed = neededEvidence(whiteness, field.noise_level);
+  markBands(agreements, needed, measured.grid, field);
+  field.creases = creasesAmong(agreements, needed);
 }
 
 NextLevel

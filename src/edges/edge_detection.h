@@ -19,6 +19,7 @@ struct MeasuredCloud {
   float spacing; ///< the median, meters
   segmentation::PointGrid grid;
   NoiseLevel noise;
+  std::size_t places; ///< that are finite
 };
 
 /** \brief Measure a cloud: sets the spacings, noise and noise level of a field. */

@@ -21,8 +21,8 @@ namespace {
 constexpr int max_moves = 20; // of a cup: it ends before, where it gains no more
 constexpr float enough_clearance = 2.0f; // in radii: as far as it is measured
 
-// Of the places that a bent one is compared with, in radii: a cup that is moved by half
-// as much has most of its surface in common.
+// In radii: where a cup is bent, one place in each cell of this size is tried instead.
+// Cups in neighboring cells have most of their surface in common.
 constexpr float place_cell = 0.5f;
 
 float

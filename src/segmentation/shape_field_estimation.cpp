@@ -64,15 +64,12 @@ problemOfPart(const FieldRequest& request)
 
 // With more unknown points the spacing is looked at again: scans have as many strays.
 constexpr double max_unknown = 0.02;
-// Each is about half as dense as the one before. What is rough at all of them is not a
-// surface.
-constexpr int max_coarser = 4;
 
-/** What a field goes on with; without it being true it stays unfinished. */
+/** Whether a field goes on from one stage to the next; else it ends there. */
 struct Conditions {
-  std::function<bool(const MeasuredCloud& cloud)> for_edges =
+  std::function<bool(const MeasuredCloud& cloud)> to_edges =
       [](const MeasuredCloud& /*cloud*/) { return true; };
-  std::function<bool(const ShapeField& edges)> for_surfaces =
+  std::function<bool(const ShapeField& edges)> to_surfaces =
       [](const ShapeField& /*edges*/) { return true; };
 };
 
@@ -100,10 +97,10 @@ fieldOf(const FieldRequest& request,
   field.points = points;
   field.resolution = request.resolution;
   const MeasuredCloud measured = measureCloud(input, field);
-  if (!conditions.for_edges(measured))
+  if (!conditions.to_edges(measured))
     return field;
   findEdges(input, measured, request.edge_model, field);
-  if (conditions.for_surfaces(field) && !request.edges_only)
+  if (conditions.to_surfaces(field) && !request.edges_only)
     classifySurfaces(input, request.surface_model, field);
   return field;
 }
@@ -149,15 +146,15 @@ finderAmong(const FieldRequest& request, const std::vector<float>& points)
   return request.makeFinder ? request.makeFinder(points) : NeighborFinder();
 }
 
-/** \param[in] for_edges what the field of the means goes on with */
+/** \param[in] toEdges whether the field goes on to edges */
 Base
 baseOfMeans(const FieldRequest& request,
-            const std::function<bool(const MeasuredCloud& means)>& for_edges)
+            const std::function<bool(const MeasuredCloud& means)>& toEdges)
 {
   const auto means = std::make_shared<const std::vector<float>>(
       voxelMeans(request.surface, request.resolution));
   Conditions conditions;
-  conditions.for_edges = for_edges;
+  conditions.to_edges = toEdges;
   return {fieldOf(request,
                   means,
                   {means->data(), 3, means->size() / 3},
@@ -167,10 +164,10 @@ baseOfMeans(const FieldRequest& request,
           true};
 }
 
-/** \param[in] for_edges what the field goes on with */
+/** \param[in] toEdges whether the field goes on to edges */
 Base
 baseOfPoints(const FieldRequest& request,
-             const std::function<bool(const MeasuredCloud& cloud)>& for_edges)
+             const std::function<bool(const MeasuredCloud& cloud)>& toEdges)
 {
   const auto fieldOfSurface = [&](bool is_even, const Conditions& conditions) {
     return fieldOf(request,
@@ -183,8 +180,8 @@ baseOfPoints(const FieldRequest& request,
   std::size_t unknown = 0;
   bool is_fine = true;
   Conditions conditions;
-  conditions.for_edges = for_edges;
-  conditions.for_surfaces = [&](const ShapeField& edges) {
+  conditions.to_edges = toEdges;
+  conditions.to_surfaces = [&](const ShapeField& edges) {
     unknown = countUnknown(request.surface, edges, request.threads);
     is_fine = static_cast<double>(unknown) <=
                   max_unknown * static_cast<double>(countFinite(request.surface)) ||
@@ -208,33 +205,38 @@ baseOfPoints(const FieldRequest& request,
   return {std::move(field), false};
 }
 
+CloudNumbers
+numbersOf(const MeasuredCloud& measured)
+{
+  CloudNumbers numbers;
+  numbers.spacing = measured.spacing;
+  numbers.noise_level = measured.noise.level;
+  numbers.noise_correlation = measured.noise.correlation;
+  for (int axis = 0; axis < 3; ++axis) {
+    numbers.low[static_cast<std::size_t>(axis)] = measured.bounds.low[axis];
+    numbers.high[static_cast<std::size_t>(axis)] = measured.bounds.high[axis];
+  }
+  return numbers;
+}
+
 /** The field of the points, or of means that are coarse enough for the noise which
  * neighbors share. */
 Base
 baseOf(FieldRequest request)
 {
-  int steps = request.has_normals || request.of_cloud ? 0 : max_coarser;
-  double coarser = 0.0;
-  const auto isFine = [&](const MeasuredCloud& measured) {
-    CloudNumbers numbers;
-    numbers.spacing = measured.spacing;
-    numbers.noise_level = measured.noise.level;
-    numbers.noise_correlation = measured.noise.correlation;
-    coarser = coarserResolution(numbers);
-    return steps == 0 || coarser == 0.0 ||
-           !problemOfResolution(coarser, request.surface).empty();
+  const bool may_be_coarser = !request.has_normals && !request.of_cloud;
+  double coarser = 0.0; // than what was measured last
+  const auto toEdges = [&](const MeasuredCloud& measured) {
+    if (may_be_coarser)
+      coarser =
+          coarserResolution(numbersOf(measured), measured.places, request.resolution);
+    return coarser == 0.0;
   };
-  bool is_fine = false;
-  const auto forEdges = [&](const MeasuredCloud& measured) {
-    is_fine = isFine(measured);
-    return is_fine;
-  };
-  Base base = request.resolution == 0.0 ? baseOfPoints(request, forEdges)
-                                        : baseOfMeans(request, forEdges);
-  while (!is_fine) {
-    --steps;
+  Base base = request.resolution == 0.0 ? baseOfPoints(request, toEdges)
+                                        : baseOfMeans(request, toEdges);
+  while (coarser > 0.0) {
     request.resolution = coarser;
-    base = baseOfMeans(request, forEdges);
+    base = baseOfMeans(request, toEdges);
   }
   return base;
 }
@@ -289,17 +291,6 @@ baseOf(const FieldRequest& request, const DistinctPoints& distinct)
       return request.makeFinder(means.empty() ? *places : means);
     };
   return baseOf(of_places);
-}
-
-/** The point of the base that each point of the input stands for, or -1. */
-std::vector<std::int32_t>
-basePoints(const FieldRequest& request, const ShapeField& base)
-{
-  const auto voxel_diagonal = static_cast<float>(std::sqrt(3.0) * request.resolution);
-  std::vector<float> reach = base.spacings;
-  for (float& r : reach)
-    r = std::max(r, voxel_diagonal);
-  return representatives(request.input, base.points, reach, request.threads);
 }
 
 /** Values of points that stand for others, where they are known. */
@@ -407,8 +398,12 @@ estimateField(const FieldRequest& request)
   if (field.points.first != request.input.first) {
     const bool is_of_input =
         request.surface.first == request.input.first && !base.is_other;
-    std::vector<std::int32_t> base_points =
-        is_of_input ? distinct.place : basePoints(request, field);
+    std::vector<std::int32_t> base_points = is_of_input ? distinct.place
+                                                        : nearestMeans(request.input,
+                                                                       field.points,
+                                                                       field.spacings,
+                                                                       field.resolution,
+                                                                       request.threads);
     field = scattered(pcl::make_shared<const ShapeField>(std::move(field)),
                       std::move(base_points));
     field.cloud = request.input_owner;

@@ -9,6 +9,7 @@
 #include "segmentation/compiled_estimations.h"
 #include "segmentation/field_places.h"
 
+#include <pcl/segmentation/means_of_parts.h>
 #include <pcl/segmentation/impl/shape_instance_segmentation.hpp>
 
 #include <algorithm>
@@ -46,12 +47,6 @@ positionsOf(const InstanceRequest& request)
              : positions;
 }
 
-float
-voxelDiagonal(const ShapeField& field)
-{
-  return static_cast<float>(std::sqrt(3.0) * field.resolution);
-}
-
 /** For each position the point of the field, or of its base, that it has the values of;
  * -1 for none. */
 std::vector<std::int32_t>
@@ -60,10 +55,11 @@ pointsAt(const InstanceRequest& request, const XYZView& positions)
   const ShapeField& field = request.field;
   if (field.resolution == 0.0)
     return {request.indices.begin(), request.indices.end()};
-  std::vector<float> reach = field.base->spacings;
-  for (float& r : reach)
-    r = std::max(r, voxelDiagonal(field));
-  return representatives(positions, field.base->points, reach, request.threads);
+  return nearestMeans(positions,
+                      field.base->points,
+                      field.base->spacings,
+                      field.resolution,
+                      request.threads);
 }
 
 struct InstanceValues {
@@ -136,9 +132,12 @@ labelsOfIndices(const InstanceRequest& request,
 {
   if (request.field.resolution == 0.0)
     return labels;
-  const std::vector<float> reach(positions.size, voxelDiagonal(request.field));
-  const std::vector<std::int32_t> nearest =
-      representatives(request.field.points, positions, reach, request.threads);
+  const std::vector<float> within_their_voxel(positions.size, 0.0f);
+  const std::vector<std::int32_t> nearest = nearestMeans(request.field.points,
+                                                         positions,
+                                                         within_their_voxel,
+                                                         request.field.resolution,
+                                                         request.threads);
   InstanceLabels result;
   result.reserve(request.indices.size());
   for (const index_t index : request.indices) {

@@ -3,6 +3,7 @@
 // Parts of a cloud with the numbers of the whole have its surfaces and instances, bit
 // by bit.
 
+#include "bumpy_plane.h"
 #include "common/disjoint_sets.h"
 #include "support/bits.h"
 #include "support/errors.h"
@@ -502,6 +503,49 @@ TEST_F(PartsOfClouds, HaveEachPieceOnce)
   std::sort(firsts.begin(), firsts.end());
   EXPECT_EQ(std::adjacent_find(firsts.begin(), firsts.end()), firsts.end());
   EXPECT_GT(outward, 10U);
+}
+
+ShapeField
+edgesOf(const Cloud::Ptr& cloud, const CloudNumbers* numbers)
+{
+  ShapeFieldEstimation<PointXYZ> estimation;
+  estimation.setInputCloud(cloud);
+  estimation.setEdgesOnly(true);
+  if (numbers)
+    estimation.setCloudNumbers(*numbers);
+  ShapeField edges;
+  EXPECT_TRUE(estimation.compute(edges));
+  return edges;
+}
+
+TEST(PartsOfNoisyClouds, KnowWhichEdgesPersist)
+{
+  const Cloud::Ptr cloud = bumpyPlane();
+  const CloudNumbers numbers = numbersOf(*cloud);
+  EXPECT_EQ(1.0, numbers.noise_correlation);
+  const auto reach =
+      static_cast<float>(reachOf(numbers, ShapeModel::defaultEdges()).edges);
+  constexpr float low = 0.15f, high = 0.25f; // a strip of the plane, along x
+  const auto near = make_shared<Cloud>();
+  Indices of_near;
+  for (std::size_t i = 0; i < cloud->size(); ++i)
+    if ((*cloud)[i].x > low - reach && (*cloud)[i].x < high + reach) {
+      near->push_back((*cloud)[i]);
+      of_near.push_back(static_cast<index_t>(i));
+    }
+  ASSERT_LT(near->size(), cloud->size());
+  const ShapeField whole = edgesOf(cloud, nullptr), part = edgesOf(near, &numbers);
+  std::size_t compared = 0, likely = 0;
+  for (std::size_t k = 0; k < near->size(); ++k) {
+    if ((*near)[k].x < low || (*near)[k].x > high)
+      continue;
+    const float expected = whole.edge_likelihood[static_cast<std::size_t>(of_near[k])];
+    ASSERT_EQ(expected, part.edge_likelihood[k]) << "point " << of_near[k];
+    ++compared;
+    likely += expected > 0.0f ? 1 : 0;
+  }
+  EXPECT_GT(compared, 5000U);
+  EXPECT_GT(likely, 10U);
 }
 
 TEST(RefusedParts, HaveNoSpacing)

@@ -2,8 +2,10 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // The steps and bumps of a depth camera are no edges.
 
+#include "bumpy_plane.h"
 #include "detection_scenes.h"
 
+#include <pcl/segmentation/means_of_parts.h>
 #include <pcl/segmentation/shape_field_estimation.h>
 
 #include <gtest/gtest.h>
@@ -35,6 +37,10 @@ steppedRidge(double spacing, double step)
                           static_cast<float>(y),
                           static_cast<float>(step * std::round(z / step)));
     }
+  for (int stray = 0; stray < 50; ++stray) // whose voxels have no others around
+    cloud->emplace_back(static_cast<float>(random.uniform(-half, half)),
+                        static_cast<float>(random.uniform(-half, half)),
+                        static_cast<float>(distance + random.uniform(0.1, 0.2)));
   return cloud;
 }
 
@@ -79,33 +85,51 @@ TEST(SensorSteps, MakeTheBitsOfTheResolutionThatIsChosen)
   EXPECT_EQ(0.0, fieldOf(steppedRidge(0.002, 1e-6)).resolution);
 }
 
-/** A plane with waves, noise that neighbors share, and with some bumps of two spacings.
- */
-Cloud::Ptr
-bumpyPlane()
+TEST(SensorSteps, AreSeenThroughATooFineResolution)
 {
-  constexpr int count = 200, bumps = 150;
-  constexpr double spacing = 0.002, wave = 0.1,
-                   height = 2.0; // the last two in spacings
-  Random random(72);
-  std::vector<Eigen::Vector3d> points; // in spacings
-  for (int i = 0; i < count; ++i)
-    for (int j = 0; j < count; ++j)
-      points.emplace_back(i + random.uniform(-0.2, 0.2),
-                          j + random.uniform(-0.2, 0.2),
-                          wave * std::sin(i * pi / 6.0) * std::sin(j * pi / 6.0));
-  for (int bump = 0; bump < bumps; ++bump) {
-    const double x = random.uniform(0, count), y = random.uniform(0, count);
-    for (Eigen::Vector3d& p : points)
-      p.z() +=
-          height * std::exp(-0.5 * (std::pow(p.x() - x, 2) + std::pow(p.y() - y, 2)));
-  }
-  const auto cloud = make_shared<Cloud>();
-  for (const Eigen::Vector3d& p : points) {
-    const Eigen::Vector3f q = (spacing * p).cast<float>();
-    cloud->emplace_back(q.x(), q.y(), 0.6f + q.z());
-  }
-  return cloud;
+  const auto cloud = steppedRidge(0.0005, 0.002);
+  const double fine = 0.5 * fieldOf(cloud).resolution;
+  EXPECT_GT(fieldOf(cloud, fine).resolution, fine);
+}
+
+TEST(SensorSteps, StayWithNormalsOfOnesOwn)
+{
+  const auto cloud = steppedRidge(0.0005, 0.002);
+  const auto normals =
+      make_shared<PointCloud<Normal>>(cloud->size(), 1, Normal(0, 0, -1));
+  ShapeFieldEstimation<PointXYZ> estimation;
+  estimation.setInputCloud(cloud);
+  estimation.setInputNormals(normals);
+  estimation.setEdgesOnly(true);
+  ShapeField field;
+  EXPECT_TRUE(estimation.compute(field));
+  EXPECT_EQ(0.0, field.resolution);
+}
+
+TEST(SensorSteps, AreNoSurfaceWhereMeansFillAVolume)
+{
+  CloudNumbers steps;
+  steps.spacing = 0.002f;
+  steps.noise_level = 0.3;
+  steps.noise_correlation = 1.0;
+  steps.high = {1.0f, 1.0f, 0.1f};
+  constexpr std::uint64_t many = 100000, few = 10000;
+  EXPECT_EQ(0.0016, coarserResolution(steps, many, 0.0));
+  EXPECT_EQ(0.0016, coarserResolution(steps, many, 0.001));
+  EXPECT_EQ(0.0, coarserResolution(steps, many, 0.0015)); // hardly coarser
+  EXPECT_EQ(0.0, coarserResolution(steps, few, 0.0));
+  CloudNumbers others = steps;
+  others.noise_correlation = 0.9;
+  EXPECT_EQ(0.0, coarserResolution(others, many, 0.0));
+  others = steps;
+  others.noise_level = 0.29;
+  EXPECT_EQ(0.0, coarserResolution(others, many, 0.0));
+  others = steps;
+  others.high = {0.001f, 0.001f, 0.001f};
+  EXPECT_EQ(0.0, coarserResolution(others, many, 0.0));
+  others = steps;
+  others.spacing = 0.0f;
+  EXPECT_EQ(0.0, coarserResolution(others, many, 0.0));
 }
 
 TEST(SensorSteps, BumpsDoNotPersist)

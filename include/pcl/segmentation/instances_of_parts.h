@@ -82,7 +82,7 @@ public:
   /** \brief Turn the normal towards where the point was seen from. */
   static void turn(const std::array<float, 3>& view_point, InstancePoint& point);
 
-  /** \brief Which points an instance may hold: others make no difference. */
+  /** \brief Which points can be part of an instance. The others are not needed. */
   std::vector<bool> mayHold(const std::vector<InstancePoint>& points) const;
 
   /** \brief The nodes of the part. \param[in] points those of the part first, then

@@ -47,11 +47,14 @@ PCL_SHAPE_EXPORTS std::vector<std::int32_t> nearestMeans(const XYZView& points,
  * CloudNumbers::distance of the means \param[in] resolution size of a voxel, meters */
 PCL_SHAPE_EXPORTS double reachOfMeans(double distance, double resolution);
 
-/** \brief The resolution that the default method works at where neighbors share noise
- * beyond what radii can grow for, meters; 0 where they do not, and it works at the
- * points as they are. \param[in] numbers of the points, or of means at a finer
- * resolution */
-PCL_SHAPE_EXPORTS double coarserResolution(const CloudNumbers& numbers);
+/** \brief The resolution that the default method goes on to where neighbors share noise
+ * beyond what radii can grow for, meters; 0 where they do not, where there are too few
+ * places for a coarser one, or where they fill a volume.
+ * \param[in] numbers of the places: points, or means at a resolution
+ * \param[in] places how many finite ones there are
+ * \param[in] resolution that the places are means at, 0 for points */
+PCL_SHAPE_EXPORTS double
+coarserResolution(const CloudNumbers& numbers, std::uint64_t places, double resolution);
 
 /** \brief What is wrong with a resolution; empty if nothing is. \param[in] resolution
  * size of a voxel, meters \param[in] corners the two of the box that holds the cloud,

@@ -119,7 +119,8 @@ public:
   }
 
   /** \brief Instances with fewer points are left out; 100 by default: a disc of three
-   * local spacings in radius. */
+   * local spacings in radius. With a resolution voxel means count, also with one that
+   * is chosen automatically: see ShapeField::resolution. */
   void
   setMinPoints(std::size_t points)
   {
