@@ -7,6 +7,7 @@
 #include "cli/errors.h"
 #include "cli/filter_app.h"
 #include "scene/lidar.h"
+#include "scene/scene_kind.h"
 
 #include <algorithm>
 #include <array>
@@ -19,8 +20,6 @@ using pcl::scene::LidarOptions;
 using pcl::scene::LidarPattern;
 using pcl::scene::LidarScan;
 using pcl::scene::StreetPlace;
-
-constexpr double max_noise = 0.1; // meters: a kerb drowns in more
 
 const std::array<std::pair<const char*, StreetPlace>, 10> places{
     {{"town", StreetPlace::Town},
@@ -69,17 +68,7 @@ lidarOptions(const Arguments& arguments)
   if (options.pattern != LidarPattern::Turn && arguments.has("beams"))
     throw UsageError("-beams '" + arguments.text("beams") +
                      "' of a rosette; expected only with -pattern turn");
-  const std::string noise = arguments.text("noise", "lidar");
-  if (noise == "none") {
-    options.sigma = 0.0;
-    options.drop_outs = false;
-  }
-  else if (noise != "lidar") {
-    const auto sigma = parseNumber(noise);
-    if (!sigma || *sigma < 0.0 || *sigma > max_noise)
-      arguments.fail("noise",
-                     "lidar, none, or a number of meters from 0 to 0.1 with -sensor "
-                     "lidar");
+  if (const auto sigma = noiseSigma(arguments, "lidar")) {
     options.sigma = *sigma;
     options.drop_outs = false;
   }

@@ -4,9 +4,9 @@
 
 #include "scene/part_scene.h"
 
-#include "cli/errors.h"
 #include "scene/photogrammetry.h"
 #include "scene/scene_cloud.h"
+#include "scene/scene_kind.h"
 
 #include <limits>
 
@@ -16,19 +16,6 @@ namespace {
 using pcl::scene::PartOptions;
 
 constexpr NumberRange size_range{0.01, 1.0, false, "a number of meters from 0.01 to 1"};
-constexpr double max_noise = 0.1; // meters: the size of a part
-
-double
-noiseOf(const Arguments& arguments)
-{
-  const std::string noise = arguments.text("noise", "none");
-  if (noise == "none")
-    return 0.0;
-  const auto sigma = parseNumber(noise);
-  if (!sigma || *sigma < 0.0 || *sigma > max_noise)
-    arguments.fail("noise", "none, or a number of meters from 0 to 0.1, for samples");
-  return *sigma;
-}
 
 } // namespace
 
@@ -47,7 +34,7 @@ partOptions(const Arguments& arguments)
   options.spread = arguments.choice("spread", {"even", "random"}) == "even"
                        ? pcl::scene::Spread::Even
                        : pcl::scene::Spread::Random;
-  options.sigma = noiseOf(arguments);
+  options.sigma = noiseSigma(arguments, "none").value_or(options.sigma);
   return options;
 }
 

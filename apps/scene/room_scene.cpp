@@ -5,19 +5,34 @@
 #include "scene/room_scene.h"
 
 #include "cli/errors.h"
+#include "scene/place.h"
 #include "scene/scene_cloud.h"
+#include "scene/scene_kind.h"
 
 #include <limits>
+#include <string>
 
 namespace pcl::app {
 namespace {
 
 using pcl::scene::StationOptions;
 
-constexpr std::uint64_t max_stations = 4;
-constexpr double max_noise = 0.1; // meters: a step of a stair drowns in more
 constexpr NumberRange step_range{
     0.05, 2.0, false, "a number of degrees from 0.05 to 2"};
+
+/** In a few rooms furniture leaves fewer places than usual. */
+void
+checkStations(const StationOptions& options)
+{
+  if (options.is_outdoors)
+    return;
+  const std::size_t places = pcl::scene::randomRoom(options.seed).stations.size();
+  if (options.stations > places)
+    throw UsageError("-stations '" + std::to_string(options.stations) +
+                     "': the room of -seed " + std::to_string(options.seed) +
+                     " has places for " + std::to_string(places) +
+                     "; expected that many at most, or another -seed");
+}
 
 } // namespace
 
@@ -28,20 +43,12 @@ stationOptions(const Arguments& arguments)
   options.seed = arguments.integer("seed", 0, std::numeric_limits<std::uint64_t>::max())
                      .value_or(options.seed);
   options.is_outdoors = arguments.text("place") == "facade";
-  options.stations = static_cast<unsigned>(
-      arguments.integer("stations", 1, max_stations).value_or(options.stations));
+  options.stations =
+      static_cast<unsigned>(arguments.integer("stations", 1, pcl::scene::max_stations)
+                                .value_or(options.stations));
   options.step = arguments.number("step", step_range).value_or(options.step);
-  const std::string noise = arguments.text("noise", "station");
-  if (noise == "none")
-    options.sigma = 0.0;
-  else if (noise != "station") {
-    const auto sigma = parseNumber(noise);
-    if (!sigma || *sigma < 0.0 || *sigma > max_noise)
-      arguments.fail("noise",
-                     "station, none, or a number of meters from 0 to 0.1 with -sensor "
-                     "station");
-    options.sigma = *sigma;
-  }
+  options.sigma = noiseSigma(arguments, "station").value_or(options.sigma);
+  checkStations(options);
   return options;
 }
 

@@ -6,6 +6,8 @@
 
 #include "cli/errors.h"
 
+#include <algorithm>
+
 namespace pcl::app {
 namespace {
 
@@ -24,6 +26,16 @@ sensorOf(const Arguments& arguments)
                            "photogrammetry"});
 }
 
+/** What the options must go with. */
+std::string
+withSensor(const Arguments& arguments)
+{
+  const std::string sensor = sensorOf(arguments);
+  return sensor == "camera" && arguments.has("sampling")
+             ? "with -sampling"
+             : "with -sensor '" + sensor + '\'';
+}
+
 /** Refuse an option that was given. */
 void
 refuse(const Arguments& arguments,
@@ -33,32 +45,81 @@ refuse(const Arguments& arguments,
 {
   if (!arguments.has(option))
     return;
-  const bool is_flag =
-      option == "organized" || option == "mirrors" || option == "fillers";
+  const bool is_flag = option == "organized" || option == "faces" ||
+                       option == "mirrors" || option == "fillers";
   const std::string value = is_flag ? "" : " '" + arguments.text(option) + '\'';
   throw UsageError('-' + option + value + ' ' + why + "; expected " + expected);
 }
 
-void
-refuseOfLaser(const Arguments& arguments)
+/** \brief Options, and the sensors that take them. */
+struct SensorOptions {
+  std::vector<std::string> options;
+  std::vector<std::string> sensors;
+};
+
+/** Those of a part are not among them: they need a place too. */
+const std::vector<SensorOptions>&
+sensorOptions()
 {
-  for (const char* laser : {"beams", "pattern", "mirrors", "fillers"})
-    refuse(arguments, laser, "without a laser", "-sensor lidar with it");
+  static const std::vector<SensorOptions> all{
+      {{"beams", "pattern", "mirrors", "fillers"}, {"lidar"}},
+      {{"stations", "step"}, {"station"}},
+      {{"width", "height", "organized", "turn"},
+       {"camera", "stereo", "tof", "structured"}},
+      {{"waviness"}, {"stereo", "tof", "structured"}},
+      {{"sampling"}, {"camera", "samples", "photogrammetry"}},
+      {{"objects", "shapes"}, {"camera", "stereo", "tof", "structured", "samples"}},
+      {{"faces"},
+       {"camera",
+        "stereo",
+        "tof",
+        "structured",
+        "samples",
+        "photogrammetry",
+        "station"}},
+      {{"noise"}, {"camera", "samples", "station", "lidar"}}};
+  return all;
+}
+
+/** E.g. "stereo, tof or structured". */
+std::string
+listOf(const std::vector<std::string>& words)
+{
+  std::string list = words.front();
+  for (std::size_t i = 1; i < words.size(); ++i)
+    list += (i + 1 < words.size() ? ", " : " or ") + words[i];
+  return list;
+}
+
+/** Refuse what other sensors take. A camera with -sampling is none: its points are
+ * samples. */
+void
+checkSensorOptions(const Arguments& arguments)
+{
+  const std::string sensor = sensorOf(arguments);
+  const std::string taken =
+      sensor == "camera" && arguments.has("sampling") ? "samples" : sensor;
+  for (const auto& [options, sensors] : sensorOptions())
+    if (std::find(sensors.begin(), sensors.end(), taken) == sensors.end())
+      for (const std::string& option : options)
+        refuse(arguments,
+               option,
+               withSensor(arguments),
+               "it with -sensor " + listOf(sensors));
+}
+
+/** A station stands in a room or before a house and nowhere else; photogrammetry needs
+ * a part; streets need a laser. */
+void
+checkPlace(const Arguments& arguments)
+{
+  const std::string sensor = sensorOf(arguments);
   const std::string place = arguments.text("place", "table");
   if (place != "table" && place != "part" && place != "room" && place != "facade")
     refuse(arguments,
            "place",
            "without a laser",
            "table, part, room or facade, or -sensor lidar with it");
-}
-
-/** A station stands in a room or before a house and nowhere else; photogrammetry needs
- * a part. */
-void
-checkPlace(const Arguments& arguments)
-{
-  const std::string sensor = sensorOf(arguments);
-  const std::string place = arguments.text("place", "table");
   const bool is_for_stations = place == "room" || place == "facade";
   if ((sensor == "station") != is_for_stations)
     throw UsageError("-place '" + place + "' with -sensor '" + sensor +
@@ -70,44 +131,23 @@ checkPlace(const Arguments& arguments)
 }
 
 void
-refuseOfCamera(const Arguments& arguments)
-{
-  for (const char* camera : {"objects",
-                             "width",
-                             "height",
-                             "organized",
-                             "sampling",
-                             "shapes",
-                             "turn",
-                             "faces",
-                             "size",
-                             "spread",
-                             "waviness",
-                             "stations",
-                             "step"})
-    if (arguments.has(camera))
-      throw UsageError(std::string("-") + camera +
-                       " with -sensor 'lidar'; expected only with -sensor camera");
-}
-
-void
 checkPartOptions(const Arguments& arguments, SceneKind kind)
 {
   const bool is_part = kind == SceneKind::Part;
   if (is_part)
-    refuse(arguments, "shapes", "with -place 'part'", "-shapes with -place table only");
+    refuse(arguments, "shapes", "with -place 'part'", "it with -place table");
   if (is_part && isSampled(arguments))
-    refuse(arguments, "objects", "of one part", "it with a camera only");
-  else
-    for (const char* option : {"size", "spread"})
-      refuse(arguments,
-             option,
-             "without a part that is alone",
-             "-place part -sensor samples with it");
+    refuse(arguments, "objects", "of one part", "it with a camera");
+  else {
+    const std::string why = "without a part that is alone";
+    refuse(arguments,
+           "size",
+           why,
+           "it with -place part and -sensor samples or photogrammetry");
+    refuse(arguments, "spread", why, "it with -place part and -sensor samples");
+  }
   if (sensorOf(arguments) == "photogrammetry")
-    for (const char* option : {"noise", "spread"})
-      refuse(
-          arguments, option, "with -sensor 'photogrammetry'", "it with samples only");
+    refuse(arguments, "spread", withSensor(arguments), "it with -sensor samples");
 }
 
 } // namespace
@@ -170,31 +210,31 @@ isDepthCamera(const Arguments& arguments)
   return sensor == "stereo" || sensor == "tof" || sensor == "structured";
 }
 
+std::optional<double>
+noiseSigma(const Arguments& arguments, const std::string& usual)
+{
+  constexpr double max_noise = 0.1; // meters: objects, stairs and kerbs drown in more
+  const std::string noise = arguments.text("noise", usual);
+  if (noise == usual)
+    return std::nullopt;
+  if (noise == "none")
+    return 0.0;
+  const auto sigma = parseNumber(noise);
+  if (!sigma || *sigma < 0.0 || *sigma > max_noise)
+    arguments.fail("noise",
+                   (usual == "none" ? "" : usual + ", ") +
+                       "none, or a number of meters from 0 to 0.1 " +
+                       withSensor(arguments));
+  return sigma;
+}
+
 void
 checkKindOptions(const Arguments& arguments)
 {
   const SceneKind kind = sceneKind(arguments);
-  if (kind == SceneKind::Street)
-    return refuseOfCamera(arguments);
-  refuseOfLaser(arguments);
-  checkPlace(arguments);
-  const std::string with = "with -sensor '" + sensorOf(arguments) + '\'';
-  if (kind == SceneKind::Room) {
-    for (const char* option : {"sampling", "shapes", "objects"})
-      refuse(arguments, option, with, "it with another sensor");
-  }
-  else
-    for (const char* option : {"stations", "step"})
-      refuse(arguments, option, with, "-sensor station with it");
-  if (isDepthCamera(arguments)) {
-    refuse(arguments, "noise", with, "-noise with -sensor camera or samples only");
-    refuse(arguments, "sampling", with, "-sampling with -sensor samples only");
-  }
-  else
-    refuse(arguments, "waviness", with, "-sensor stereo, tof or structured with it");
-  if (isSampled(arguments) || kind == SceneKind::Room)
-    for (const char* camera : {"width", "height", "organized", "turn"})
-      refuse(arguments, camera, "without a camera", "it without -sampling");
+  checkSensorOptions(arguments);
+  if (kind != SceneKind::Street)
+    checkPlace(arguments);
   checkPartOptions(arguments, kind);
 }
 

@@ -6,6 +6,9 @@
 
 #include "cli/command_line.h"
 
+#include <optional>
+#include <string>
+
 namespace pcl::app {
 
 /** \brief What is looked at. */
@@ -21,6 +24,11 @@ bool isSampled(const Arguments& arguments);
 
 /** \brief Whether the sensor is a depth camera with a noise of its own. */
 bool isDepthCamera(const Arguments& arguments);
+
+/** \brief The sigma of -noise, meters; 0 of "none". Nothing if it is not given or the
+ * usual one, the name of the sensor's own noise or "none".
+ * \throws UsageError unless it is one of these, or a number from 0 to 0.1 */
+std::optional<double> noiseSigma(const Arguments& arguments, const std::string& usual);
 
 /** \throws UsageError for options of one sensor or place with another */
 void checkKindOptions(const Arguments& arguments);

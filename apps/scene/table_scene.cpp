@@ -25,7 +25,6 @@ using pcl::scene::SceneOptions;
 constexpr std::uint64_t max_objects = 30; // more do not fit on the table
 constexpr std::uint64_t min_pixels = 16;  // fewer show no surface
 constexpr std::uint64_t max_pixels = 4096;
-constexpr double max_noise = 0.1; // meters: an object's size
 constexpr NumberRange turn_range{
     -180.0, 180.0, false, "a number of degrees from -180 to 180"};
 
@@ -60,18 +59,12 @@ setNoise(const Arguments& arguments, SceneOptions& options)
     options.noise = pcl::scene::Noise::Structured;
   if (isDepthCamera(arguments))
     return;
-  const std::string noise = arguments.text("noise", "kinect");
-  if (noise == "kinect")
-    options.noise = pcl::scene::Noise::Kinect;
-  else if (noise == "none")
-    options.noise = pcl::scene::Noise::None;
-  else {
-    const auto sigma = parseNumber(noise);
-    if (!sigma || *sigma < 0.0 || *sigma > max_noise)
-      arguments.fail("noise", "kinect, none, or a number of meters from 0 to 0.1");
-    options.noise = pcl::scene::Noise::White;
-    options.white_sigma = *sigma;
-  }
+  const auto sigma = noiseSigma(arguments, isSampled(arguments) ? "none" : "kinect");
+  if (!sigma)
+    return;
+  options.noise = arguments.text("noise") == "none" ? pcl::scene::Noise::None
+                                                    : pcl::scene::Noise::White;
+  options.white_sigma = *sigma;
 }
 
 std::vector<pcl::scene::Shape>
@@ -107,9 +100,6 @@ sampledScene(const Arguments& arguments, const SceneOptions& options)
   samples.objects = options.objects;
   samples.shapes = options.shapes;
   samples.spacing = arguments.number("sampling", spacing_range).value_or(usual_spacing);
-  if (arguments.has("noise") && options.noise == pcl::scene::Noise::Kinect)
-    throw UsageError("-noise 'kinect' with -sampling; expected none, or a number of "
-                     "meters from 0 to 0.1");
   samples.sigma = options.white_sigma;
   return pcl::scene::sampleScene(samples);
 }

@@ -169,21 +169,43 @@ spans(const BodySample& wall,
   });
 }
 
+struct Inside {
+  std::vector<std::size_t> walls;
+  BodySample body;     ///< of the walls
+  float radius = 0.0f; ///< level, from the middle to the farthest point
+};
+
+/** More than a wall apart, by their middles: no need to compare their points. */
+bool
+areFarApart(const Inside& first, const Inside& second, const Vector3f& up)
+{
+  const float apart = levelPart(first.body.middle - second.body.middle, up).norm();
+  // The middle of both is between theirs, so this is as large as both are, or more.
+  const float size = apart + std::max(first.radius, second.radius);
+  const float limit = std::max(max_thickness * size,
+                               max_thickness_spacings *
+                                   std::max(first.body.spacing, second.body.spacing));
+  constexpr float but_rounding = 0.99f; // far more than floats are off
+  return but_rounding * apart > first.radius + second.radius + limit;
+}
+
 /** Two compartments of a crate: a wall apart, and with one outer wall along both, which
  * two boxes that touch do not have. */
 bool
 areCompartments(const std::vector<BodySample>& bodies,
-                const std::vector<std::size_t>& first,
-                const std::vector<std::size_t>& second,
+                const Inside& first,
+                const Inside& second,
                 const Vector3f& up)
 {
-  const BodySample a = together(bodies, first), b = together(bodies, second);
-  std::vector<std::size_t> walls = first;
-  walls.insert(walls.end(), second.begin(), second.end());
+  const BodySample &a = first.body, &b = second.body;
+  if (!endAtOneHeight(a, b) || areFarApart(first, second, up))
+    return false;
+  std::vector<std::size_t> walls = first.walls;
+  walls.insert(walls.end(), second.walls.begin(), second.walls.end());
   const BodySample both = together(bodies, walls);
   const float limit = std::max(max_thickness * farthest(both, both.middle, up),
                                max_thickness_spacings * both.spacing);
-  if (!endAtOneHeight(a, b) || distanceBetween(a, b) > limit)
+  if (distanceBetween(a, b) > limit)
     return false;
   for (std::size_t k = 0; k < bodies.size(); ++k)
     if (std::find(walls.begin(), walls.end(), k) == walls.end() &&
@@ -195,9 +217,15 @@ areCompartments(const std::vector<BodySample>& bodies,
 /** Compartments of one crate are one inside. */
 std::vector<std::vector<std::size_t>>
 joinCompartments(const std::vector<BodySample>& bodies,
-                 const std::vector<std::vector<std::size_t>>& insides,
+                 const std::vector<std::vector<std::size_t>>& walls_of_insides,
                  const Vector3f& up)
 {
+  std::vector<Inside> insides;
+  for (const std::vector<std::size_t>& walls : walls_of_insides) {
+    BodySample body = together(bodies, walls);
+    const float radius = farthest(body, body.middle, up);
+    insides.push_back({walls, std::move(body), radius});
+  }
   DisjointSets sets(insides.size());
   for (std::uint32_t a = 0; a < insides.size(); ++a)
     for (std::uint32_t b = a + 1; b < insides.size(); ++b)
@@ -206,7 +234,7 @@ joinCompartments(const std::vector<BodySample>& bodies,
   std::map<std::uint32_t, std::vector<std::size_t>> by_root;
   for (std::uint32_t k = 0; k < insides.size(); ++k) {
     auto& walls = by_root[sets.find(k)];
-    walls.insert(walls.end(), insides[k].begin(), insides[k].end());
+    walls.insert(walls.end(), insides[k].walls.begin(), insides[k].walls.end());
   }
   std::vector<std::vector<std::size_t>> joined;
   for (auto& [root, walls] : by_root)

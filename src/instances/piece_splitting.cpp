@@ -35,8 +35,7 @@ constexpr double both_sides = 0.25;   // of the larger side: noise makes less
 // within 1.5 L on either side, a surface that only touches there half a disc, 3.5 L^2.
 constexpr float neck_reach = 1.5f;
 constexpr double min_neck_area = 2.25;
-constexpr float node_spacing = 1.5f; // in spacings
-constexpr double node_area = 2.25;   // squares of spacings
+constexpr double node_area = double{node_spacings} * node_spacings; // squared spacings
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 using PartOfNode = std::vector<std::uint32_t>;
@@ -238,7 +237,7 @@ isNeck(const SurfacePiece& piece,
        const Border& border)
 {
   // As long as two nodes are apart at least: one pair of nodes is one place.
-  const float length = std::max(border.places.diagonal().norm(), node_spacing);
+  const float length = std::max(border.places.diagonal().norm(), node_spacings);
   const auto isWide = [&](const SurfacePart& part) {
     const auto near = std::count_if(part.nodes.begin(), part.nodes.end(), [&](auto k) {
       return (piece.nodes[k].position - border.places.center()).norm() <

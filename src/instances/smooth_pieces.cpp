@@ -21,7 +21,6 @@ using detail::InstanceInput;
 using Eigen::Vector3f;
 
 // In spacings.
-constexpr float node_spacings = 1.5f; // between nodes
 // Some 25 points: the noise of a node is a fifth of a point's.
 constexpr float fit_spacings = 1.5f;
 constexpr int min_node_points = 5; // fewer have no direction

@@ -15,6 +15,7 @@
 namespace pcl::segmentation {
 
 constexpr float same_surface = 0.878f; // cosine of 0.5 rad, the least turn of a crease
+constexpr float node_spacings = 1.5f;  // between nodes, in spacings
 
 /** \brief A member that stands for those around it. */
 struct SurfaceNode {

@@ -45,6 +45,7 @@ TEST_F(AppWorlds, PartsHaveTheirTruthInSpacings)
     const auto edge = labelsOf(cloud, "edge");
     const auto crease = floatsOf(cloud, "crease_s");
     ASSERT_GT(edge.size(), 500u);
+    EXPECT_GT(std::count(edge.begin(), edge.end(), 1u), 100);
     for (std::size_t i = 0; i < edge.size(); ++i)
       ASSERT_TRUE(edge[i] != 1u || crease[i] < 1.5f);
     EXPECT_EQ(floatsOf(cloud, "radius_s").size(), edge.size());
@@ -128,7 +129,21 @@ TEST_F(AppWorlds, OptionsOfOthersAreRefused)
                 {"-spread", "even"});
   expectRefusal({"-sensor", "station", "-place", "room", "-stations", "5"},
                 {"-stations", "4"});
-  expectRefusal({"-sensor", "samples", "-width", "64"}, {"-width", "-sampling"});
+  expectRefusal({"-sensor", "samples", "-width", "64"},
+                {"-width '64' with -sensor 'samples'", "camera, stereo, tof or"});
+  expectRefusal({"-sensor", "samples", "-noise", "kinect"},
+                {"-noise 'kinect'", "none", "-sensor 'samples'"});
+  for (const std::string option : {"-stations", "-step"})
+    expectRefusal({"-sensor", "lidar", option, "1"},
+                  {option, "lidar", "expected it with -sensor station"});
+  for (const std::string option : {"-size", "-spread"})
+    expectRefusal({"-sensor", "lidar", option, "1"},
+                  {option, "expected it with -place part and -sensor samples"});
+  expectRefusal({"-sensor", "lidar", "-waviness", "0.001,0.02"},
+                {"-waviness", "expected it with -sensor stereo, tof or structured"});
+  expectRefusal(
+      {"-sensor", "station", "-place", "room", "-seed", "1483", "-stations", "3"},
+      {"-stations '3'", "room of -seed 1483", "places for 2"});
 }
 
 } // namespace

@@ -199,8 +199,12 @@ TEST(Parts, AFilletIsATorusWithoutCreases)
   EXPECT_GT(void_on_top, 100U);
   options.spacing = 0.001; // now it is one
   const PartSamples coarse = samplePart(roundedDisc(), options);
-  for (std::size_t i = 0; i < coarse.scene.edge.size(); ++i)
+  std::size_t tight = 0;
+  for (std::size_t i = 0; i < coarse.scene.edge.size(); ++i) {
+    tight += coarse.radius_s[i] < 10.0F;
     ASSERT_TRUE(coarse.radius_s[i] >= 10.0F || coarse.scene.edge[i] != EdgeNot);
+  }
+  EXPECT_GT(tight, 300U);
 }
 
 TEST(Parts, RoundWallsNeedRoundCorners)
@@ -216,7 +220,7 @@ TEST(Parts, RandomPartsAreClosed)
   std::size_t entered = 0, flat = 0, round = 0;
   std::set<std::size_t> sizes;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    Random random(seed, 20);
+    Random random(seed, part_stream);
     const Part part = randomPart(0.1, random);
     const Sphere bounds = part.bounds();
     sizes.insert(part.faces().size());
@@ -246,6 +250,7 @@ TEST(Parts, FlatFacesEndAtCreasesOrRoundFaces)
   options.seed = 3;
   const PartSamples samples = samplePart(options);
   // No flat face has another one beside it unless a crease is near.
+  std::size_t compared = 0;
   for (std::size_t i = 0; i < samples.crease_s.size(); i += 7) {
     if (samples.crease_s[i] < 3.0F || samples.radius_s[i] < 1e6F)
       continue;
@@ -256,9 +261,11 @@ TEST(Parts, FlatFacesEndAtCreasesOrRoundFaces)
       const bool is_beside = norm(q - p) < 1.5 * options.spacing;
       if (!is_beside || samples.radius_s[j] < 1e6F || samples.thin_s[i] < 2.0F)
         continue;
+      compared += i != j;
       ASSERT_GT(dot(normal, pointOf(samples.scene.normals, j)), 0.999) << i;
     }
   }
+  EXPECT_GT(compared, 1000U);
 }
 
 TEST(Parts, EvenPointsKeepTheirDistance)

@@ -38,7 +38,7 @@ struct Reconstruction {
   explicit Reconstruction(std::uint64_t seed)
   {
     options.seed = seed;
-    Random random(seed, 20);
+    Random random(seed, part_stream);
     part = randomPart(options.size, random);
     samples = reconstructPart(options);
   }

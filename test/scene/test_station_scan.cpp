@@ -17,6 +17,8 @@ using namespace pcl::scene;
 
 namespace {
 
+constexpr double pi = 3.14159265358979323846;
+
 StationOptions
 coarse(std::uint64_t seed, unsigned stations = 1)
 {
@@ -32,6 +34,12 @@ Vec3
 pointOf(const Scene& scene, std::size_t i)
 {
   return {scene.xyz[3 * i], scene.xyz[3 * i + 1], scene.xyz[3 * i + 2]};
+}
+
+Vec3
+normalOf(const Scene& scene, std::size_t i)
+{
+  return {scene.normals[3 * i], scene.normals[3 * i + 1], scene.normals[3 * i + 2]};
 }
 
 std::string
@@ -59,7 +67,7 @@ TEST(StationScan, PointsAreOnTheSurfacesOfTheRoom)
       bool is_on_one = false;
       for (std::size_t s = 0; s < room.world.solids.size() && !is_on_one; ++s)
         for (const FaceAt& at : facesAt(room.world.solids[s], p, 1e-5))
-          is_on_one = is_on_one || std::abs(at.normal.x - scene.normals[3 * i]) < 1e-3;
+          is_on_one = is_on_one || norm(at.normal - normalOf(scene, i)) < 1e-5;
       ASSERT_TRUE(is_on_one) << "seed " << seed << " point " << i;
       const bool is_shell =
           std::abs(p.x) < 1e-5 || std::abs(p.y) < 1e-5 || std::abs(p.z) < 1e-5 ||
@@ -92,27 +100,31 @@ TEST(StationScan, TheCornersOfTheRoomAreCreases)
 
 TEST(StationScan, NothingWithinAFaceIsACrease)
 {
+  std::size_t edges = 0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const Place room = randomRoom(seed);
     StationOptions options = coarse(seed);
-    options.step = 0.5; // within 10 m an edge is at most .24 m wide to each side
+    options.step = 0.5;
     const Scene scene = scanPlace(options);
     for (std::size_t i = 0; i < scene.width; ++i) {
       if (scene.edge[i] != EdgeCrease)
         continue;
-      // Each edge point has a face of another direction, or object, near it.
-      const Vec3 p = pointOf(scene, i) + room.stations.front();
+      ++edges;
+      // Within its band, 1.5 rays or 5 mm, is a face of another direction.
+      const Vec3 seen = pointOf(scene, i), normal = normalOf(scene, i);
+      const double range = norm(seen),
+                   cosine = std::max(0.3, -dot(seen, normal) / range);
+      const double ray = range * options.step * pi / 180.0 / std::sqrt(cosine);
+      const double band = std::max(0.005, 1.5 * ray) + 1e-5;
+      const Vec3 p = seen + room.stations.front();
       bool has_other = false;
       for (const Solid& solid : room.world.solids)
-        for (const FaceAt& at : facesAt(solid, p, 0.25)) {
-          const double cosine = at.normal.x * scene.normals[3 * i] +
-                                at.normal.y * scene.normals[3 * i + 1] +
-                                at.normal.z * scene.normals[3 * i + 2];
-          has_other = has_other || std::abs(cosine) < 0.9;
-        }
+        for (const FaceAt& at : facesAt(solid, p, band))
+          has_other = has_other || std::abs(dot(at.normal, normal)) < 0.9;
       ASSERT_TRUE(has_other) << "seed " << seed << " point " << i;
     }
   }
+  EXPECT_GT(edges, 10000U);
 }
 
 TEST(StationScan, HouseFrontsHaveTruth)
@@ -157,9 +169,7 @@ TEST(StationScan, DensityVariesByMoreThanAFactorOf30)
   std::vector<double> areas; // of surface for each ray
   for (std::size_t i = 0; i < scene.width; ++i) {
     const Vec3 p = pointOf(scene, i);
-    const Vec3 normal{
-        scene.normals[3 * i], scene.normals[3 * i + 1], scene.normals[3 * i + 2]};
-    const double range = norm(p), cosine = -dot(normal, p) / range;
+    const double range = norm(p), cosine = -dot(normalOf(scene, i), p) / range;
     const double up = std::sqrt(1.0 - p.z * p.z / (range * range));
     areas.push_back(range * range * up / cosine);
   }
@@ -220,7 +230,11 @@ TEST(StationScan, BadOptions)
   EXPECT_EQ(refusal(options), "step must be 0.05 to 2 degrees, not 3");
   options = {};
   options.stations = 9;
-  EXPECT_NE(refusal(options).find("stations must be 1 to 4, not 9"), std::string::npos);
+  EXPECT_EQ(refusal(options), "stations must be 1 to 4, not 9");
+  options.seed = 1483;
+  options.stations = 3;
+  EXPECT_EQ(refusal(options),
+            "stations must be 1 to 2 in the room of seed 1483, not 3");
   options = {};
   options.sigma = 1.0;
   EXPECT_EQ(refusal(options), "sigma must be 0 to 0.1 m, not 1");

@@ -225,10 +225,10 @@ private:
   void
   addStations()
   {
-    constexpr unsigned wanted = 4;
-    for (unsigned i = 0; i < wanted; ++i) {
+    for (unsigned i = 0; i < max_stations; ++i) {
       // From one side to the other, so that all are apart
-      const double share = ((i % 2) * 2 + i / 2 + random_.uniform(0.2, 0.8)) / wanted;
+      const double share =
+          ((i % 2) * 2 + i / 2 + random_.uniform(0.2, 0.8)) / max_stations;
       place_.stations.push_back(
           {share * place_.length, -random_.uniform(4.0, 9.0), scanner_height});
     }

@@ -14,7 +14,7 @@
 namespace pcl::scene {
 namespace {
 
-constexpr std::uint64_t part_stream = 20, throwing_stream = 21, noise_stream = 22;
+constexpr std::uint64_t throwing_stream = 21, noise_stream = 22;
 constexpr double apart = 0.75; // spacings between even points
 
 /** \brief Points that keep their distance. */

@@ -14,13 +14,13 @@
 namespace pcl::scene {
 namespace {
 
-constexpr std::uint64_t part_stream = 20, matching_stream = 24; // 20: the same part
+constexpr std::uint64_t matching_stream = 24;
 constexpr double window = 2.5;         // spacings that matching averages over
 constexpr double matching_noise = 0.3; // spacings
 constexpr double outlier_share = 1.0 / 200.0;
 constexpr double outlier_reach = 20.0;  // spacings
 constexpr double thinnest = 1.0 / 30.0; // of the best density
-constexpr double texture_length = 0.5;  // sizes of the part from well to well textured
+constexpr double texture_length = 0.5;  // of the part: from one poor place to the next
 
 /** \brief Points to find those near a place. */
 class Neighborhood {

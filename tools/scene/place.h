@@ -8,6 +8,8 @@
 
 namespace pcl::scene {
 
+constexpr unsigned max_stations = 4;
+
 struct Place {
   World world;         /**< without a table; z up, the floor or ground at 0 */
   double length = 0.0; /**< of the room or front along x, which begins at 0 */
@@ -15,7 +17,8 @@ struct Place {
       0.0; /**< of the room along y, which begins at 0; height of the front */
   std::size_t shell = 0; /**< the first solids are floor, walls and ceiling, or ground
                             and front */
-  std::vector<Vec3> stations; /**< four, or fewer if there is no room for them */
+  std::vector<Vec3> stations; /**< max_stations, in a room fewer if there is no
+                                 space for them */
 };
 
 /** \brief A solid with an upright profile, x to the right and y up, that is moved.
@@ -29,7 +32,7 @@ Place randomRoom(std::uint64_t seed);
 
 /** \brief A house front of 8 to 14 m and two to four floors, in the plane y = 0, with
  * windows (some with arches), a bay, moldings, a downpipe, steps, and the ground before
- * it. The scanner stands 4 to 9 m before it. */
+ * it. The scanner stands 4 to 9 m before it, 1.6 m high. */
 Place randomFacade(std::uint64_t seed);
 
 } // namespace pcl::scene

@@ -8,6 +8,9 @@
 
 namespace pcl::scene {
 
+/** \brief The random numbers of the shape of a part that is alone. */
+constexpr std::uint64_t part_stream = 20;
+
 /** \brief A plate, block, disc or profile with what a mill and a drill make of it:
  * pockets, holes, ribs, bosses, steps, letters, chamfers, fillets and thin walls, from
  * above and sometimes from below. The middle of its plan is at x = y = 0.

@@ -206,8 +206,8 @@ private:
   void
   addStations()
   {
-    constexpr std::size_t wanted = 4;
-    for (int attempt = 0; attempt < 1000 && room_.stations.size() < wanted; ++attempt) {
+    for (int attempt = 0; attempt < 1000 && room_.stations.size() < max_stations;
+         ++attempt) {
       const double x = random_.uniform(0.5, room_.length - 0.5);
       const double y = random_.uniform(0.5, room_.width - 0.5);
       constexpr double space = 0.35, apart = 1.2;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace pcl::scene {
 namespace {
@@ -143,11 +144,12 @@ scanPlace(const StationOptions& options)
   requireRange("sigma", options.sigma, 0.0, 0.1, " m");
   const Place place =
       options.is_outdoors ? randomFacade(options.seed) : randomRoom(options.seed);
+  const std::string in_room = " in the room of seed " + std::to_string(options.seed);
   requireRange("stations",
                options.stations,
                1.0,
                static_cast<double>(place.stations.size()),
-               "");
+               place.stations.size() < max_stations ? in_room.c_str() : "");
   return Scanner(place, options).run();
 }
 
