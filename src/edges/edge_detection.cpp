@@ -240,7 +240,7 @@ nextLevel(const CloudNumbers& numbers)
 float
 persistenceSpacings()
 {
-  return 2.0f;
+  return 3.0f; // at corners the creases of the next level end farther away
 }
 
 } // namespace pcl::detail

@@ -22,11 +22,11 @@ namespace pcl {
 
 /** \brief A place that an instance of a class may hold. \ingroup segmentation */
 struct InstancePoint {
-  std::array<float, 3> position{};
-  std::array<float, 3> normal{}; ///< unit; NaN unknown
-  float spacing = 0.0f;          ///< meters
-  float likelihood = 0.0f;       ///< of the class; NaN unknown
-  float edge = 0.0f;             ///< likelihood of an edge
+  std::array<float, 3> position{}; ///< meters
+  std::array<float, 3> normal{};   ///< unit; NaN unknown
+  float spacing = 0.0f;            ///< meters
+  float likelihood = 0.0f;         ///< of the class; NaN unknown
+  float edge = 0.0f;               ///< likelihood of an edge
 };
 
 /** \brief A place that stands for those around it. */
@@ -40,7 +40,7 @@ struct InstanceNode {
 
 /** \brief Which nodes of a part are of one piece of surface. */
 struct LinkedNodes {
-  static constexpr std::uint32_t none = 0xffffffffU;
+  static constexpr std::uint32_t none = 0xffffffffU; ///< of a node without a piece
 
   std::uint32_t pieces = 0;         ///< how many there are, as far as the part knows
   std::vector<std::uint32_t> piece; ///< of each node of the part, or none
@@ -51,10 +51,10 @@ struct LinkedNodes {
 
 /** \brief What a part adds to a label. The bytes are all used. */
 struct LabelCount {
-  std::uint64_t points = 0;
+  std::uint64_t points = 0;      ///< with the label
   std::uint64_t high_points = 0; ///< with the high likelihood
   std::array<float, 3> first{};  ///< of the positions, in the order of coordinates
-  std::int32_t label = 0;
+  std::int32_t label = 0;        ///< which one
 };
 
 /** \brief Instances of a class over the parts of a cloud, step by step: each step works
@@ -75,8 +75,13 @@ public:
   /** \brief How far, in meters along each axis, a step looks from a place to others:
    * for nodes and growth to points, for links and labels to the places of nodes. */
   struct Reach {
-    double nodes = 0.0, links = 0.0, labels = 0.0, growth = 0.0;
+    double nodes = 0.0;  ///< of nodes()
+    double links = 0.0;  ///< of link()
+    double labels = 0.0; ///< of labels()
+    double growth = 0.0; ///< of grow()
   };
+
+  /** \brief That of each step, for the numbers of the cloud. */
   Reach reach() const;
 
   /** \brief Turn the normal towards where the point was seen from. */
@@ -103,9 +108,9 @@ public:
       const std::function<std::vector<InstanceNode>(std::size_t)>& nodesOf) const;
 
   /** \brief The label of the node that each of the part's points belongs to, -1 none.
-   * \param[in] nodes those of the part, and those around it
-   * \param[in] labels one for each node, -1 none
-   * \param[in] low, high the box of the positions of all nodes of the cloud */
+   * \param[in] points those of the part \param[in] nodes those of the part, and those
+   * around it \param[in] labels one for each node, -1 none \param[in] low, high the box
+   * of the positions of all nodes of the cloud */
   std::vector<std::int32_t> labels(const std::vector<InstancePoint>& points,
                                    std::vector<InstanceNode> nodes,
                                    const std::vector<std::int32_t>& labels,
