@@ -47,7 +47,7 @@ void expectRefused(const Outcome& outcome, int status, const Words& words);
 
 void expectSuccess(const Outcome& outcome);
 
-/** \brief The same, but warnings on standard error are all right. */
+/** \brief The same, but warnings and notes on standard error are all right. */
 void expectSuccessOrWarnings(const Outcome& outcome);
 
 /** \brief A PCD file in text: the header for these fields, all of SIZE 4, and the rows.

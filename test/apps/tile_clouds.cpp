@@ -171,7 +171,7 @@ pathCloud(std::size_t points)
 TilePointCloud
 stepsCloud()
 {
-  constexpr int side = 240;
+  constexpr int side = 160;
   constexpr double spacing = 0.01, step = 0.04;
   Random random(12);
   TilePointCloud cloud;
