@@ -4,12 +4,12 @@
 
 #include "edges/edge_detection.h"
 
+#include "common/finite.h"
 #include "common/parallel.h"
 #include "common/statistics.h"
 #include "edges/crease_votes.h"
 #include "edges/edge_band.h"
 #include "features/class_evidence.h"
-#include "features/some_points.h"
 #include "geometry/voxel_means.h"
 
 #include <pcl/features/impl/neighborhoods.hpp>

@@ -52,7 +52,7 @@ reachOfMeans(double distance, double resolution)
 double
 coarserResolution(const CloudNumbers& numbers, std::uint64_t places, double resolution)
 {
-  constexpr double voxel = 0.8; // spacings: points of some three steps of a sensor
+  constexpr double voxel = 0.8; // spacings: half of the points on a surface are left
   // Where the means of a surface have half of the places, voxels are 1.4 times as wide.
   constexpr double grows = 1.2;
   constexpr std::uint64_t dense = 20000; // fewer are not closer than a sensor can tell

@@ -17,14 +17,14 @@
 
 namespace pcl::test {
 
-/** A plane with waves (noise that neighbors share) and some bumps of two spacings.
- */
+/** \brief A plane with waves (noise that neighbors share) and some bumps.
+ * \param[in] height of the bumps, in spacings of 2 mm */
 inline PointCloud<PointXYZ>::Ptr
-bumpyPlane()
+bumpyPlane(double height)
 {
   constexpr int count = 200, bumps = 150;
-  constexpr double spacing = 0.002;          // meters
-  constexpr double wave = 0.1, height = 2.0; // spacings
+  constexpr double spacing = 0.002; // meters
+  constexpr double wave = 0.1;      // spacings
   Random random(72);
   std::vector<Eigen::Vector3d> points; // in spacings
   for (int i = 0; i < count; ++i)

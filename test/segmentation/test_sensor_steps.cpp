@@ -79,6 +79,7 @@ TEST(SensorSteps, MakeTheBitsOfTheResolutionThatIsChosen)
 {
   const auto cloud = steppedRidge(0.0005, 0.002);
   const ShapeField chosen = fieldOf(cloud);
+  ASSERT_GT(chosen.resolution, 0.0);
   const ShapeField given = fieldOf(cloud, chosen.resolution);
   EXPECT_EQ(chosen.resolution, given.resolution);
   EXPECT_TRUE(sameBits(chosen.edge_likelihood, given.edge_likelihood));
@@ -134,7 +135,7 @@ TEST(SensorSteps, AreNoSurfaceWhereMeansFillAVolume)
 
 TEST(SensorSteps, BumpsDoNotPersist)
 {
-  const ShapeField field = fieldOf(bumpyPlane());
+  const ShapeField field = fieldOf(bumpyPlane(2.0));
   EXPECT_EQ(0.0, field.resolution);
   std::size_t edges = 0;
   for (const float likelihood : field.edge_likelihood)

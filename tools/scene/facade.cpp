@@ -11,6 +11,15 @@
 namespace pcl::scene {
 
 Solid
+boxBetween(const Vec3& low, const Vec3& high)
+{
+  Solid box;
+  box.size = {high.x - low.x, high.y - low.y, high.z - low.z};
+  box.pose.origin = (low + high) * 0.5;
+  return box;
+}
+
+Solid
 extrusion(const std::vector<Vec3>& profile, const Pose& pose, double by)
 {
   const Loop loop = Loop::polygon(profile, std::vector<double>(profile.size(), 0.0));
@@ -69,10 +78,7 @@ private:
   void
   addBox(const Vec3& low, const Vec3& high)
   {
-    Solid box;
-    box.size = {high.x - low.x, high.y - low.y, high.z - low.z};
-    box.pose.origin = (low + high) * 0.5;
-    place_.world.solids.push_back(box);
+    place_.world.solids.push_back(boxBetween(low, high));
   }
 
   double

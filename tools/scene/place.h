@@ -21,6 +21,9 @@ struct Place {
                                  space for them */
 };
 
+/** \brief A box along the axes, from one corner to the opposite one. */
+Solid boxBetween(const Vec3& low, const Vec3& high);
+
 /** \brief A solid with an upright profile, x to the right and y up, that is moved.
  * \param[in] pose of the profile; it is moved along its z
  * \param[in] by meters */

@@ -46,10 +46,7 @@ private:
   void
   addBox(const Vec3& low, const Vec3& high)
   {
-    Solid box;
-    box.size = {high.x - low.x, high.y - low.y, high.z - low.z};
-    box.pose.origin = (low + high) * 0.5;
-    room_.world.solids.push_back(box);
+    room_.world.solids.push_back(boxBetween(low, high));
   }
 
   /** \param[in] axis unit */
