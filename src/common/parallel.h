@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <omp.h>
+#include <vector>
 
 namespace pcl::kernels {
 
@@ -74,6 +76,25 @@ parallelForEach(std::size_t count, unsigned threads, const Body& body)
     for (std::size_t i = begin; i < end; ++i)
       body(i);
   });
+}
+
+/** \brief What add(i, items) adds for i in [0, count), in this order. */
+template <typename Item, typename Add>
+std::vector<Item>
+collectForEach(std::size_t count, unsigned threads, const Add& add)
+{
+  constexpr std::size_t part = 8192;
+  std::vector<std::vector<Item>> of_parts((count + part - 1) / part);
+  parallelFor(of_parts.size(), threads, [&](std::size_t p) {
+    for (std::size_t i = p * part; i < std::min(count, (p + 1) * part); ++i)
+      add(static_cast<std::uint32_t>(i), of_parts[p]);
+  });
+  std::vector<Item> items;
+  for (std::vector<Item>& of_part : of_parts) {
+    items.insert(items.end(), of_part.begin(), of_part.end());
+    of_part = {};
+  }
+  return items;
 }
 
 } // namespace pcl::kernels

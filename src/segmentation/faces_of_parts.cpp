@@ -191,7 +191,7 @@ public:
     std::vector<FaceLink> links;
     for (std::size_t part = 0; part < parts_.size(); ++part)
       addLinks(part, links);
-    setLinks(std::move(links), level);
+    setLinks(links, level);
     return level;
   }
 
@@ -280,7 +280,7 @@ facesOfPart(const ShapeField& edges,
   std::iota(all.begin(), all.end(), 0);
   const Neighborhoods neighborhoods(points, points, all, threads);
   const FieldInput input{neighborhoods, points, {}, threads, false, &numbers};
-  const FacePyramid faces = firstFaces(points, edges, numbers.spacing);
+  const FacePyramid faces = firstFaces(points, edges, numbers.spacing, threads);
   const std::vector<float> of_model =
       modelDifferences(input, edges, ShapeModel::defaultSurfaces(), faces);
   const FaceLevel& level = faces.levels.front();
@@ -337,7 +337,7 @@ struct FacesAround::State {
   {
     FacePyramid faces;
     faces.levels.push_back(assembly.level());
-    addLevels(face_levels, faces);
+    addLevels(face_levels, faces, threads);
     return faces;
   }
 
@@ -392,7 +392,7 @@ FacesAround::residuals() const
   std::array<std::vector<float>, levels> residuals;
   for (std::size_t l = 0; l < levels; ++l)
     for (const std::optional<FaceFit>& fit :
-         fitsOf(faces.levels[l], own[l], state_->threads))
+         fitsOf(faces, l, own[l], state_->numbers.spacing, state_->threads))
       if (fit)
         residuals[l].push_back(fit->residual);
   return residuals;
@@ -407,8 +407,10 @@ FacesAround::likelihoods(const Noise& noise) const
   const auto near = withParents(faces, state_->nearNodes(faces));
   std::vector<FaceFits> fits;
   for (std::size_t l = 0; l < levels; ++l)
-    fits.push_back(fitsOf(faces.levels[l],
+    fits.push_back(fitsOf(faces,
+                          l,
                           nodesAround(faces.levels[l], near[l], spacing),
+                          spacing,
                           state_->threads));
   const std::vector<float> of_nodes = faceEvidence(
       faces, std::move(fits), {noise.begin(), noise.end()}, spacing, state_->threads);

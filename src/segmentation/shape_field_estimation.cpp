@@ -199,7 +199,10 @@ baseOfPoints(const FieldRequest& request,
                                    finderAmong(request, even),
                                    true);
   const bool helps = countUnknown(request.surface, means, request.threads) < unknown;
-  field = fieldOfSurface(helps, {});
+  conditions = {};
+  if (helps)
+    conditions.to_surfaces = [](const ShapeField& /*edges*/) { return false; };
+  field = fieldOfSurface(helps, conditions);
   if (helps)
     takeFromMeans(means, spacings, request.threads, field);
   return {std::move(field), false};

@@ -11,6 +11,8 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <utility>
 
 namespace pcl::detail {
 namespace {
@@ -29,8 +31,6 @@ takeValues(const ShapeField& from, std::size_t at, std::size_t i, ShapeField& fi
   field.spacings[i] = from.spacings[at];
   field.normals[i] = from.normals[at];
   field.edge_likelihood[i] = from.edge_likelihood[at];
-  for (std::size_t c = 0; c < field.likelihoods.size(); ++c)
-    field.likelihoods[c][i] = from.likelihoods[c][at];
 }
 
 /** Joins a field and that of means which stand for its points. */
@@ -59,6 +59,21 @@ public:
       takeValues(means_, mean, i, field_);
       is_own_[i] = 0;
       is_taken_[mean] = 1;
+    }
+  }
+
+  /** Those of all points: they are of whole faces. */
+  void
+  takeClassesOfMeans()
+  {
+    field_.classes = means_.classes;
+    for (const std::vector<float>& of_means : means_.likelihoods) {
+      std::vector<float> likelihood;
+      likelihood.reserve(stands_for_.size());
+      for (const std::int32_t mean : stands_for_)
+        likelihood.push_back(mean < 0 ? std::numeric_limits<float>::quiet_NaN()
+                                      : of_means[static_cast<std::size_t>(mean)]);
+      field_.likelihoods.push_back(std::move(likelihood));
     }
   }
 
@@ -138,6 +153,7 @@ takeFromMeans(const ShapeField& means,
 {
   Joined joined(means, threads, field);
   joined.takeValuesOfMeans(spacings);
+  joined.takeClassesOfMeans();
   joined.takeCreasesOfMeans();
 }
 

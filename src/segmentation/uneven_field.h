@@ -12,7 +12,8 @@ namespace pcl::detail {
 
 /** \brief Take the values of means that stand for a field's points, and their creases,
  * except where the means are coarser than the points: there they serve the sparser
- * points beside. \param[in] spacings of the points, as they are, meters */
+ * points beside, and only the classes of surfaces are taken. \param[in] spacings of the
+ * points, as they are, meters \param[in,out] field with edges, without classes */
 void takeFromMeans(const ShapeField& means,
                    const std::vector<float>& spacings,
                    unsigned threads,

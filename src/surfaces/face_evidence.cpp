@@ -41,6 +41,8 @@ constexpr float least_bulge = 5.0f;
 constexpr float least_errors = 4.0f;
 constexpr float steepness = 3.0f; // of the evidence, for the logarithm of these ratios
 constexpr float most_evidence = 4.0f;
+// In spacings: with less a node's window says as much as those of all nodes around it.
+constexpr double little_noise = 0.1;
 // Noise that averages out is in the standard error. What does not is at the next
 // levels.
 constexpr std::size_t noise_levels = 2;
@@ -173,6 +175,30 @@ averaged(const FaceLevel& level, const std::vector<float>& values, unsigned thre
   return means;
 }
 
+/** Of the nodes of the first level keeps one of each in the next: the child nearest to
+ * its middle. Windows of the others are nearly the same, unless there is noise: it
+ * averages out over all. */
+void
+keepMiddles(const FacePyramid& pyramid, float spacing, std::vector<bool>& chosen)
+{
+  const FaceLevel& first = pyramid.levels[0];
+  if (first.cell > firstCell(little_noise, spacing))
+    return;
+  const FaceLevel& next = pyramid.levels[1];
+  std::vector<std::uint32_t> middles(next.nodes.size(), FacePyramid::none);
+  const auto offset = [&](std::uint32_t i) {
+    return (first.nodes[i].position - next.nodes[first.parents[i]].position)
+        .squaredNorm();
+  };
+  for (std::uint32_t i = 0; i < chosen.size(); ++i) {
+    std::uint32_t& middle = middles[first.parents[i]];
+    if (middle == FacePyramid::none || offset(i) < offset(middle))
+      middle = i;
+  }
+  for (std::uint32_t i = 0; i < chosen.size(); ++i)
+    chosen[i] = chosen[i] && middles[first.parents[i]] == i;
+}
+
 } // namespace
 
 double
@@ -182,18 +208,25 @@ windowRadius(double cell, double spacing)
 }
 
 FaceFits
-fitsOf(const FaceLevel& level, const std::vector<bool>& wanted, unsigned threads)
+fitsOf(const FacePyramid& pyramid,
+       std::size_t of_level,
+       std::vector<bool> wanted,
+       float spacing,
+       unsigned threads)
 {
+  const FaceLevel& level = pyramid.levels[of_level];
+  if (of_level == 0)
+    keepMiddles(pyramid, spacing, wanted);
   FaceFits fits(level.nodes.size());
   kernels::parallelForRanges(
       fits.size(), threads, [&](std::size_t begin, std::size_t end) {
         FaceWindow window(level);
+        FaceFitter fitter(level);
         for (std::size_t i = begin; i < end; ++i) {
           const auto radius =
               static_cast<float>(windowRadius(level.cell, level.nodes[i].spacing));
           if (wanted[i])
-            fits[i] = fitFace(
-                level,
+            fits[i] = fitter.fit(
                 window.around(static_cast<std::uint32_t>(i), radius, same_window));
         }
       });
@@ -205,8 +238,10 @@ faceEvidence(const FacePyramid& pyramid, float spacing, unsigned threads)
 {
   std::vector<FaceFits> fits;
   std::vector<float> noise;
-  for (const FaceLevel& level : pyramid.levels) {
-    fits.push_back(fitsOf(level, std::vector<bool>(level.nodes.size(), true), threads));
+  for (std::size_t l = 0; l < pyramid.levels.size(); ++l) {
+    const std::size_t nodes = pyramid.levels[l].nodes.size();
+    fits.push_back(
+        fitsOf(pyramid, l, std::vector<bool>(nodes, true), spacing, threads));
     noise.push_back(noiseOfCloud(fits.back()));
   }
   return faceEvidence(pyramid, std::move(fits), noise, spacing, threads);
@@ -227,9 +262,12 @@ faceEvidence(const FacePyramid& pyramid,
   }
   findEvidence(pyramid, levels, spacing);
   const FaceLevel& first = pyramid.levels.front();
-  std::vector<float> evidence(first.nodes.size());
+  std::vector<bool> is_middle(first.nodes.size(), true);
+  keepMiddles(pyramid, spacing, is_middle);
+  std::vector<float> evidence(first.nodes.size(), nan);
   kernels::parallelForEach(evidence.size(), threads, [&](std::size_t i) {
-    evidence[i] = mostAt(pyramid, levels, static_cast<std::uint32_t>(i), spacing);
+    if (is_middle[i])
+      evidence[i] = mostAt(pyramid, levels, static_cast<std::uint32_t>(i), spacing);
   });
   for (int round = 0; round < averaging_rounds; ++round)
     evidence = averaged(first, evidence, threads);

@@ -20,10 +20,14 @@ constexpr int averaging_rounds = 5;
  * \param[in] spacing of the node */
 double windowRadius(double cell, double spacing);
 
-/** \brief How the windows of the nodes that are wanted bend. \param[in] threads 0 for
- * all cores */
-FaceFits
-fitsOf(const FaceLevel& level, const std::vector<bool>& wanted, unsigned threads);
+/** \brief How the windows of the nodes of a level that are wanted bend. Of the first
+ * level, if there is little noise, one for each node of the next is enough.
+ * \param[in] spacing of the cloud, median \param[in] threads 0 for all cores */
+FaceFits fitsOf(const FacePyramid& pyramid,
+                std::size_t of_level,
+                std::vector<bool> wanted,
+                float spacing,
+                unsigned threads);
 
 /** \brief Evidence for curved against planar of each node of the first level: the
  * logarithm of a ratio, from -4 to 4; NaN where no window tells. See doc/method.md.

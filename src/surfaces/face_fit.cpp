@@ -4,9 +4,6 @@
 
 #include "surfaces/face_fit.h"
 
-#include "common/statistics.h"
-
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
@@ -20,7 +17,6 @@ using Eigen::Matrix2d;
 using Eigen::Matrix3f;
 using Eigen::Vector2d;
 using Eigen::Vector3f;
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 constexpr std::size_t min_nodes = 8;     // two more than a quadric has coefficients
@@ -32,56 +28,6 @@ constexpr float deviation_of_median = 1.4826f;
 constexpr double least_pivot = 1e-4;
 // In cells: rounding of coordinates.
 constexpr float least_residual = 1e-6f;
-
-/** A window's nodes in the frame of its first node, in cells. */
-class Quadric {
-public:
-  Quadric(const FaceLevel& level, const std::vector<std::uint32_t>& window)
-  : cell_(level.cell)
-  , weights_(window.size(), 1.0f)
-  , residuals_(window.size())
-  {
-    const FaceNode& center = level.nodes[window.front()];
-    const Vector3f& z = center.normal;
-    const Vector3f side =
-        std::abs(z.x()) < 0.7f ? Vector3f::UnitX() : Vector3f::UnitY();
-    Matrix3f axes;
-    axes.row(0) = side.cross(z).normalized();
-    axes.row(1) = z.cross(axes.row(0).transpose());
-    axes.row(2) = z;
-    for (const std::uint32_t i : window) {
-      const Vector3f place = axes * (level.nodes[i].position - center.position) / cell_;
-      x_.push_back(place.x());
-      y_.push_back(place.y());
-      z_.push_back(place.z());
-    }
-  }
-
-  /** \return false where the nodes do not determine it */
-  bool
-  fit()
-  {
-    for (int round = 0; round < rounds; ++round) {
-      if (round > 0)
-        setWeights();
-      if (!solve())
-        return false;
-    }
-    return true;
-  }
-
-  FaceFit describe() const;
-
-private:
-  bool solve();
-  void setWeights();
-  Matrix2d spread() const;
-
-  float cell_;
-  std::vector<float> x_, y_, z_, weights_, residuals_; ///< of each node
-  Eigen::LDLT<Matrix6d> equations_;
-  Vector6d solution_;
-};
 
 /** The sums that make the normal equations: of weight * x^i * y^j up to the fourth
  * order, and of the same times z up to the second. */
@@ -133,8 +79,31 @@ addUp(std::size_t count,
           s31, s22, s13, s04, z00, z10, z01, z20, z11, z02};
 }
 
+} // namespace
+
+void
+FaceFitter::place(const std::vector<std::uint32_t>& window)
+{
+  const FaceNode& center = level_.nodes[window.front()];
+  const Vector3f& z = center.normal;
+  const Vector3f side = std::abs(z.x()) < 0.7f ? Vector3f::UnitX() : Vector3f::UnitY();
+  Matrix3f axes;
+  axes.row(0) = side.cross(z).normalized();
+  axes.row(1) = z.cross(axes.row(0).transpose());
+  axes.row(2) = z;
+  for (std::vector<float>* const values : {&x_, &y_, &z_, &weights_, &residuals_})
+    values->resize(window.size());
+  for (std::size_t k = 0; k < window.size(); ++k) {
+    const Vector3f place =
+        axes * (level_.nodes[window[k]].position - center.position) / level_.cell;
+    x_[k] = place.x();
+    y_[k] = place.y();
+    z_[k] = place.z();
+  }
+}
+
 bool
-Quadric::solve()
+FaceFitter::solve()
 {
   Sums s;
   addUp(x_.size(), x_.data(), y_.data(), z_.data(), weights_.data(), s);
@@ -164,16 +133,17 @@ Quadric::solve()
 }
 
 void
-Quadric::setWeights()
+FaceFitter::setWeights()
 {
-  std::vector<float> sizes;
-  sizes.reserve(residuals_.size());
+  sizes_.clear();
   for (const float r : residuals_)
-    sizes.push_back(std::abs(r));
-  const auto count = static_cast<double>(sizes.size());
+    sizes_.push_back(std::abs(r));
+  const auto middle = sizes_.begin() + static_cast<std::ptrdiff_t>(sizes_.size() / 2);
+  std::nth_element(sizes_.begin(), middle, sizes_.end());
+  const auto count = static_cast<double>(sizes_.size());
   const auto freedom =
       static_cast<float>(std::sqrt(count / std::max(1.0, count - coefficients)));
-  const float deviation = deviation_of_median * freedom * median(std::move(sizes));
+  const float deviation = deviation_of_median * freedom * *middle;
   const float reach = biweight_reach * std::max(least_residual, deviation);
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     const float off = residuals_[k] / reach;
@@ -184,7 +154,7 @@ Quadric::setWeights()
 
 /** The covariance of the places in the tangent plane. */
 Matrix2d
-Quadric::spread() const
+FaceFitter::spread() const
 {
   double weight = 0.0;
   Vector2d mean = Vector2d::Zero();
@@ -201,7 +171,7 @@ Quadric::spread() const
 }
 
 FaceFit
-Quadric::describe() const
+FaceFitter::describe() const
 {
   constexpr float counts = 0.1f;      // the weight of an inlier
   constexpr double half_widths = 2.0; // deviations of a disc
@@ -232,30 +202,34 @@ Quadric::describe() const
   gradient << 0.0, 0.0, 0.0, along.x() * along.x(), along.x() * along.y(),
       along.y() * along.y();
   FaceFit fit;
-  fit.half_width = cell_ * static_cast<float>(along.norm());
-  fit.bulge = cell_ * static_cast<float>(std::abs(gradient.dot(c)));
+  const float cell = level_.cell;
+  fit.half_width = cell * static_cast<float>(along.norm());
+  fit.bulge = cell * static_cast<float>(std::abs(gradient.dot(c)));
   fit.bulge_error =
-      cell_ * static_cast<float>(residual *
-                                 std::sqrt(gradient.dot(equations_.solve(gradient))));
-  fit.residual = cell_ * static_cast<float>(residual);
+      cell * static_cast<float>(residual *
+                                std::sqrt(gradient.dot(equations_.solve(gradient))));
+  fit.residual = cell * static_cast<float>(residual);
   fit.inliers = static_cast<float>(inliers) / static_cast<float>(weights_.size());
-  fit.center_offset = cell_ * static_cast<float>(std::abs(c[0]));
+  fit.center_offset = cell * static_cast<float>(std::abs(c[0]));
   fit.center_cosine =
       static_cast<float>(1.0 / std::sqrt(1.0 + c[1] * c[1] + c[2] * c[2]));
   return fit;
 }
 
-} // namespace
-
 std::optional<FaceFit>
-fitFace(const FaceLevel& level, const std::vector<std::uint32_t>& window)
+FaceFitter::fit(const std::vector<std::uint32_t>& window)
 {
   if (window.size() < min_nodes)
     return std::nullopt;
-  Quadric quadric(level, window);
-  if (!quadric.fit())
-    return std::nullopt;
-  return quadric.describe();
+  place(window);
+  std::fill(weights_.begin(), weights_.end(), 1.0f);
+  for (int round = 0; round < rounds; ++round) {
+    if (round > 0)
+      setWeights();
+    if (!solve())
+      return std::nullopt;
+  }
+  return describe();
 }
 
 } // namespace pcl::segmentation

@@ -6,7 +6,11 @@
 
 #include "surfaces/face_pyramid.h"
 
+#include <Eigen/Cholesky>
+
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace pcl::segmentation {
 
@@ -29,10 +33,29 @@ struct FaceFit {
   }
 };
 
-/** \brief Fit a quadric over the tangent plane of a window's first node, by least
- * squares with biweights. \return nothing where nodes are too few, or nearly on a curve
- */
-std::optional<FaceFit> fitFace(const FaceLevel& level,
-                               const std::vector<std::uint32_t>& window);
+/** \brief Fits quadrics over the tangent planes of windows' first nodes, by least
+ * squares with biweights. */
+class FaceFitter {
+public:
+  /** \param[in] level of the windows, which must outlive this */
+  explicit FaceFitter(const FaceLevel& level) : level_(level) {}
+
+  /** \return nothing where nodes are too few, or nearly on a curve */
+  std::optional<FaceFit> fit(const std::vector<std::uint32_t>& window);
+
+private:
+  void place(const std::vector<std::uint32_t>& window);
+  bool solve();
+  void setWeights();
+  Eigen::Matrix2d spread() const;
+  FaceFit describe() const;
+
+  const FaceLevel& level_;
+  /** Of each node, in the frame of the first one and in cells. */
+  std::vector<float> x_, y_, z_, weights_, residuals_;
+  std::vector<float> sizes_; ///< of the residuals
+  Eigen::LDLT<Eigen::Matrix<double, 6, 6>> equations_;
+  Eigen::Matrix<double, 6, 1> solution_;
+};
 
 } // namespace pcl::segmentation

@@ -6,13 +6,14 @@
 
 #include "common/disjoint_sets.h"
 #include "common/finite.h"
-#include "common/statistics.h"
+#include "common/parallel.h"
 #include "geometry/point_grid.h"
 #include "geometry/principal_axes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -54,9 +55,28 @@ aligned(const Vector3f& first, const Vector3f& second)
   return second.dot(first) < 0.0f ? Vector3f(-second) : second;
 }
 
+/** A point on a face, and its cell: as numbers in the order of cells. */
 struct CellPoint {
-  Cell cell;
-  std::uint32_t point;
+  std::uint64_t xy;
+  std::uint32_t z, point;
+
+  static std::uint32_t
+  rankOf(std::int32_t coordinate)
+  {
+    return static_cast<std::uint32_t>(coordinate) ^ (1U << 31);
+  }
+
+  CellPoint(const Cell& cell, std::uint32_t of_point)
+  : xy(static_cast<std::uint64_t>(rankOf(cell[0])) << 32 | rankOf(cell[1]))
+  , z(rankOf(cell[2]))
+  , point(of_point)
+  {}
+
+  bool
+  isInCellOf(const CellPoint& other) const
+  {
+    return xy == other.xy && z == other.z;
+  }
 };
 
 /** The points on faces, cell by cell, in an order given by their coordinates alone. */
@@ -64,13 +84,14 @@ std::vector<CellPoint>
 facePoints(const XYZView& points, const ShapeField& field, float size)
 {
   std::vector<CellPoint> chosen;
+  chosen.reserve(points.size);
   for (std::uint32_t i = 0; i < points.size; ++i)
     if (kernels::isFinite(points[i]) && kernels::isFinite(field.normals[i].data()) &&
         field.edge_likelihood[i] <= 0.5f)
-      chosen.push_back({cellOf(positionOf(points, i), size), i});
+      chosen.emplace_back(cellOf(positionOf(points, i), size), i);
   std::sort(chosen.begin(), chosen.end(), [&](const CellPoint& a, const CellPoint& b) {
-    if (a.cell != b.cell)
-      return a.cell < b.cell;
+    if (!a.isInCellOf(b))
+      return std::tie(a.xy, a.z) < std::tie(b.xy, b.z);
     const float *p = points[a.point], *q = points[b.point];
     return std::tie(p[0], p[1], p[2], a.point) < std::tie(q[0], q[1], q[2], b.point);
   });
@@ -113,7 +134,7 @@ collectNodes(const XYZView& points, const ShapeField& field, FacePyramid& pyrami
   std::vector<std::uint32_t> members;
   for (auto begin = left.begin(), end = begin; begin != left.end(); begin = end) {
     end = std::find_if(
-        begin, left.end(), [&](const CellPoint& p) { return p.cell != begin->cell; });
+        begin, left.end(), [&](const CellPoint& p) { return !p.isInCellOf(*begin); });
     for (auto rest = begin; rest != end;) {
       const Vector3f& normal = field.normals[rest->point];
       members.clear();
@@ -156,22 +177,26 @@ forEachLink(const FaceLevel& level, const Visit& visit)
 }
 
 void
-linkFirst(FaceLevel& level)
+linkFirst(FaceLevel& level, unsigned threads)
 {
-  std::vector<Link> links;
   const PointGrid grid(positionsOf(level.nodes), link_cells * level.cell);
-  for (std::uint32_t i = 0; i < level.nodes.size(); ++i) {
+  const auto reachOf = [&](const FaceNode& node) {
+    return link_cells * std::max(level.cell, node.spacing);
+  };
+  const auto addLinks = [&](std::uint32_t i, std::vector<Link>& links) {
     const FaceNode& node = level.nodes[i];
-    grid.forEachWithin(node.position,
-                       link_cells * std::max(level.cell, node.spacing),
-                       [&](std::uint32_t j, float) {
-                         if (j != i && areOfOneFace(node, level.nodes[j])) {
-                           links.emplace_back(i, j);
-                           links.emplace_back(j, i);
-                         }
-                       });
-  }
-  setLinks(std::move(links), level);
+    grid.forEachWithin(
+        node.position, reachOf(node), [&](std::uint32_t j, float squared) {
+          const FaceNode& other = level.nodes[j];
+          if (j == i || !areOfOneFace(node, other))
+            return;
+          links.emplace_back(i, j);
+          const float back = reachOf(other);
+          if (!(squared < back * back))
+            links.emplace_back(j, i);
+        });
+  };
+  setLinks(kernels::collectForEach<Link>(level.nodes.size(), threads, addLinks), level);
 }
 
 /** The normal of the points of a node and of those that follow it. */
@@ -204,25 +229,28 @@ normalAround(const FaceLevel& level, std::uint32_t i)
 }
 
 void
-refineNormals(FaceLevel& level)
+refineNormals(FaceLevel& level, unsigned threads)
 {
-  std::vector<Vector3f> normals;
-  normals.reserve(level.nodes.size());
-  for (std::uint32_t i = 0; i < level.nodes.size(); ++i)
-    normals.push_back(normalAround(level, i));
-  for (std::uint32_t i = 0; i < level.nodes.size(); ++i)
+  std::vector<Vector3f> normals(level.nodes.size());
+  kernels::parallelForEach(normals.size(), threads, [&](std::size_t i) {
+    normals[i] = normalAround(level, static_cast<std::uint32_t>(i));
+  });
+  for (std::size_t i = 0; i < normals.size(); ++i)
     level.nodes[i].normal = normals[i];
 }
 
 void
 cutLinks(FaceLevel& level)
 {
-  std::vector<Link> links;
-  forEachLink(level, [&](std::uint32_t i, std::uint32_t j) {
-    if (areOfOneFace(level.nodes[i], level.nodes[j]))
-      links.emplace_back(i, j);
-  });
-  setLinks(std::move(links), level);
+  std::size_t kept = 0;
+  for (std::uint32_t i = 0, begin = 0; i < level.nodes.size(); ++i) {
+    const std::uint32_t end = level.link_begins[i + 1];
+    for (; begin < end; ++begin)
+      if (areOfOneFace(level.nodes[i], level.nodes[level.links[begin]]))
+        level.links[kept++] = level.links[begin];
+    level.link_begins[i + 1] = static_cast<std::uint32_t>(kept);
+  }
+  level.links.resize(kept);
 }
 
 /** Sets parents: linked nodes in one cell of twice the size have one. \return for each
@@ -288,25 +316,32 @@ nextLevel(FaceLevel& level)
     if (level.parents[i] != level.parents[j])
       links.emplace_back(level.parents[i], level.parents[j]);
   });
-  setLinks(std::move(links), next);
+  setLinks(links, next);
   return next;
 }
 
 } // namespace
 
 void
-setLinks(std::vector<Link> links, FaceLevel& level)
+setLinks(const std::vector<FaceLink>& links, FaceLevel& level)
 {
-  std::sort(links.begin(), links.end());
-  links.erase(std::unique(links.begin(), links.end()), links.end());
-  level.link_begins.assign(level.nodes.size() + 1, 0);
+  std::vector<std::uint32_t> ends(level.nodes.size() + 1, 0);
+  for (const FaceLink& link : links)
+    ++ends[link.first + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<std::uint32_t> of_nodes(links.size());
+  for (const FaceLink& link : links)
+    of_nodes[ends[link.first]++] = link.second;
+  level.link_begins.assign(1, 0);
   level.links.clear();
-  for (const Link& link : links) {
-    ++level.link_begins[link.first + 1];
-    level.links.push_back(link.second);
+  auto begin = of_nodes.begin();
+  for (std::size_t i = 0; i < level.nodes.size(); ++i) {
+    const auto end = of_nodes.begin() + ends[i];
+    std::sort(begin, end);
+    level.links.insert(level.links.end(), begin, std::unique(begin, end));
+    level.link_begins.push_back(static_cast<std::uint32_t>(level.links.size()));
+    begin = end;
   }
-  for (std::size_t i = 0; i < level.nodes.size(); ++i)
-    level.link_begins[i + 1] += level.link_begins[i];
 }
 
 float
@@ -331,7 +366,10 @@ comesBefore(const Vector3f& a, const Vector3f& b, float cell)
 }
 
 FacePyramid
-firstFaces(const XYZView& points, const ShapeField& field, float spacing)
+firstFaces(const XYZView& points,
+           const ShapeField& field,
+           float spacing,
+           unsigned threads)
 {
   FacePyramid pyramid;
   pyramid.node_of_point.assign(points.size, FacePyramid::none);
@@ -341,31 +379,22 @@ firstFaces(const XYZView& points, const ShapeField& field, float spacing)
   if (!(first.cell > 0.0f)) // half of the points share a place with 12 others
     return {};
   collectNodes(points, field, pyramid);
-  linkFirst(first);
-  refineNormals(first);
+  linkFirst(first, threads);
+  refineNormals(first, threads);
   cutLinks(first);
-  refineNormals(first);
+  refineNormals(first, threads);
   return pyramid;
 }
 
 void
-addLevels(std::size_t levels, FacePyramid& pyramid)
+addLevels(std::size_t levels, FacePyramid& pyramid, unsigned threads)
 {
   while (pyramid.levels.size() < levels) {
     FaceLevel next = nextLevel(pyramid.levels.back());
-    refineNormals(next);
+    refineNormals(next, threads);
     cutLinks(next);
     pyramid.levels.push_back(std::move(next));
   }
-}
-
-FacePyramid
-facePyramid(const XYZView& points, const ShapeField& field, std::size_t levels)
-{
-  FacePyramid pyramid = firstFaces(points, field, medianSpacing(field.spacings));
-  if (!pyramid.levels.empty())
-    addLevels(levels, pyramid);
-  return pyramid;
 }
 
 const std::vector<std::uint32_t>&
@@ -380,13 +409,13 @@ FaceWindow::around(std::uint32_t node, float radius, float least_cosine)
     for (std::uint32_t k = level_.link_begins[from]; k < level_.link_begins[from + 1];
          ++k) {
       const std::uint32_t to = level_.links[k];
-      const FaceNode& other = level_.nodes[to];
-      if (visits_[to] == search_ ||
-          (other.position - center.position).squaredNorm() >= radius * radius ||
-          std::abs(other.normal.dot(center.normal)) <= least_cosine)
+      if (visits_[to] == search_)
         continue;
       visits_[to] = search_;
-      found_.push_back(to);
+      const FaceNode& other = level_.nodes[to];
+      if ((other.position - center.position).squaredNorm() < radius * radius &&
+          std::abs(other.normal.dot(center.normal)) > least_cosine)
+        found_.push_back(to);
     }
   }
   return found_;

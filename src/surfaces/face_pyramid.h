@@ -35,7 +35,7 @@ struct FaceLevel {
 using FaceLink = std::pair<std::uint32_t, std::uint32_t>;
 
 /** \brief Set the links of a level, in the order of nodes and once each. */
-void setLinks(std::vector<FaceLink> links, FaceLevel& level);
+void setLinks(const std::vector<FaceLink>& links, FaceLevel& level);
 
 /** \brief Levels from small cells to large ones, each twice the size of the last. */
 struct FacePyramid {
@@ -46,18 +46,19 @@ struct FacePyramid {
   std::vector<std::uint32_t> point_of_node; ///< one point of each node there
 };
 
-/** \brief Link what is not an edge to faces. Links do not cross edges, nor lead to
- * where the surface turns by more than 45 degrees within a cell: two faces, or two
- * sides of a wall, stay apart however large the cells are. The order of the points does
- * not matter. \param[in] field with its edges \param[in] levels at least 1 */
-FacePyramid
-facePyramid(const XYZView& points, const ShapeField& field, std::size_t levels);
+/** \brief The first level: link what is not an edge to faces. Links do not cross edges,
+ * nor lead to where the surface turns by more than 45 degrees within a cell: two faces,
+ * or two sides of a wall, stay apart however large the cells are. The order of the
+ * points does not matter. \param[in] field with its edges \param[in] spacing of the
+ * cloud, median \param[in] threads 0 for all cores */
+FacePyramid firstFaces(const XYZView& points,
+                       const ShapeField& field,
+                       float spacing,
+                       unsigned threads);
 
-/** \brief Its first level alone. \param[in] spacing of the cloud, median */
-FacePyramid firstFaces(const XYZView& points, const ShapeField& field, float spacing);
-
-/** \brief The levels above it. \param[in] levels how many in all */
-void addLevels(std::size_t levels, FacePyramid& pyramid);
+/** \brief The levels above it. \param[in] levels how many in all \param[in] threads 0
+ * for all cores */
+void addLevels(std::size_t levels, FacePyramid& pyramid, unsigned threads);
 
 /** \brief The size of the cells of the first level. \param[in] noise in spacings */
 float firstCell(double noise, float spacing);
@@ -84,7 +85,7 @@ public:
 
 private:
   const FaceLevel& level_;
-  std::vector<std::uint32_t> visits_; ///< the last search that found each
+  std::vector<std::uint32_t> visits_; ///< the last search that saw each
   std::uint32_t search_ = 0;
   std::vector<std::uint32_t> found_;
 };

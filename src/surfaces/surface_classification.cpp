@@ -91,12 +91,12 @@ evidenceWithFaces(const FieldInput& input,
                   const std::vector<std::uint32_t>& known)
 {
   const float spacing = spacingOfCloud(input, field.spacings);
-  FacePyramid faces = firstFaces(input.points, field, spacing);
+  FacePyramid faces = firstFaces(input.points, field, spacing, input.threads);
   if (faces.levels.empty())
     return evidenceOfModel(input, field, model, known, known);
   const std::vector<float> of_model =
       evidenceOfModel(input, field, model, known, pointsOfNodes(faces, known));
-  addLevels(face_levels, faces);
+  addLevels(face_levels, faces, input.threads);
   const std::vector<float> of_faces =
       evidenceOfFaces(input.points,
                       faces,

@@ -155,7 +155,7 @@ fitOf(const FaceLevel& level, std::size_t count)
 {
   std::vector<std::uint32_t> window(count);
   std::iota(window.begin(), window.end(), 0);
-  return segmentation::fitFace(level, window);
+  return segmentation::FaceFitter(level).fit(window);
 }
 
 TEST(FaceFit, TurnAndBulgeOfAParaboloid)
