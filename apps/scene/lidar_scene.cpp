@@ -33,6 +33,10 @@ const std::array<std::pair<const char*, StreetPlace>, 10> places{
      {"corridor", StreetPlace::Corridor},
      {"hall", StreetPlace::Hall}}};
 
+constexpr NumberRange speed_range{0.0, 60.0, false, "a number of m/s from 0 to 60"};
+constexpr NumberRange yaw_rate_range{
+    -180.0, 180.0, false, "a number of degrees per second from -180 to 180"};
+
 const std::array<std::pair<const char*, LidarPattern>, 3> patterns{
     {{"turn", LidarPattern::Turn},
      {"rosette70", LidarPattern::Rosette70},
@@ -65,6 +69,9 @@ lidarOptions(const Arguments& arguments)
   options.pattern = chosen(arguments, "pattern", patterns);
   options.mirrors = arguments.has("mirrors");
   options.fillers = arguments.has("fillers");
+  options.speed = arguments.number("speed", speed_range).value_or(options.speed);
+  options.yaw_rate =
+      arguments.number("yaw_rate", yaw_rate_range).value_or(options.yaw_rate);
   if (options.pattern != LidarPattern::Turn && arguments.has("beams"))
     throw UsageError("-beams '" + arguments.text("beams") +
                      "' of a rosette; expected only with -pattern turn");
@@ -115,7 +122,13 @@ addLidarOptions(CommandLine& command_line)
               "of the lidar: turn (default), or rosette70 or rosette120, which look "
               "forward only")
       .flag("mirrors", "wet ground mirrors what is behind it: points below the ground")
-      .flag("fillers", "rays of the lidar that do not return are points at 0,0,0");
+      .flag("fillers", "rays of the lidar that do not return are points at 0,0,0")
+      .option(
+          "speed",
+          "V",
+          "m/s: the lidar drives on during its scan of a tenth of a second, and each "
+          "point\nis in the frame of its own ray (0)")
+      .option("yaw_rate", "W", "degrees per second: it turns left meanwhile (0)");
 }
 
 CloudFile
@@ -140,6 +153,8 @@ lidarCloud(const Arguments& arguments, Report& report)
   if (options.pattern == LidarPattern::Turn)
     report.setCount("parameters", "beams", options.beams);
   report.setText("parameters", "noise", arguments.text("noise", "lidar"));
+  report.setNumber("parameters", "speed", options.speed);
+  report.setNumber("parameters", "yaw_rate", options.yaw_rate);
   return cloud;
 }
 

@@ -62,7 +62,7 @@ const std::vector<SensorOptions>&
 sensorOptions()
 {
   static const std::vector<SensorOptions> all{
-      {{"beams", "pattern", "mirrors", "fillers"}, {"lidar"}},
+      {{"beams", "pattern", "mirrors", "fillers", "speed", "yaw_rate"}, {"lidar"}},
       {{"stations", "step"}, {"station"}},
       {{"width", "height", "organized", "turn"},
        {"camera", "stereo", "tof", "structured"}},

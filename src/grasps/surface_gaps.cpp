@@ -65,11 +65,19 @@ struct Image {
   void
   forEachWithin(float radius, const Visit& visit) const
   {
-    std::size_t at = 0;
-    for (int row = 0; row < side(); ++row)
-      for (int column = 0; column < side(); ++column, ++at)
-        if (center(column, row).squaredNorm() <= radius * radius)
-          visit(at, column, row);
+    const auto isInside = [&](int off, int row) {
+      return center(half + off, row).squaredNorm() <= radius * radius;
+    };
+    int last = -1; // on either side of the middle; much as in the row before
+    for (int row = 0; row < side(); ++row) {
+      while (last < half && isInside(last + 1, row))
+        ++last;
+      while (last >= 0 && !isInside(last, row))
+        --last;
+      const auto first = static_cast<std::size_t>(row * side() + half - last);
+      for (int k = 0; k <= 2 * last; ++k)
+        visit(first + static_cast<std::size_t>(k), half - last + k, row);
+    }
   }
 
   Vector2f
@@ -162,10 +170,13 @@ connected(const std::vector<char>& marks, int side)
 {
   const auto below = static_cast<std::size_t>(side);
   DisjointSets sets(marks.size());
-  for (std::size_t at = below + 1; at + below + 1 < marks.size(); ++at)
+  for (std::size_t at = below + 1; at + below + 1 < marks.size(); ++at) {
+    if (!marks[at])
+      continue;
     for (const std::size_t other : {at - 1, at - below - 1, at - below, at - below + 1})
-      if (marks[at] && marks[other])
+      if (marks[other])
         sets.unite(static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(other));
+  }
   return sets;
 }
 
@@ -228,20 +239,24 @@ gapsWithin(float radius, const std::vector<Vector2f>& points, float spacing)
   const float s = meanDistance(image, points, radius, spacing);
   if (s == 0.0f)
     return {};
+  const float min_radius = min_gap * s;
+  const float reach = radius + centers_beyond * s;
+  std::vector<char> is_far(image.distances.size(), 0);
+  bool has_far = false;
+  image.forEachWithin(reach, [&](std::size_t at, int, int) {
+    is_far[at] = image.distance(at) >= min_radius;
+    has_far = has_far || is_far[at];
+  });
+  if (!has_far)
+    return {};
   // Of n points at random the circles that touch three and hold none are 2 n; the
   // chance that one is larger than a s^2 is (1 + a) exp(-a), with 1 + a of some 20.
   const float count = pi * radius * radius / (s * s);
   const float area = std::log(2.0f * count * 20.0f / max_chance);
-  const float min_radius = min_gap * s;
   const float min_area = std::max(
       pi * min_radius * min_radius,
       s * s * area / evenness(image, radius + evenness_beyond * s, s, spacing));
 
-  const float reach = radius + centers_beyond * s;
-  std::vector<char> is_far(image.distances.size(), 0);
-  image.forEachWithin(reach, [&](std::size_t at, int, int) {
-    is_far[at] = image.distance(at) >= min_radius;
-  });
   DisjointSets sets = connected(is_far, image.side());
   std::map<std::uint32_t, Hollow> hollows;
   image.forEachWithin(reach, [&](std::size_t at, int column, int row) {

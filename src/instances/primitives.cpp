@@ -4,11 +4,10 @@
 
 #include "instances/primitives.h"
 
+#include "instances/counting_models.h"
+
 #include <pcl/sample_consensus/ransac.h>
 #include <pcl/sample_consensus/sac_model_cone.h>
-#include <pcl/sample_consensus/sac_model_cylinder.h>
-#include <pcl/sample_consensus/sac_model_plane.h>
-#include <pcl/sample_consensus/sac_model_sphere.h>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +24,6 @@ using Eigen::Vector3f;
 using Eigen::VectorXf;
 using Point = pcl::PointXYZ;
 using Model = pcl::SampleConsensusModel<Point>;
-using Cylinder = pcl::SampleConsensusModelCylinder<Point, pcl::Normal>;
 using Cone = pcl::SampleConsensusModelCone<Point, pcl::Normal>;
 
 // 3 of 10 points on a cylinder: 500 draws miss it with a probability of 10^-20.
@@ -91,10 +89,10 @@ Model::Ptr
 modelOf(const PrimitiveSample& sample, PrimitiveType type)
 {
   if (type == PrimitiveType::Plane)
-    return pcl::make_shared<pcl::SampleConsensusModelPlane<Point>>(sample.points);
+    return pcl::make_shared<PlaneModel>(sample.points);
   if (type == PrimitiveType::Sphere)
-    return pcl::make_shared<pcl::SampleConsensusModelSphere<Point>>(sample.points);
-  return modelWithNormals<Cylinder>(sample);
+    return pcl::make_shared<SphereModel>(sample.points);
+  return modelWithNormals<CylinderModel>(sample);
 }
 
 std::optional<VectorXf>

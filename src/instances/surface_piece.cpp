@@ -110,31 +110,6 @@ mostConnected(const SurfacePiece& piece, const NodeIndices& some)
   return connected;
 }
 
-/** The primitive with most connected nodes; the simplest one if others have not many
- * more. */
-SurfacePart
-largestPart(const SurfacePiece& piece, const NodeIndices& some)
-{
-  const PrimitiveSample sample = sampleOf(piece, some);
-  SurfacePart best;
-  for (const PrimitiveType type :
-       {PrimitiveType::Plane, PrimitiveType::Cylinder, PrimitiveType::Sphere}) {
-    SurfacePart part;
-    part.surface = fitTo(sample, type);
-    if (part.surface.type == PrimitiveType::None)
-      continue;
-    part.nodes = mostConnected(piece, inliersOf(piece, part.surface, some));
-    const double factor = best.nodes.empty() ? 0.0 : simpler;
-    if (static_cast<double>(part.nodes.size()) >
-        factor * static_cast<double>(best.nodes.size()))
-      best = std::move(part);
-    if (static_cast<double>(best.nodes.size()) >=
-        all_but_noise * static_cast<double>(some.size()))
-      break;
-  }
-  return best;
-}
-
 } // namespace
 
 SurfacePiece::SurfacePiece(std::vector<SurfaceNode> of_cloud, float min_noise)
@@ -155,10 +130,49 @@ SurfacePiece::allNodes() const
   return all;
 }
 
+ShapePrimitive
+SurfacePiece::fitted(const PrimitiveSample& sample,
+                     const NodeIndices& some,
+                     PrimitiveType type) const
+{
+  if (some.size() < nodes.size())
+    return fitTo(sample, type);
+  const auto known = fits_of_all_.find(type);
+  return known != fits_of_all_.end()
+             ? known->second
+             : fits_of_all_.emplace(type, fitTo(sample, type)).first->second;
+}
+
+/** The primitive with most connected nodes; the simplest one if others have not many
+ * more. */
+SurfacePart
+SurfacePiece::largestPart(const NodeIndices& some) const
+{
+  const PrimitiveSample sample = sampleOf(*this, some);
+  SurfacePart best;
+  for (const PrimitiveType type :
+       {PrimitiveType::Plane, PrimitiveType::Cylinder, PrimitiveType::Sphere}) {
+    SurfacePart part;
+    part.surface = fitted(sample, some, type);
+    if (part.surface.type == PrimitiveType::None)
+      continue;
+    part.nodes = mostConnected(*this, inliersOf(*this, part.surface, some));
+    const double factor = best.nodes.empty() ? 0.0 : simpler;
+    if (static_cast<double>(part.nodes.size()) >
+        factor * static_cast<double>(best.nodes.size()))
+      best = std::move(part);
+    if (static_cast<double>(best.nodes.size()) >=
+        all_but_noise * static_cast<double>(some.size()))
+      break;
+  }
+  return best;
+}
+
 bool
 SurfacePiece::isOne(const NodeIndices& some) const
 {
-  const ShapePrimitive plane = fitTo(sampleOf(*this, some), PrimitiveType::Plane);
+  const ShapePrimitive plane =
+      fitted(sampleOf(*this, some), some, PrimitiveType::Plane);
   if (plane.type != PrimitiveType::None) {
     const auto size = static_cast<double>(some.size());
     const auto inliers = static_cast<double>(inliersOf(*this, plane, some).size());
@@ -176,7 +190,7 @@ SurfacePiece::residualAsOne(const NodeIndices& some) const
   const PrimitiveSample sample = sampleOf(*this, some);
   float residual = std::numeric_limits<float>::infinity();
   for (const PrimitiveType type : {PrimitiveType::Cylinder, PrimitiveType::Sphere}) {
-    ShapePrimitive surface = fitTo(sample, type);
+    ShapePrimitive surface = fitted(sample, some, type);
     if (surface.type == PrimitiveType::None)
       continue;
     refine(sample, surface);
@@ -220,7 +234,7 @@ SurfacePiece::parts() const
   NodeIndices left = allNodes();
   std::vector<SurfacePart> parts;
   while (left.size() >= min_size) {
-    SurfacePart part = largestPart(*this, left);
+    SurfacePart part = largestPart(left);
     if (part.nodes.size() < min_part_nodes)
       break;
     if (parts.size() == max_parts)

@@ -8,6 +8,7 @@
 #include "instances/smooth_pieces.h"
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace pcl::segmentation {
@@ -78,6 +79,16 @@ struct SurfacePiece {
   const float node_noise;
   const float gap_limit;      ///< between two parts of one surface where they meet
   const std::size_t min_size; ///< of a part that is a surface of its own, in nodes
+
+private:
+  SurfacePart largestPart(const NodeIndices& some) const;
+  ShapePrimitive fitted(const PrimitiveSample& sample,
+                        const NodeIndices& some,
+                        PrimitiveType type) const;
+
+  /** Those to all nodes: asked for to see whether the piece is one, and for its first
+   * part. A piece is looked at by one thread. */
+  mutable std::map<PrimitiveType, ShapePrimitive> fits_of_all_;
 };
 
 } // namespace pcl::segmentation

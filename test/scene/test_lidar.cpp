@@ -221,6 +221,37 @@ TEST(Lidar, WetGroundShowsWhatIsBehindBelowIt)
   EXPECT_LT(below, scan.size() / 50);
 }
 
+TEST(Lidar, AMovingScannerSeesEachRayFromWhereItIs)
+{
+  LidarOptions options = exact(68);
+  options.speed = 20.0;
+  options.yaw_rate = 45.0;
+  const LidarScan scan = scanStreet(options);
+  const StreetGround ground = randomStreet(68).ground;
+  const double pi = std::acos(-1.0);
+  std::size_t on_road = 0, off_in_one_frame = 0;
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    const Vec3 p = pointOf(scan, i);
+    if (scan.ground[i] != GroundTrue || norm(p) > 20.0)
+      continue;
+    // Columns are fired clockwise, all in a tenth of a second.
+    double angle = std::atan2(-p.y, p.x) / (2.0 * pi);
+    angle = angle < 0.0 ? angle + 1.0 : angle;
+    const double time = std::round(angle * 1800.0 - 0.5) / 1800.0;
+    const double yaw = 4.5 * time * pi / 180.0, way = 2.0 * time;
+    const double c = std::cos(yaw), s = std::sin(yaw);
+    const Vec3 at{way * std::cos(0.5 * yaw), way * std::sin(0.5 * yaw), 0.0};
+    const double x = at.x + c * p.x - s * p.y, y = at.y + s * p.x + c * p.y;
+    const double z =
+        p.z + ground.height(ground.toStreet(at.x, at.y)) + ground.profile.height;
+    ASSERT_NEAR(ground.height(ground.toStreet(x, y)), z, 2e-3);
+    ++on_road;
+    off_in_one_frame += std::abs(ground.height(ground.toStreet(p.x, p.y)) - p.z) > 0.01;
+  }
+  EXPECT_GT(on_road, 5000U);
+  EXPECT_GT(off_in_one_frame, on_road / 20);
+}
+
 TEST(Lidar, PlacesHaveCeilingsAndFields)
 {
   for (const StreetPlace place : {StreetPlace::Garage,
@@ -255,4 +286,11 @@ TEST(Lidar, RefusesBadOptions)
     options.sigma = sigma;
     EXPECT_NE(refusal(options).find("must be 0 to 0.1 m, not "), std::string::npos);
   }
+  options = {};
+  options.speed = -1.0;
+  EXPECT_EQ(refusal(options), "speed must be 0 to 60 m/s, not -1");
+  options = {};
+  options.yaw_rate = 200.0;
+  EXPECT_EQ(refusal(options),
+            "yaw_rate must be -180 to 180 degrees per second, not 200");
 }

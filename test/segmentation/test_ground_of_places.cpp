@@ -90,6 +90,22 @@ TEST(GroundOfFields, BehindABankOrADitchTheyAreFound)
   }
 }
 
+TEST(GroundOfMovingScanners, IsFoundThoughTheScanDoesNotFitTogether)
+{
+  for (const Sensor& sensor : {sensors[0], sensors[4]}) {
+    scene::LidarOptions options;
+    options.place = StreetPlace::Country;
+    options.pattern = sensor.pattern;
+    options.beams = sensor.beams;
+    options.seed = 361;
+    options.speed = 25.0;
+    options.yaw_rate = 40.0;
+    const scene::LidarScan scan = scene::scanStreet(options);
+    EXPECT_GE(f1(likelihoodsOf(cloudOf(scan)), scan.ground), 0.98)
+        << "pattern " << static_cast<int>(sensor.pattern);
+  }
+}
+
 TEST(GroundOfWetStreets, MirroredPointsBelowItAreNone)
 {
   for (const unsigned beams : {16U, 64U}) {

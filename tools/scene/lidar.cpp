@@ -22,6 +22,7 @@ constexpr double asphalt_reach = 50.0; // meters
 constexpr double min_range = 0.9;      // meters
 constexpr double indoor_range = 0.3;   // meters: scanners of robots
 constexpr double wet_share = 0.5;      // of the rays at wet ground are mirrored
+constexpr double scan_seconds = 0.1;
 
 /** \brief What a ray meets first. */
 struct Return {
@@ -31,19 +32,19 @@ struct Return {
 };
 
 /** \brief Nothing if the ray is lost.
- * \param[in] solids what stands in the street \param[in] direction unit */
+ * \param[in] solids what stands in the street \param[in] ray its direction is unit */
 std::optional<Return>
 cast(const Street& street,
      const World& solids,
      const RayCaster& caster,
-     const Vec3& direction,
+     const Ray& ray,
      double reach,
      double min_range,
      double tuft)
 {
-  const Sight sight = caster.cast({{}, direction});
+  const Sight sight = caster.cast(ray);
   const double range = sight.object == nothing ? reach : sight.depth;
-  if (const auto hit = street.ground.cast(direction, std::min(range, reach), tuft)) {
+  if (const auto hit = street.ground.cast(ray, std::min(range, reach), tuft)) {
     if (hit->distance > asphalt_reach)
       return std::nullopt;
     const std::uint32_t ground = hit->kerb_face ? GroundVoid : GroundTrue;
@@ -82,9 +83,13 @@ struct Puddles {
 
 /** What wet ground shows instead of itself, as far behind it as it is before it. */
 std::optional<Return>
-mirrored(const RayCaster& caster, const Return& ground, const Vec3& at, double reach)
+mirrored(const RayCaster& caster,
+         const Return& ground,
+         const Vec3& at,
+         const Vec3& from,
+         double reach)
 {
-  const Vec3 direction = normalized(at);
+  const Vec3 direction = normalized(at - from);
   const Vec3 up = ground.normal;
   const Vec3 away = direction - up * (2.0 * dot(direction, up));
   const Sight sight = caster.cast({at + up * 1e-6, away});
@@ -96,7 +101,42 @@ mirrored(const RayCaster& caster, const Return& ground, const Vec3& at, double r
 struct LidarRay {
   Vec3 direction; /**< unit */
   std::size_t beam;
+  double time; /**< of the scan, 0 to 1 */
 };
+
+/** Where the scanner has come to, and where it looks. */
+struct Scanner {
+  Vec3 origin;
+  UnitVector yaw{1.0, 0.0};
+
+  /** Of a vector in its own frame. */
+  Vec3
+  turned(const Vec3& v) const
+  {
+    return {yaw.cosine * v.x - yaw.sine * v.y, yaw.sine * v.x + yaw.cosine * v.y, v.z};
+  }
+
+  Vec3
+  turnedBack(const Vec3& v) const
+  {
+    return {yaw.cosine * v.x + yaw.sine * v.y, yaw.cosine * v.y - yaw.sine * v.x, v.z};
+  }
+};
+
+/** Along an arc of the road, at the same height above it. */
+Scanner
+scannerAt(const StreetGround& ground, const LidarOptions& options, double time)
+{
+  if (options.speed == 0.0 && options.yaw_rate == 0.0)
+    return {};
+  const double seconds = time * scan_seconds;
+  const double turns = options.yaw_rate * seconds / 360.0;
+  const UnitVector chord = fromTurns(0.5 * turns); // of the arc, which is short
+  const double way = options.speed * seconds;
+  const Vec3 at{way * chord.cosine, way * chord.sine, 0.0};
+  const double road = ground.height(ground.toStreet(at.x, at.y));
+  return {{at.x, at.y, road + ground.profile.height}, fromTurns(turns)};
+}
 
 double
 sum(UnitVector a, UnitVector b, bool sine)
@@ -116,7 +156,9 @@ rosette(double width, double height, double phase)
     const UnitVector a = fromTurns(one * at), b = fromTurns(other * at);
     const UnitVector side = fromTurns(0.5 * width / 360.0 * sum(a, b, false));
     const UnitVector up = fromTurns(0.5 * height / 360.0 * sum(a, b, true));
-    found.push_back({{up.cosine * side.cosine, up.cosine * side.sine, up.sine}, 0});
+    found.push_back({{up.cosine * side.cosine, up.cosine * side.sine, up.sine},
+                     0,
+                     static_cast<double>(i) / rays});
   }
   return found;
 }
@@ -139,7 +181,9 @@ raysOf(const LidarOptions& options)
     const UnitVector turn = fromTurns(-(column + 0.5) / columns);
     for (std::size_t beam = 0; beam < elevations.size(); ++beam) {
       const UnitVector up = fromTurns(elevations[beam] / 360.0);
-      rays.push_back({{up.cosine * turn.cosine, up.cosine * turn.sine, up.sine}, beam});
+      rays.push_back({{up.cosine * turn.cosine, up.cosine * turn.sine, up.sine},
+                      beam,
+                      static_cast<double>(column) / columns});
     }
   }
   return rays;
@@ -197,6 +241,8 @@ LidarScan
 scanStreet(const LidarOptions& options)
 {
   requireRange("sigma", options.sigma, 0.0, 0.1, " m");
+  requireRange("speed", options.speed, 0.0, 60.0, " m/s");
+  requireRange("yaw_rate", options.yaw_rate, -180.0, 180.0, " degrees per second");
   const std::vector<LidarRay> rays = raysOf(options);
   const double reach = options.pattern == LidarPattern::Turn && options.beams >= 64
                            ? 120.0
@@ -216,14 +262,20 @@ scanStreet(const LidarOptions& options)
   for (const LidarRay& ray : rays) {
     const bool lost = random.chance(drop_out_rate) && options.drop_outs;
     const double error = options.sigma * random.normal();
+    const Scanner scanner = scannerAt(street.ground, options, ray.time);
+    const Ray cast_ray{scanner.origin, scanner.turned(ray.direction)};
     auto found =
-        cast(street, solids, caster, ray.direction, reach, nearest, rough.uniform());
+        cast(street, solids, caster, cast_ray, reach, nearest, rough.uniform());
     const bool is_mirrored = rough.chance(wet_share) && options.mirrors;
-    if (found && is_mirrored && found->ground == GroundTrue &&
-        puddles.haveAt(ray.direction * found->range))
-      found = mirrored(caster, *found, ray.direction * found->range, reach);
-    if (!lost && found)
+    if (found && is_mirrored && found->ground == GroundTrue) {
+      const Vec3 at = cast_ray.origin + cast_ray.direction * found->range;
+      if (puddles.haveAt(at))
+        found = mirrored(caster, *found, at, cast_ray.origin, reach);
+    }
+    if (!lost && found) {
+      found->normal = scanner.turnedBack(found->normal);
       append(*found, ray.direction * (found->range + error), ray.beam, scan);
+    }
     else if (options.fillers)
       append(Return{0.0, -ray.direction, GroundNot, SurfaceVoid, 0},
              Vec3{},

@@ -32,12 +32,15 @@ struct LidarOptions {
   bool drop_outs = true; /**< returns are lost at random */
   StreetPlace place = StreetPlace::Town;
   LidarPattern pattern = LidarPattern::Turn;
-  bool mirrors = false; /**< some ground is wet and mirrors what stands behind it */
-  bool fillers = false; /**< rays that did not come back are points at 0 */
+  bool mirrors = false;  /**< some ground is wet and mirrors what stands behind it */
+  bool fillers = false;  /**< rays that did not come back are points at 0 */
+  double speed = 0.0;    /**< forward, 0 to 60 m/s */
+  double yaw_rate = 0.0; /**< to the left, -180 to 180 degrees per second */
 };
 
 /** \brief A turn of a spinning laser scanner in a street, without the rays that did not
- * come back, in the order of firing. Frame of the sensor: x forward, y left, z up. */
+ * come back, in the order of firing. Frame of the sensor: x forward, y left, z up; of a
+ * moving one that of each ray, as drivers hand scans out. */
 struct LidarScan {
   std::vector<float> xyz;     /**< measured, meters, 3 per point */
   std::vector<float> normals; /**< exact, 3 per point, towards the sensor */
@@ -66,7 +69,8 @@ std::vector<double> beamElevations(unsigned beams);
  * m. 32 beams: HDL-32E, -30.67 to +10.67 degrees by 4/3, 0.1659 degrees, 100 m. 128
  * beams: OS1-128, -22.5 to +22.5 degrees, 1024 columns, 120 m. Rosettes have 48,000
  * rays and 100 m. All: 2 cm (one sigma), and 50 m on asphalt, which reflects a tenth
- * (HDL-64E data sheet). 1 % of the returns get lost.
+ * (HDL-64E data sheet). 1 % of the returns get lost. A scan takes a tenth of a second,
+ * in which the vehicle may drive on and turn.
  *
  * The same options give the same labels, and coordinates within 1e-6 m, on any machine.
  * \throws std::invalid_argument that names the parameter, its value and what it must be

@@ -127,18 +127,21 @@ StreetGround::standing(const StreetPoint& p) const
 }
 
 std::optional<GroundHit>
-StreetGround::cast(const Vec3& direction, double reach, double tuft) const
+StreetGround::cast(const Ray& ray, double reach, double tuft) const
 {
+  const auto& [origin, direction] = ray;
   const bool is_fine = !profile.bumps.empty() || !profile.driveways.empty() ||
                        !profile.sides[0].empty() || !profile.sides[1].empty();
   const double step = is_fine ? fine_step : search_step;
   const auto at = [&](double distance) {
-    return toStreet(direction.x * distance, direction.y * distance);
+    return toStreet(origin.x + direction.x * distance,
+                    origin.y + direction.y * distance);
   };
-  const double drift = at(1.0).t - profile.lane;
+  const double lane = at(0.0).t;
+  const double drift = at(1.0).t - lane;
   std::array<double, 4> ends{0.0, reach, reach, reach};
   for (const double side : {-1.0, 1.0}) {
-    const double crossing = (side * profile.half_width - profile.lane) / drift;
+    const double crossing = (side * profile.half_width - lane) / drift;
     if (crossing > 0.0 && crossing < reach)
       ends[side < 0.0 ? 1 : 2] = crossing;
   }
@@ -148,7 +151,7 @@ StreetGround::cast(const Vec3& direction, double reach, double tuft) const
     const auto above = [&](double distance) {
       const StreetPoint p = at(distance);
       const bool is_grass = std::abs(p.t) > profile.half_width + verge;
-      return direction.z * distance - height(p, zone) -
+      return origin.z + direction.z * distance - height(p, zone) -
              (is_grass ? tuft * profile.grass : 0.0);
     };
     if (above(ends[i]) < 0.0)

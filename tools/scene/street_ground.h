@@ -94,11 +94,10 @@ public:
    * ground. */
   Pose standing(const StreetPoint& p) const;
 
-  /** \brief The first place where a ray from the sensor meets it.
-   * \param[in] direction unit \param[in] reach meters
+  /** \brief The first place where a ray meets it.
+   * \param[in] ray from above it; the direction is unit \param[in] reach meters
    * \param[in] tuft where in the grass, 0 on the soil, 1 at the tips */
-  std::optional<GroundHit>
-  cast(const Vec3& direction, double reach, double tuft = 0.0) const;
+  std::optional<GroundHit> cast(const Ray& ray, double reach, double tuft = 0.0) const;
 
 private:
   double side(const StreetPoint& p, GroundZone zone) const;

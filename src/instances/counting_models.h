@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// PCL's models of planes, cylinders and spheres that count the points on them faster.
+
+#pragma once
+
+#include <pcl/point_types.h>
+#include <pcl/sample_consensus/sac_model_cylinder.h>
+#include <pcl/sample_consensus/sac_model_plane.h>
+#include <pcl/sample_consensus/sac_model_sphere.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace pcl::segmentation {
+
+/** \brief The points of a model, coordinate by coordinate, and the most that were on
+ * one of its hypotheses. */
+class CountedPoints {
+public:
+  explicit CountedPoints(const pcl::PointCloud<pcl::PointXYZ>& points);
+
+  /** \brief The number of points for which is(x, y, z). RANSAC only asks whether it is
+   * the largest so far: if it cannot be, the count ends early, and is no larger. */
+  template <typename Is>
+  std::size_t
+  count(const Is& is) const
+  {
+    constexpr std::size_t block = 256; // some 50 ns
+    std::size_t count = 0;
+    for (std::size_t begin = 0; begin < x_.size(); begin += block) {
+      if (count + (x_.size() - begin) <= most_)
+        return count;
+      const std::size_t end = std::min(begin + block, x_.size());
+      unsigned of_block = 0;
+      for (std::size_t i = begin; i < end; ++i)
+        of_block += is(x_[i], y_[i], z_[i]) ? 1U : 0U;
+      count += of_block;
+    }
+    most_ = std::max(most_, count);
+    return count;
+  }
+
+private:
+  std::vector<float> x_, y_, z_;
+  mutable std::size_t most_ = 0;
+};
+
+/** \brief As PCL's, for clouds without NaN all of whose points count. */
+class PlaneModel : public pcl::SampleConsensusModelPlane<pcl::PointXYZ> {
+public:
+  explicit PlaneModel(const PointCloudConstPtr& points);
+
+  std::size_t countWithinDistance(const Eigen::VectorXf& coefficients,
+                                  double threshold) const override;
+
+private:
+  CountedPoints points_;
+};
+
+/** \brief Likewise. */
+class SphereModel : public pcl::SampleConsensusModelSphere<pcl::PointXYZ> {
+public:
+  explicit SphereModel(const PointCloudConstPtr& points);
+
+  std::size_t countWithinDistance(const Eigen::VectorXf& coefficients,
+                                  double threshold) const override;
+
+private:
+  CountedPoints points_;
+};
+
+/** \brief Likewise, with normals that weigh nothing. */
+class CylinderModel
+: public pcl::SampleConsensusModelCylinder<pcl::PointXYZ, pcl::Normal> {
+public:
+  explicit CylinderModel(const PointCloudConstPtr& points);
+
+  std::size_t countWithinDistance(const Eigen::VectorXf& coefficients,
+                                  double threshold) const override;
+
+private:
+  CountedPoints points_;
+};
+
+} // namespace pcl::segmentation
