@@ -51,8 +51,8 @@ SEEDS="1 2 3" scenes seed
 if wants generated; then
   compare generated "$work"/seed{1,2,3}.pcd -edge_radii .008 .012 -surface_radii .025
 fi
-# Those that do not need a radius of their own for each part, in few settings: one for less noise, one for more.
-local_peers=(-tasks edges -peers "default mode" "k nearest" "variation (Bazazian), radius" Principal CGAL)
+# In few settings: one for less noise, one for more.
+local_peers=(-tasks edges -peers "default mode" "k nearest" Principal CGAL)
 if [[ -n $data ]] && wants parts; then
   for sampling in pds0 pds15 pds40 rnd15; do
     compare parts_$sampling "$data"/parts/*_$sampling.pcd "${local_peers[@]}" -held_out -neighbors 12 24 48 \
