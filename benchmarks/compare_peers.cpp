@@ -3,17 +3,17 @@
 // Edges and curved surfaces, beside the paper's method and others.
 
 #include "common/options.h"
+#include "peers/contest.h"
 #include "peers/peer.h"
 #include "peers/report.h"
-#include "peers/trial.h"
 
 #include <algorithm>
-#include <exception>
 #include <iostream>
 
 // This library, the paper's method and what others offer for the same, on clouds with
 // truth: how well edges, and curved against planar points, are found. Peers may choose
-// the best of their settings and thresholds for these clouds; this library may not.
+// the best of their settings and thresholds for these clouds, or for others; this
+// library may not.
 namespace {
 
 namespace po = boost::program_options;
@@ -26,6 +26,9 @@ struct Arguments {
   std::vector<double> edge_radii{0.008, 0.012, 0.015};
   std::vector<double> surface_radii{0.015, 0.025};
   std::vector<double> voronoi_radii{0.008}; ///< CGAL's is slow
+  std::vector<int> neighbors{24};
+  std::vector<std::string> tuning_clouds;
+  bool is_held_out = false;
   int jobs = 1;
 };
 
@@ -55,6 +58,17 @@ check(const Arguments& arguments)
       }
     }
   }
+  for (const int k : arguments.neighbors) {
+    if (k < 5 || k > 1000) {
+      throw std::invalid_argument("-neighbors " + std::to_string(k) +
+                                  ": expected 5 to 1000");
+    }
+  }
+  if (arguments.is_held_out && !arguments.tuning_clouds.empty()) {
+    throw std::invalid_argument(
+        "-held_out with -tune_on: expected one of them, which both say what settings "
+        "are chosen on");
+  }
   if (arguments.jobs < 1 || arguments.jobs > 256) {
     throw std::invalid_argument("-jobs " + std::to_string(arguments.jobs) +
                                 ": expected 1 to 256");
@@ -72,6 +86,13 @@ parseArguments(int argc, char** argv, Arguments& a)
       "edge_radii", po::value(&a.edge_radii)->multitoken(), "meters, peers' choice")(
       "surface_radii", po::value(&a.surface_radii)->multitoken(), "likewise")(
       "voronoi_radii", po::value(&a.voronoi_radii)->multitoken(), "CGAL's, likewise")(
+      "neighbors", po::value(&a.neighbors)->multitoken(), "k nearest, likewise (24)")(
+      "held_out",
+      po::bool_switch(&a.is_held_out),
+      "peers choose for each cloud on the other ones")(
+      "tune_on",
+      po::value(&a.tuning_clouds)->multitoken(),
+      "clouds on which peers choose, instead")(
       "jobs", po::value(&a.jobs), "clouds at a time, one thread each (1)")("help",
                                                                            "this");
   if (!parseCommandLine(argc, argv, options, po::value(&a.clouds)))
@@ -80,58 +101,13 @@ parseArguments(int argc, char** argv, Arguments& a)
   return true;
 }
 
-/** Every cloud with one setting. Exceptions must not leave the parallel region. */
-std::vector<Trial>
-trialsOf(const Setting& setting,
-         const std::vector<LabeledCloud>& clouds,
-         Task task,
-         int jobs)
-{
-  std::vector<Trial> trials(clouds.size());
-  std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic) num_threads(jobs)
-  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(clouds.size()); ++i) {
-    try {
-      const auto at = static_cast<std::size_t>(i);
-      trials[at] = run(setting, clouds[at], task);
-    }
-    catch (...) {
-#pragma omp critical
-      failure = std::current_exception();
-    }
-  }
-  if (failure)
-    std::rethrow_exception(failure);
-  return trials;
-}
-
-/** The best setting of a peer. */
-Result
-compete(const Peer& peer, const std::vector<LabeledCloud>& clouds, Task task, int jobs)
-{
-  Result best;
-  double best_f1 = -1.0;
-  for (const Setting& setting : peer.settings) {
-    Result result{peer.name, setting.text, !peer.threshold, 0.0f, {}};
-    result.trials = trialsOf(setting, clouds, task, jobs);
-    result.threshold = peer.threshold ? *peer.threshold : bestThreshold(result.trials);
-    const double f1 = meanF1(result.trials, result.threshold);
-    std::cerr << peer.name << ", " << setting.text << ": mean F1 " << f1 << '\n';
-    if (f1 > best_f1) {
-      best_f1 = f1;
-      best = std::move(result);
-    }
-  }
-  return best;
-}
-
 std::vector<Peer>
 peersOf(Task task, const Arguments& arguments)
 {
   std::vector<Peer> peers = task == Task::edges ? ownEdges() : ownSurfaces();
-  const std::vector<Peer> others = task == Task::edges
-                                       ? edgePeers(arguments.edge_radii)
-                                       : surfacePeers(arguments.surface_radii);
+  const std::vector<Peer> others =
+      task == Task::edges ? edgePeers(arguments.edge_radii, arguments.neighbors)
+                          : surfacePeers(arguments.surface_radii);
   peers.insert(peers.end(), others.begin(), others.end());
 #ifdef PCL_SHAPE_HAS_CGAL
   if (task == Task::edges)
@@ -153,6 +129,15 @@ peersOf(Task task, const Arguments& arguments)
   return peers;
 }
 
+std::vector<LabeledCloud>
+readClouds(const std::vector<std::string>& paths, const std::vector<Task>& tasks)
+{
+  std::vector<LabeledCloud> clouds;
+  for (const std::string& path : paths)
+    clouds.push_back(readLabeledCloud(path, tasks));
+  return clouds;
+}
+
 int
 runComparison(int argc, char** argv)
 {
@@ -167,16 +152,16 @@ runComparison(int argc, char** argv)
   peers.reserve(tasks.size());
   for (const Task task : tasks)
     peers.push_back(peersOf(task, arguments));
-  std::vector<LabeledCloud> clouds;
-  for (const std::string& path : arguments.clouds)
-    clouds.push_back(readLabeledCloud(path, tasks));
+  const std::vector<LabeledCloud> clouds = readClouds(arguments.clouds, tasks);
+  const std::vector<LabeledCloud> others = readClouds(arguments.tuning_clouds, tasks);
+  const Tuning tuning{others.empty() ? nullptr : &others, arguments.is_held_out};
   nlohmann::ordered_json report = describe(clouds);
   report["jobs"] = arguments.jobs;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     auto& rows = report[tasks[i] == Task::edges ? "edges" : "surfaces"];
     rows = nlohmann::ordered_json::array();
     for (const Peer& peer : peers[i])
-      rows.push_back(toJson(compete(peer, clouds, tasks[i], arguments.jobs)));
+      rows.push_back(toJson(compete(peer, clouds, tuning, tasks[i], arguments.jobs)));
   }
   std::cout << report.dump() << std::endl;
   return 0;

@@ -14,6 +14,8 @@ from benchmark_tables import rewrite, table
 
 GROUPS = {"real": "given real scenes", "exact": "clouds with exact creases",
           "generated": "generated scenes"}
+SAMPLINGS = {"parts_pds0": "even", "parts_pds15": "even, .15 s", "parts_pds40": "even, .40 s",
+             "parts_rnd15": "random, .15 s"}
 CLEAR = 0.0005  # a difference that the tables show
 
 
@@ -27,7 +29,10 @@ def shares(mean, *names):
 
 def described(row):
     """The setting, and the threshold if it was chosen."""
-    return row["setting"] + (f"; from {row['threshold']:.2g}" if row["tuned"] else "")
+    if not row["tuned"]:
+        return row["setting"]
+    least, most = f"{row['threshold']:.2g}", f"{row.get('max_threshold', row['threshold']):.2g}"
+    return f"{row['setting']}; from {least}" + (f" to {most}" if most != least else "")
 
 
 def edges(rows):
@@ -46,6 +51,31 @@ def surfaces(rows):
          *shares(row["mean"], "curved_f1", "curved_precision", "curved_recall", "planar_f1",
                  "planar_precision", "planar_recall", "mean_iou", "accuracy"),
          f"{row['mean']['seconds']:.2f}"] for row in rows])
+
+
+def parts(runs):
+    """F1 of each sampling, the mean of the parts, and the time of all of them."""
+    columns = [key for key in SAMPLINGS if (key, "edges") in runs]
+    rows = [[row["peer"] for row in runs[key, "edges"]] for key in columns]
+    assert all(peers == rows[0] for peers in rows), "the runs of parts have different peers"
+    lines = []
+    for place, peer in enumerate(rows[0]):
+        of_peer = [runs[key, "edges"][place]["mean"] for key in columns]
+        lines.append([peer, *(share(mean["edge_f1"]) for mean in of_peer),
+                      f"{sum(mean['seconds'] for mean in of_peer) / len(of_peer):.2f}"])
+    return table(["edge F1", *(SAMPLINGS[key] for key in columns), "time (s)"], lines)
+
+
+def clouds(rows, key, value=share):
+    """A number of each cloud beside each other."""
+    names = [cloud["cloud"] for cloud in rows[0]["clouds"]]
+    return table(["edges", "setting", *names, "time (s)"], [
+        [row["peer"], described(row), *(value(cloud[key]) for cloud in row["clouds"]),
+         f"{row['mean']['seconds']:.2f}"] for row in rows])
+
+
+def wrong(accuracy):
+    return f"{1 - accuracy:.4f}".removeprefix("0")
 
 
 def better(rows, key):
@@ -84,6 +114,8 @@ def losses_of_key(rows, key, name):
 def losses(runs):
     lines = []
     for (group, task), rows in runs.items():
+        if group not in GROUPS:
+            continue  # their tables are short
         found = [line for key, name in KEYS[task].items()
                  for line in losses_of_key(rows, key, name)]
         quick = faster(rows)
@@ -115,8 +147,14 @@ def main():
         pathlib.Path(__file__).resolve().parent.parent
     runs = read(pathlib.Path(sys.argv[1]))
     tables = {f"peers_{group}_{task}": (edges if task == "edges" else surfaces)(rows)
-              for (group, task), rows in runs.items()}
-    if any(group == "real" for group, _ in runs):
+              for (group, task), rows in runs.items() if group in GROUPS}
+    if any(group in SAMPLINGS for group, _ in runs):
+        tables["peers_parts"] = parts(runs)
+    if ("rgbd", "edges") in runs:
+        tables["peers_rgbd"] = clouds(runs["rgbd", "edges"], "accuracy", wrong)
+    if ("dense", "edges") in runs:
+        tables["peers_dense"] = clouds(runs["dense", "edges"], "edge_f1")
+    if set(GROUPS) <= {group for group, _ in runs}:
         tables["peers_losses"] = losses(runs)
     rewrite(root / "doc/evaluation.md", tables)
 

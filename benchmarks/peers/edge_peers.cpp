@@ -14,12 +14,10 @@
 namespace peers {
 namespace {
 
-/** The program of Bazazian et al. as it is: surface variation of the 10 nearest points,
- * from its least (0) to its largest (1) value. */
+/** Surface variation of the k nearest points. */
 Scores
-variationOfNearest(const LabeledCloud& cloud)
+variationOfNearest(const LabeledCloud& cloud, int k)
 {
-  constexpr int k = 10;
   pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation(1);
   estimation.setInputCloud(cloud.points);
   estimation.setSearchMethod(
@@ -27,16 +25,35 @@ variationOfNearest(const LabeledCloud& cloud)
   estimation.setKSearch(k);
   Normals normals;
   estimation.compute(normals);
-  const auto [least, most] = std::minmax_element(
-      normals.begin(), normals.end(), [](const pcl::Normal& a, const pcl::Normal& b) {
-        return a.curvature < b.curvature;
-      });
   Scores scores;
-  for (const pcl::Normal& normal : normals) {
-    scores.push_back((normal.curvature - least->curvature) /
-                     (most->curvature - least->curvature));
-  }
+  for (const pcl::Normal& normal : normals)
+    scores.push_back(normal.curvature);
   return scores;
+}
+
+/** The program of Bazazian et al. as it is: surface variation of the 10 nearest points,
+ * from its least (0) to its largest (1) value. */
+Scores
+variationAsPublished(const LabeledCloud& cloud)
+{
+  Scores scores = variationOfNearest(cloud, 10);
+  const auto [least, most] = std::minmax_element(scores.begin(), scores.end());
+  const float from = *least, range = *most - *least;
+  for (float& score : scores)
+    score = (score - from) / range;
+  return scores;
+}
+
+Peer
+nearestPeer(const std::vector<int>& counts)
+{
+  Peer peer{"surface variation, k nearest", {}, {}};
+  for (const int k : counts) {
+    peer.settings.push_back({std::to_string(k), [=](const LabeledCloud& cloud) {
+                               return variationOfNearest(cloud, k);
+                             }});
+  }
+  return peer;
 }
 
 Scores
@@ -60,7 +77,7 @@ differenceOfNormals(const Cloud::ConstPtr& cloud, double small, double large)
 } // namespace
 
 std::vector<Peer>
-edgePeers(const std::vector<double>& radii)
+edgePeers(const std::vector<double>& radii, const std::vector<int>& neighbors)
 {
   constexpr float six_of_256_levels = 6.0f / 256.0f;
   Peer normals{"pcl::DifferenceOfNormalsEstimation", {}, {}};
@@ -76,8 +93,9 @@ edgePeers(const std::vector<double>& radii)
     }
   }
   return {{"surface variation (Bazazian), its defaults",
-           {{"10 nearest points", variationOfNearest}},
+           {{"10 nearest points", variationAsPublished}},
            six_of_256_levels},
+          nearestPeer(neighbors),
           surfaceVariation(radii),
           normals,
           principalCurvature(radii)};

@@ -36,8 +36,10 @@ struct LabeledCloud {
 
 enum class Task { edges, surfaces };
 
-/** \brief Read a cloud with truth. \throws pcl::app::InputError if it has none for
- * these tasks, or points that are not finite */
+/** \brief Read the finite points of a cloud with truth: the fields edge and surface; of
+ * machined parts (with thin_s, radius_s and crease_s) without what may be called either
+ * way; or only table, which is planar and no edge. \throws pcl::app::InputError if it
+ * has none for these tasks */
 LabeledCloud readLabeledCloud(const std::string& path, const std::vector<Task>& tasks);
 
 /** \brief The connected parts of the truth's curved points, of 100 points or more. */

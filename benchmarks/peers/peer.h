@@ -35,8 +35,10 @@ struct Peer {
 std::vector<Peer> ownEdges();
 std::vector<Peer> ownSurfaces();
 
-/** \brief What others offer for edges. \param[in] radii meters, to choose from */
-std::vector<Peer> edgePeers(const std::vector<double>& radii);
+/** \brief What others offer for edges. \param[in] radii meters, to choose from
+ * \param[in] neighbors likewise, for the k nearest points */
+std::vector<Peer> edgePeers(const std::vector<double>& radii,
+                            const std::vector<int>& neighbors);
 
 /** \brief What others offer to tell curved from planar points. */
 std::vector<Peer> surfacePeers(const std::vector<double>& radii);

@@ -4,6 +4,7 @@
 
 #include "report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -54,6 +55,17 @@ meansOf(const Json& clouds)
   return means;
 }
 
+/** Each setting once, in the order of the clouds. */
+std::string
+joined(const std::vector<std::string>& settings)
+{
+  std::string text;
+  for (auto setting = settings.begin(); setting != settings.end(); ++setting)
+    if (std::find(settings.begin(), setting, *setting) == setting)
+      text += (text.empty() ? "" : " or ") + *setting;
+  return text;
+}
+
 } // namespace
 
 Json
@@ -71,14 +83,17 @@ Json
 toJson(const Result& result)
 {
   Json clouds = Json::array();
-  for (const Trial& trial : result.trials) {
-    Json numbers = numbersOf(trial, result.threshold);
-    numbers["cloud"] = trial.cloud->name;
+  for (std::size_t i = 0; i < result.trials.size(); ++i) {
+    Json numbers = numbersOf(result.trials[i], result.thresholds[i]);
+    numbers["cloud"] = result.trials[i].cloud->name;
     clouds.push_back(numbers);
   }
+  const auto [least, most] =
+      std::minmax_element(result.thresholds.begin(), result.thresholds.end());
   return {{"peer", result.peer},
-          {"setting", result.setting},
-          {"threshold", result.threshold},
+          {"setting", joined(result.settings)},
+          {"threshold", *least},
+          {"max_threshold", *most},
           {"tuned", result.is_tuned},
           {"mean", meansOf(clouds)},
           {"clouds", clouds}};

@@ -13,11 +13,12 @@
 
 namespace peers {
 
-/** \brief The best that a peer did. */
+/** \brief The best that a peer did; settings, thresholds and trials of each cloud. */
 struct Result {
-  std::string peer, setting;
-  bool is_tuned = false; ///< the threshold was chosen for these clouds
-  float threshold = 0.0f;
+  std::string peer;
+  bool is_tuned = false; ///< thresholds were chosen, and are not the peer's own
+  std::vector<std::string> settings;
+  std::vector<float> thresholds;
   std::vector<Trial> trials;
 };
 
