@@ -53,8 +53,8 @@ bench() {
 cached() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"; }
 
 machine() {
-  printf '{"processor": "%s", "cores": %d, "compiler": "%s", "build_type": "%s", "pcl": "%s", ' \
-    "$(lscpu | sed -n 's/^Model name: *//p' | head -n 1)" "$(nproc)" \
+  printf '{"commit": "%s", "processor": "%s", "cores": %d, "compiler": "%s", "build_type": "%s", "pcl": "%s", ' \
+    "$(git -C "$scripts" rev-parse --short HEAD)" "$(lscpu | sed -n 's/^Model name: *//p' | head -n 1)" "$(nproc)" \
     "$("$(cached CMAKE_CXX_COMPILER)" --version | head -n 1)" "$(cached CMAKE_BUILD_TYPE)" \
     "$(awk '/PCL_VERSION_PRETTY/ { print $3; exit }' \
          "$(cached PCL_COMMON_INCLUDE_DIR)/pcl/pcl_config.h" | tr -d '"')"

@@ -132,7 +132,7 @@ def agreement(results):
 
 def machine(results):
     m = results.machine
-    return wrapped(f"Measured on {m['cores']} cores of {m['processor']}, {m['compiler']}, "
+    return wrapped(f"Measured at commit {m['commit']}, on {m['cores']} cores of {m['processor']}, {m['compiler']}, "
                    f"`CMAKE_BUILD_TYPE={m['build_type']}`, PCL {m['pcl']}; runs of each: "
                    f"{m['repeat']}; load average before: {m['load']}.")
 

@@ -5,6 +5,8 @@
 #include "scene/checksum.h"
 #include "scene/part_samples.h"
 #include "scene/random_part.h"
+#include "scene/vector_at.h"
+#include "support/errors.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +18,7 @@
 #include <utility>
 
 using namespace pcl::scene;
+using pcl_shape_test::vectorAt;
 
 namespace {
 
@@ -57,22 +60,10 @@ roundedDisc()
   return part;
 }
 
-Vec3
-pointOf(const std::vector<float>& values, std::size_t i)
-{
-  return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
-}
-
 std::string
 refusal(const PartOptions& options)
 {
-  try {
-    samplePart(options);
-  }
-  catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "none";
+  return pcl::test::exceptionOf<std::invalid_argument>([&] { samplePart(options); });
 }
 
 /** Along a line from outside: where it meets faces, and whether it enters there. */
@@ -139,7 +130,7 @@ TEST(Parts, APlateHasTheTruthOfItsDrawing)
               area / (options.spacing * options.spacing),
               1.0);
   for (std::size_t i = 0; i < scene.surface.size(); ++i) {
-    const Vec3 p = pointOf(scene.xyz, i), normal = pointOf(scene.normals, i);
+    const Vec3 p = vectorAt(scene.xyz, i), normal = vectorAt(scene.normals, i);
     const double rho = std::sqrt(p.x * p.x + p.y * p.y);
     const double x = 0.03 - std::abs(p.x), y = 0.02 - std::abs(p.y);
     const double z = std::min(p.z, 0.01 - p.z), hole = rho - 0.008;
@@ -171,8 +162,8 @@ TEST(Parts, AFilletIsATorusWithoutCreases)
   const PartSamples samples = samplePart(roundedDisc(), options);
   std::size_t on_fillet = 0, void_on_top = 0;
   for (std::size_t i = 0; i < samples.scene.surface.size(); ++i) {
-    const Vec3 p = pointOf(samples.scene.xyz, i);
-    const Vec3 normal = pointOf(samples.scene.normals, i);
+    const Vec3 p = vectorAt(samples.scene.xyz, i);
+    const Vec3 normal = vectorAt(samples.scene.normals, i);
     const double rho = std::sqrt(p.x * p.x + p.y * p.y);
     ASSERT_NEAR(samples.crease_s[i] * options.spacing, // only its lower rim
                 std::sqrt((rho - 0.02) * (rho - 0.02) + p.z * p.z),
@@ -254,15 +245,15 @@ TEST(Parts, FlatFacesEndAtCreasesOrRoundFaces)
   for (std::size_t i = 0; i < samples.crease_s.size(); i += 7) {
     if (samples.crease_s[i] < 3.0F || samples.radius_s[i] < 1e6F)
       continue;
-    const Vec3 p = pointOf(samples.scene.xyz, i);
-    const Vec3 normal = pointOf(samples.scene.normals, i);
+    const Vec3 p = vectorAt(samples.scene.xyz, i);
+    const Vec3 normal = vectorAt(samples.scene.normals, i);
     for (std::size_t j = 0; j < samples.crease_s.size(); ++j) {
-      const Vec3 q = pointOf(samples.scene.xyz, j);
+      const Vec3 q = vectorAt(samples.scene.xyz, j);
       const bool is_beside = norm(q - p) < 1.5 * options.spacing;
       if (!is_beside || samples.radius_s[j] < 1e6F || samples.thin_s[i] < 2.0F)
         continue;
       compared += i != j;
-      ASSERT_GT(dot(normal, pointOf(samples.scene.normals, j)), 0.999) << i;
+      ASSERT_GT(dot(normal, vectorAt(samples.scene.normals, j)), 0.999) << i;
     }
   }
   EXPECT_GT(compared, 1000U);
@@ -280,7 +271,7 @@ TEST(Parts, EvenPointsKeepTheirDistance)
     double least = 1.0;
     for (std::size_t i = 0; i < scene.width; ++i)
       for (std::size_t j = i + 1; j < scene.width; ++j)
-        least = std::min(least, norm(pointOf(scene.xyz, i) - pointOf(scene.xyz, j)));
+        least = std::min(least, norm(vectorAt(scene.xyz, i) - vectorAt(scene.xyz, j)));
     return least;
   };
   EXPECT_GE(nearest(even), 0.75 * options.spacing - 1e-8);

@@ -5,6 +5,7 @@
 #include "scene/checksum.h"
 #include "scene/photogrammetry.h"
 #include "scene/random_part.h"
+#include "scene/vector_at.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,7 @@
 #include <stdexcept>
 
 using namespace pcl::scene;
+using pcl_shape_test::vectorAt;
 
 namespace {
 
@@ -21,13 +23,11 @@ double
 offset(const Part& part, const PartSamples& samples, std::size_t i)
 {
   const Scene& scene = samples.scene;
-  const Vec3 p{scene.xyz[3 * i], scene.xyz[3 * i + 1], scene.xyz[3 * i + 2]};
-  const Vec3 normal{
-      scene.normals[3 * i], scene.normals[3 * i + 1], scene.normals[3 * i + 2]};
   // Only flat faces: their plane is known from any point of them.
   const PartFace& face = *part.faces()[scene.face[i]];
   Random random(1, 1);
-  return dot(p - face.randomPoint(random), normal);
+  return dot(vectorAt(scene.xyz, i) - face.randomPoint(random),
+             vectorAt(scene.normals, i));
 }
 
 struct Reconstruction {

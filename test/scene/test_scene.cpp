@@ -4,6 +4,7 @@
 
 #include "scene/checksum.h"
 #include "scene/scene.h"
+#include "support/errors.h"
 
 #include <gtest/gtest.h>
 
@@ -39,13 +40,7 @@ sameFloats(const std::vector<float>& a, const std::vector<float>& b)
 std::string
 refusal(const SceneOptions& options)
 {
-  try {
-    generateScene(options);
-  }
-  catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return pcl::test::exceptionOf<std::invalid_argument>([&] { generateScene(options); });
 }
 
 bool

@@ -5,6 +5,8 @@
 #include "scene/checksum.h"
 #include "scene/place.h"
 #include "scene/station_scan.h"
+#include "scene/vector_at.h"
+#include "support/errors.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +16,7 @@
 #include <string>
 
 using namespace pcl::scene;
+using pcl_shape_test::vectorAt;
 
 namespace {
 
@@ -30,28 +33,10 @@ coarse(std::uint64_t seed, unsigned stations = 1)
   return options;
 }
 
-Vec3
-pointOf(const Scene& scene, std::size_t i)
-{
-  return {scene.xyz[3 * i], scene.xyz[3 * i + 1], scene.xyz[3 * i + 2]};
-}
-
-Vec3
-normalOf(const Scene& scene, std::size_t i)
-{
-  return {scene.normals[3 * i], scene.normals[3 * i + 1], scene.normals[3 * i + 2]};
-}
-
 std::string
 refusal(const StationOptions& options)
 {
-  try {
-    scanPlace(options);
-  }
-  catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "none";
+  return pcl::test::exceptionOf<std::invalid_argument>([&] { scanPlace(options); });
 }
 
 } // namespace
@@ -63,11 +48,11 @@ TEST(StationScan, PointsAreOnTheSurfacesOfTheRoom)
     const Scene scene = scanPlace(coarse(seed, 2));
     EXPECT_EQ(scene.width, 2U * 240U * 100U) << "a room is closed: all rays return";
     for (std::size_t i = 0; i < scene.width; i += 3) {
-      const Vec3 p = pointOf(scene, i) + room.stations.front();
+      const Vec3 p = vectorAt(scene.xyz, i) + room.stations.front();
       bool is_on_one = false;
       for (std::size_t s = 0; s < room.world.solids.size() && !is_on_one; ++s)
         for (const FaceAt& at : facesAt(room.world.solids[s], p, 1e-5))
-          is_on_one = is_on_one || norm(at.normal - normalOf(scene, i)) < 1e-5;
+          is_on_one = is_on_one || norm(at.normal - vectorAt(scene.normals, i)) < 1e-5;
       ASSERT_TRUE(is_on_one) << "seed " << seed << " point " << i;
       const bool is_shell =
           std::abs(p.x) < 1e-5 || std::abs(p.y) < 1e-5 || std::abs(p.z) < 1e-5 ||
@@ -86,7 +71,7 @@ TEST(StationScan, TheCornersOfTheRoomAreCreases)
     const Place room = randomRoom(seed);
     const Scene scene = scanPlace(coarse(seed));
     for (std::size_t i = 0; i < scene.width; ++i) {
-      const Vec3 p = pointOf(scene, i) + room.stations.front();
+      const Vec3 p = vectorAt(scene.xyz, i) + room.stations.front();
       if (scene.normals[3 * i + 2] > -0.9F || scene.instance[i] != 0 || p.z < 2.0)
         continue;
       const double to_wall = std::min({p.x, room.length - p.x, p.y, room.width - p.y});
@@ -111,7 +96,7 @@ TEST(StationScan, NothingWithinAFaceIsACrease)
         continue;
       ++edges;
       // Within its band, 1.5 rays or 5 mm, is a face of another direction.
-      const Vec3 seen = pointOf(scene, i), normal = normalOf(scene, i);
+      const Vec3 seen = vectorAt(scene.xyz, i), normal = vectorAt(scene.normals, i);
       const double range = norm(seen),
                    cosine = std::max(0.3, -dot(seen, normal) / range);
       const double ray = range * options.step * pi / 180.0 / std::sqrt(cosine);
@@ -138,7 +123,7 @@ TEST(StationScan, HouseFrontsHaveTruth)
     ASSERT_EQ(place.stations.size(), 4U);
     const Scene scene = scanPlace(options);
     for (std::size_t i = 0; i < scene.width; ++i) {
-      const Vec3 p = pointOf(scene, i) + place.stations.front();
+      const Vec3 p = vectorAt(scene.xyz, i) + place.stations.front();
       creases += scene.edge[i] == EdgeCrease;
       const float across = std::abs(scene.normals[3 * i + 1]);
       round += scene.normals[3 * i + 2] == 0.0F && across > 0.1F && across < 0.9F;
@@ -168,8 +153,8 @@ TEST(StationScan, DensityVariesByMoreThanAFactorOf30)
   const Scene scene = scanPlace(options);
   std::vector<double> areas; // of surface for each ray
   for (std::size_t i = 0; i < scene.width; ++i) {
-    const Vec3 p = pointOf(scene, i);
-    const double range = norm(p), cosine = -dot(normalOf(scene, i), p) / range;
+    const Vec3 p = vectorAt(scene.xyz, i);
+    const double range = norm(p), cosine = -dot(vectorAt(scene.normals, i), p) / range;
     const double up = std::sqrt(1.0 - p.z * p.z / (range * range));
     areas.push_back(range * range * up / cosine);
   }
@@ -203,7 +188,7 @@ TEST(StationScan, NoiseIsAlongTheRay)
   ASSERT_EQ(exact.edge, noisy.edge);
   double sum = 0.0;
   for (std::size_t i = 0; i < exact.width; ++i) {
-    const Vec3 p = pointOf(exact, i), q = pointOf(noisy, i);
+    const Vec3 p = vectorAt(exact.xyz, i), q = vectorAt(noisy.xyz, i);
     ASSERT_NEAR(dot(p, q), norm(p) * norm(q), 1e-5);
     sum += (norm(p) - norm(q)) * (norm(p) - norm(q));
   }

@@ -4,6 +4,7 @@
 
 #include "scene/random_world.h"
 #include "scene/surface_samples.h"
+#include "support/errors.h"
 
 #include <gtest/gtest.h>
 
@@ -28,13 +29,7 @@ coarse(std::uint64_t seed)
 std::string
 refusal(const SampleOptions& options)
 {
-  try {
-    sampleScene(options);
-  }
-  catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "none";
+  return pcl::test::exceptionOf<std::invalid_argument>([&] { sampleScene(options); });
 }
 
 /** \brief The surface of a ball, or of a cylinder without what it stands on. */

@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Equal points count once: each gets what its place gets without repeats.
 
+#include "field_of.h"
 #include "support/bits.h"
 
 #include <pcl/features/distinct_points.h>
-#include <pcl/segmentation/shape_field_estimation.h>
 #include <pcl/features/impl/neighborhoods.hpp>
 
 #include <gtest/gtest.h>
@@ -35,16 +35,6 @@ corner()
       cloud->push_back(PointXYZ(1.0f, 1.0f + v, 1.01f + u));
     }
   return cloud;
-}
-
-ShapeField
-fieldOf(const Cloud::ConstPtr& cloud)
-{
-  ShapeFieldEstimation<PointXYZ> estimation;
-  estimation.setInputCloud(cloud);
-  ShapeField field;
-  EXPECT_TRUE(estimation.compute(field));
-  return field;
 }
 
 TEST(CoincidentPoints, NoRepeatsGiveNoPlaces)

@@ -3,12 +3,12 @@
 // Curved is what turns across its face by more than the noise: at any sampling, beside
 // other faces, and whatever waves a sensor makes.
 
+#include "field_of.h"
 #include "support/bits.h"
 #include "support/random.h"
 #include "surfaces/face_fit.h"
 
 #include <pcl/point_types.h>
-#include <pcl/segmentation/shape_field_estimation.h>
 
 #include <gtest/gtest.h>
 
@@ -44,17 +44,6 @@ sampled(double width, double height, double spacing, double noise, const Place& 
                           static_cast<float>(p.z()));
     }
   return cloud;
-}
-
-ShapeField
-fieldOf(const Cloud::Ptr& cloud, unsigned threads = 0)
-{
-  ShapeFieldEstimation<PointXYZ> estimation;
-  estimation.setInputCloud(cloud);
-  estimation.setNumberOfThreads(threads);
-  ShapeField field;
-  EXPECT_TRUE(estimation.compute(field));
-  return field;
 }
 
 double

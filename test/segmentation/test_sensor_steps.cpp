@@ -4,9 +4,9 @@
 
 #include "bumpy_plane.h"
 #include "detection_scenes.h"
+#include "field_of.h"
 
 #include <pcl/segmentation/means_of_parts.h>
-#include <pcl/segmentation/shape_field_estimation.h>
 
 #include <gtest/gtest.h>
 
@@ -44,22 +44,10 @@ steppedRidge(double spacing, double step)
   return cloud;
 }
 
-ShapeField
-fieldOf(const Cloud::ConstPtr& cloud, double resolution = 0.0)
-{
-  ShapeFieldEstimation<PointXYZ> estimation;
-  estimation.setInputCloud(cloud);
-  estimation.setResolution(resolution);
-  estimation.setEdgesOnly(true);
-  ShapeField field;
-  EXPECT_TRUE(estimation.compute(field));
-  return field;
-}
-
 TEST(SensorSteps, AreLookedAtFromFartherAway)
 {
   const auto cloud = steppedRidge(0.0005, 0.002);
-  const ShapeField field = fieldOf(cloud);
+  const ShapeField field = edgeFieldOf(cloud);
   EXPECT_GT(field.resolution, 0.0005);
   EXPECT_LT(field.resolution, 0.004);
   std::size_t edges = 0, near = 0, on_ridge = 0, found = 0;
@@ -78,19 +66,19 @@ TEST(SensorSteps, AreLookedAtFromFartherAway)
 TEST(SensorSteps, MakeTheBitsOfTheResolutionThatIsChosen)
 {
   const auto cloud = steppedRidge(0.0005, 0.002);
-  const ShapeField chosen = fieldOf(cloud);
+  const ShapeField chosen = edgeFieldOf(cloud);
   ASSERT_GT(chosen.resolution, 0.0);
-  const ShapeField given = fieldOf(cloud, chosen.resolution);
+  const ShapeField given = edgeFieldOf(cloud, chosen.resolution);
   EXPECT_EQ(chosen.resolution, given.resolution);
   EXPECT_TRUE(sameBits(chosen.edge_likelihood, given.edge_likelihood));
-  EXPECT_EQ(0.0, fieldOf(steppedRidge(0.002, 1e-6)).resolution);
+  EXPECT_EQ(0.0, edgeFieldOf(steppedRidge(0.002, 1e-6)).resolution);
 }
 
 TEST(SensorSteps, AreSeenThroughATooFineResolution)
 {
   const auto cloud = steppedRidge(0.0005, 0.002);
-  const double fine = 0.5 * fieldOf(cloud).resolution;
-  EXPECT_GT(fieldOf(cloud, fine).resolution, fine);
+  const double fine = 0.5 * edgeFieldOf(cloud).resolution;
+  EXPECT_GT(edgeFieldOf(cloud, fine).resolution, fine);
 }
 
 TEST(SensorSteps, StayWithNormalsOfOnesOwn)
@@ -135,7 +123,7 @@ TEST(SensorSteps, AreNoSurfaceWhereMeansFillAVolume)
 
 TEST(SensorSteps, BumpsDoNotPersist)
 {
-  const ShapeField field = fieldOf(bumpyPlane(2.0));
+  const ShapeField field = edgeFieldOf(bumpyPlane(2.0));
   EXPECT_EQ(0.0, field.resolution);
   std::size_t edges = 0;
   for (const float likelihood : field.edge_likelihood)

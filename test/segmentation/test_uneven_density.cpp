@@ -3,8 +3,7 @@
 // A crease is found all along where one part of a cloud is sampled more finely.
 
 #include "features/even_sampling.h"
-
-#include <pcl/segmentation/shape_field_estimation.h>
+#include "field_of.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +15,7 @@
 namespace {
 
 using namespace pcl;
+using test::edgeFieldOf;
 
 using Cloud = PointCloud<PointXYZ>;
 
@@ -42,18 +42,6 @@ floorWithStripe(float times, std::mt19937& random)
   return cloud;
 }
 
-ShapeField
-fieldOf(const Cloud::ConstPtr& cloud, unsigned threads = 1)
-{
-  ShapeFieldEstimation<PointXYZ> estimation;
-  estimation.setInputCloud(cloud);
-  estimation.setEdgesOnly(true);
-  estimation.setNumberOfThreads(threads);
-  ShapeField field;
-  EXPECT_TRUE(estimation.compute(field));
-  return field;
-}
-
 bool
 hasCreaseNear(const ShapeField& field, float x)
 {
@@ -71,7 +59,7 @@ TEST_P(UnevenDensity, TheCreaseIsFoundAllAlong)
 {
   std::mt19937 random(5);
   const Cloud::Ptr cloud = floorWithStripe(GetParam(), random);
-  const ShapeField field = fieldOf(cloud);
+  const ShapeField field = edgeFieldOf(cloud);
   for (float x = 0.05f; x < 0.96f; x += 0.05f)
     EXPECT_TRUE(hasCreaseNear(field, x)) << x;
   const auto unknown =
@@ -85,12 +73,12 @@ TEST_P(UnevenDensity, TheResultDependsOnNeitherOrderNorThreads)
 {
   std::mt19937 random(6);
   const Cloud::Ptr cloud = floorWithStripe(GetParam(), random);
-  const ShapeField expected = fieldOf(cloud, 1);
+  const ShapeField expected = edgeFieldOf(cloud, 0.0, 1);
   pcl::Indices order(cloud->size());
   for (std::size_t i = 0; i < order.size(); ++i)
     order[i] = static_cast<pcl::index_t>(i);
   std::shuffle(order.begin(), order.end(), random);
-  const ShapeField field = fieldOf(pcl::make_shared<Cloud>(*cloud, order), 3);
+  const ShapeField field = edgeFieldOf(pcl::make_shared<Cloud>(*cloud, order), 0.0, 3);
   for (std::size_t i = 0; i < order.size(); ++i) {
     const float was = expected.edge_likelihood[static_cast<std::size_t>(order[i])];
     ASSERT_TRUE(field.edge_likelihood[i] == was ||
@@ -163,7 +151,7 @@ TEST(UnevenField, DensePointsKeepTheirSpacingAndSparseOnesHaveTheirs)
   std::mt19937 random(7);
   const float times = 5.0f;
   const Cloud::Ptr cloud = floorWithStripe(times, random);
-  const ShapeField field = fieldOf(cloud);
+  const ShapeField field = edgeFieldOf(cloud);
   std::size_t dense = 0, coarse = 0, sparse = 0, fine = 0;
   for (std::size_t i = 0; i < cloud->size(); ++i) {
     const PointXYZ& p = (*cloud)[i];

@@ -4,62 +4,17 @@
 
 #include "scene/part_samples.h"
 
+#include "scene/near_points.h"
 #include "scene/part_truth.h"
 #include "scene/random_part.h"
 
 #include <algorithm>
-#include <cmath>
-#include <unordered_map>
 
 namespace pcl::scene {
 namespace {
 
 constexpr std::uint64_t throwing_stream = 21, noise_stream = 22;
 constexpr double apart = 0.75; // spacings between even points
-
-/** \brief Points that keep their distance. */
-class Crowd {
-public:
-  explicit Crowd(double distance) : distance_(distance) {}
-
-  /** \return false, and nothing is added, if another one is too near */
-  bool
-  add(const Vec3& p)
-  {
-    const auto cell = [&](double x) {
-      return static_cast<std::int64_t>(std::floor(x / distance_));
-    };
-    const std::int64_t i = cell(p.x), j = cell(p.y), k = cell(p.z);
-    for (std::int64_t x = i - 1; x <= i + 1; ++x)
-      for (std::int64_t y = j - 1; y <= j + 1; ++y)
-        for (std::int64_t z = k - 1; z <= k + 1; ++z)
-          if (isNear(p, key(x, y, z)))
-            return false;
-    cells_[key(i, j, k)].push_back(p);
-    return true;
-  }
-
-private:
-  static std::int64_t
-  key(std::int64_t x, std::int64_t y, std::int64_t z)
-  {
-    constexpr std::int64_t cells_a_side = 1 << 20; // parts have at most 20,000
-    return (x * cells_a_side + y) * cells_a_side + z;
-  }
-
-  bool
-  isNear(const Vec3& p, std::int64_t cell) const
-  {
-    const auto found = cells_.find(cell);
-    return found != cells_.end() &&
-           std::any_of(found->second.begin(), found->second.end(), [&](const Vec3& q) {
-             return squaredNorm(p - q) < distance_ * distance_;
-           });
-  }
-
-  double distance_;
-  std::unordered_map<std::int64_t, std::vector<Vec3>> cells_;
-};
 
 /** \brief Throws points at all faces, each piece of surface equally often. */
 class Thrower {
@@ -97,12 +52,16 @@ spreadPoints(const Part& part, const PartOptions& options)
   // Even points fill all gaps that they leave after about ten times their number.
   const std::size_t attempts = options.spread == Spread::Even ? 60 * wanted : wanted;
   Thrower thrower(part, options.seed);
-  Crowd crowd(apart * options.spacing);
+  NearPoints kept(apart * options.spacing);
   std::vector<SurfacePoint> points;
   for (std::size_t i = 0; i < attempts && points.size() < wanted; ++i) {
     const SurfacePoint thrown = thrower.next();
-    if (options.spread == Spread::Random || crowd.add(thrown.point))
-      points.push_back(thrown);
+    if (options.spread == Spread::Even) {
+      if (kept.hasNear(thrown.point))
+        continue;
+      kept.add(thrown.point);
+    }
+    points.push_back(thrown);
   }
   return points;
 }

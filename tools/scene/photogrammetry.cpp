@@ -4,12 +4,12 @@
 
 #include "scene/photogrammetry.h"
 
+#include "scene/near_points.h"
 #include "scene/part_truth.h"
 #include "scene/random_part.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
-#include <unordered_map>
 
 namespace pcl::scene {
 namespace {
@@ -21,53 +21,6 @@ constexpr double outlier_share = 1.0 / 200.0;
 constexpr double outlier_reach = 20.0;  // spacings
 constexpr double thinnest = 1.0 / 30.0; // of the best density
 constexpr double texture_length = 0.5;  // of the part: from one poor place to the next
-
-/** \brief Points to find those near a place. */
-class Neighborhood {
-public:
-  Neighborhood(const std::vector<Vec3>& points, double radius)
-  : points_(points)
-  , radius_(radius)
-  {
-    for (std::size_t i = 0; i < points.size(); ++i)
-      cells_[key(cell(points[i].x), cell(points[i].y), cell(points[i].z))].push_back(i);
-  }
-
-  template <class Function>
-  void
-  forEach(const Vec3& p, const Function& function) const
-  {
-    const std::int64_t i = cell(p.x), j = cell(p.y), k = cell(p.z);
-    for (std::int64_t x = i - 1; x <= i + 1; ++x)
-      for (std::int64_t y = j - 1; y <= j + 1; ++y)
-        for (std::int64_t z = k - 1; z <= k + 1; ++z) {
-          const auto found = cells_.find(key(x, y, z));
-          if (found == cells_.end())
-            continue;
-          for (const std::size_t index : found->second)
-            if (squaredNorm(points_[index] - p) < radius_ * radius_)
-              function(index);
-        }
-  }
-
-private:
-  std::int64_t
-  cell(double x) const
-  {
-    return static_cast<std::int64_t>(std::floor(x / radius_));
-  }
-
-  static std::int64_t
-  key(std::int64_t x, std::int64_t y, std::int64_t z)
-  {
-    constexpr std::int64_t cells_a_side = 1 << 20; // parts have fewer
-    return (x * cells_a_side + y) * cells_a_side + z;
-  }
-
-  const std::vector<Vec3>& points_;
-  double radius_;
-  std::unordered_map<std::int64_t, std::vector<std::size_t>> cells_;
-};
 
 Vec3
 randomDirection(Random& random)
@@ -108,9 +61,10 @@ public:
   , random_(options.seed, matching_stream)
   , texture_(options.size, random_)
   , surface_(spreadPoints(part, options))
+  , averaged_(window * options.spacing)
   {
     for (const SurfacePoint& at : surface_) {
-      points_.push_back(at.point);
+      averaged_.add(at.point);
       normals_.push_back(part.faces()[at.face]->normal(at.point));
     }
   }
@@ -119,14 +73,13 @@ public:
   run(const Part& part)
   {
     const PartTruth truth(part);
-    const Neighborhood neighborhood(points_, window * options_.spacing);
     PartSamples samples;
     for (std::size_t i = 0; i < surface_.size(); ++i) {
-      const double density = texture_.density(points_[i]);
+      const double density = texture_.density(surface_[i].point);
       if (!random_.chance(density))
         continue;
       truth.add(surface_[i], options_.spacing / std::sqrt(density), samples);
-      append(matched(i, neighborhood, samples.scene), samples.scene.xyz);
+      append(matched(i, samples.scene), samples.scene.xyz);
     }
     samples.scene.width = static_cast<unsigned>(samples.scene.surface.size());
     samples.scene.height = 1;
@@ -135,9 +88,9 @@ public:
 
 private:
   Vec3
-  matched(std::size_t i, const Neighborhood& neighborhood, Scene& scene)
+  matched(std::size_t i, Scene& scene)
   {
-    Vec3 p = smoothed(i, neighborhood);
+    Vec3 p = smoothed(i);
     const double sigma = matching_noise * options_.spacing;
     p = p + Vec3{random_.normal(), random_.normal(), random_.normal()} * sigma;
     if (random_.chance(outlier_share)) {
@@ -151,14 +104,14 @@ private:
 
   /** The mean of what is around a point, but not on the other side of a wall. */
   Vec3
-  smoothed(std::size_t i, const Neighborhood& neighborhood) const
+  smoothed(std::size_t i) const
   {
     constexpr double same_side = -0.2; // cosine: a little more than a right angle
     Vec3 sum;
     double count = 0.0;
-    neighborhood.forEach(points_[i], [&](std::size_t j) {
+    averaged_.forEachNear(surface_[i].point, [&](std::size_t j) {
       if (dot(normals_[i], normals_[j]) > same_side) {
-        sum = sum + points_[j];
+        sum = sum + surface_[j].point;
         count += 1.0;
       }
     });
@@ -169,7 +122,8 @@ private:
   Random random_;
   Texture texture_;
   std::vector<SurfacePoint> surface_;
-  std::vector<Vec3> points_, normals_;
+  NearPoints averaged_;
+  std::vector<Vec3> normals_;
 };
 
 } // namespace
