@@ -4,7 +4,7 @@
 """The measured rows of doc/tiles.md: memory and cost, scaling, identity.
 
 Usage: scripts/measure_tiles.py BUILD_DIR [-points N] [-files N] [-tile L]
-           [-options "-edges -types"] [-memory M] [-what memory,scaling,identity]
+           [-options="-edges -types"] [-memory M] [-what memory,scaling,identity]
 A generated landscape (benchmarks/landscape) of about N points is written into strips in a
 temporary directory, where there must be room for some 120 bytes a point. Tables in
 Markdown go to standard output. Times are of the processor, so that other programs on the
