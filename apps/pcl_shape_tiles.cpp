@@ -43,6 +43,10 @@ constexpr double bytes_of_point = 250.0;
 constexpr double bytes_with_surfaces = 350.0;
 constexpr double fixed_bytes = 200e6; // of the program, and of points on their way
 constexpr double least_memory = 300e6;
+// Pieces of faces reach farther than a small tile: so many that at most a surface has
+// within reach of a tile of the size that this memory is for take as much, see
+// doc/tiles.md.
+constexpr double least_memory_with_surfaces = 800e6;
 constexpr double most_points = 1e9; // of a tile: they are counted in 32 bits
 
 TileWanted
@@ -68,11 +72,9 @@ wantedOf(const Arguments& arguments)
 
 /** Bytes of e.g. 2G, 500M or 2000000000. */
 double
-memoryOf(const Arguments& arguments)
+memoryOf(const Arguments& arguments, const TileWanted& wanted)
 {
   const std::string text = arguments.text("memory", "2G");
-  const std::string expected =
-      "a number of bytes, such as 2G or 500M, of at least 300M";
   double unit = 1.0;
   std::string number = text;
   constexpr double kilo = 1e3;
@@ -84,7 +86,12 @@ memoryOf(const Arguments& arguments)
   }
   const auto value = parseNumber(number);
   if (!value || !(*value * unit >= least_memory))
-    arguments.fail("memory", expected);
+    arguments.fail("memory", "a number of bytes, such as 2G or 500M, of at least 300M");
+  if (wanted.needsSurfaces() && *value * unit < least_memory_with_surfaces)
+    arguments.fail(
+        "memory",
+        "at least 800M with -surfaces or -instances, which look far beyond a "
+        "tile; -tile makes tiles smaller");
   return *value * unit;
 }
 
@@ -94,7 +101,7 @@ settingsOf(const Arguments& arguments, const TileWanted& wanted)
   TileSettings settings;
   const double bytes = wanted.needsSurfaces() ? bytes_with_surfaces : bytes_of_point;
   settings.max_points = static_cast<std::uint64_t>(
-      std::min((memoryOf(arguments) - fixed_bytes) / bytes, most_points));
+      std::min((memoryOf(arguments, wanted) - fixed_bytes) / bytes, most_points));
   settings.max_edge = arguments.number("tile", positive_length).value_or(0.0);
   nlohmann::ordered_json parameters;
   for (const TileField& field : fieldsOf(wanted))
@@ -228,15 +235,13 @@ public:
     if (team_.isFirst())
       logOffset(arguments_, directory, cloud.offset());
     compute(cloud);
-    if (team_.isFirst())
-      report_.time("join", [&] {
-        joinTiles(cloud,
-                  sources_,
-                  outputs_,
-                  wanted_,
-                  formatOf(arguments_),
-                  arguments_.has("offset"));
-      });
+    report_.time("join", [&] {
+      joinTiles(cloud,
+                team_,
+                sources_,
+                wanted_,
+                {outputs_, formatOf(arguments_), arguments_.has("offset")});
+    });
     say(cloud);
     team_.meet();
     if (!keeps)

@@ -22,8 +22,12 @@ namespace pcl::app {
 namespace {
 
 constexpr std::size_t part_points = 1 << 17; // some megabytes
-constexpr std::size_t head_bytes = 1 << 20;  // of a header: PCL's have some hundred
-constexpr std::size_t text_bytes = 1 << 22;  // of text at a time
+// Of a section: so few that processes have several each, and so many that there are few
+// files of sections.
+constexpr std::uint64_t least_section = part_points, most_section = 1 << 20,
+                        wanted_sections = 8;
+constexpr std::size_t head_bytes = 1 << 20; // of a header: PCL's have some hundred
+constexpr std::size_t text_bytes = 1 << 22; // of text at a time
 
 [[noreturn]] void
 failToRead(const std::string& path, const char* why)
@@ -97,17 +101,23 @@ partOf(const CloudFile& cloud, std::uint64_t points)
   return part;
 }
 
-/** part(body, points) for bytes that hold so many points. */
+/** part(body, points) for bytes that hold so many points, from the first one to the
+ * end.
+ */
 template <typename Part>
 void
-forEachBinary(const std::string& path, const PointRows& rows, const Part& part)
+forEachBinary(const std::string& path,
+              const PointRows& rows,
+              std::uint64_t first,
+              std::uint64_t end,
+              const Part& part)
 {
   const std::uint64_t size =
       std::uint64_t{rows.cloud.blob.width} * rows.cloud.blob.height;
-  File file(path, rows.begin);
+  File file(path, rows.begin + first * rows.cloud.blob.point_step);
   std::string body;
-  for (std::uint64_t begin = 0; begin < size; begin += part_points) {
-    const std::uint64_t points = std::min<std::uint64_t>(part_points, size - begin);
+  for (std::uint64_t begin = first; begin < end; begin += part_points) {
+    const std::uint64_t points = std::min<std::uint64_t>(part_points, end - begin);
     body.clear();
     file.read(points * rows.cloud.blob.point_step, body);
     if (body.size() < points * rows.cloud.blob.point_step)
@@ -220,8 +230,29 @@ CloudStream::finish(CloudFile& part) const
     finishPcd(part);
 }
 
+std::size_t
+CloudStream::countSections() const
+{
+  if (!rows_ || rows_->is_text)
+    return 1;
+  const std::uint64_t of_section =
+      std::clamp(size() / wanted_sections, least_section, most_section);
+  return static_cast<std::size_t>(
+      std::max<std::uint64_t>(1, (size() + of_section - 1) / of_section));
+}
+
+CloudStream::Range
+CloudStream::rangeOf(std::size_t section) const
+{
+  const std::uint64_t sections = countSections();
+  // Sections of equal size, without a product that may be too large.
+  const std::uint64_t whole = size() / sections, rest = size() % sections;
+  const auto beginOf = [&](std::uint64_t s) { return s * whole + std::min(s, rest); };
+  return {beginOf(section), beginOf(section + 1)};
+}
+
 void
-CloudStream::forEachPart(const std::function<void(CloudFile&)>& use) const
+CloudStream::forEachPart(std::size_t section, const UsePart& use) const
 {
   if (!rows_) {
     CloudFile cloud = readAnyCloud(path_, floats_);
@@ -239,30 +270,39 @@ CloudStream::forEachPart(const std::function<void(CloudFile&)>& use) const
     finish(cloud);
     use(cloud);
   };
+  const auto [begin, end] = rangeOf(section);
   if (rows_->is_text)
     forEachText(path_, *rows_, part);
   else
-    forEachBinary(path_, *rows_, part);
+    forEachBinary(path_, *rows_, begin, end, part);
 }
 
 void
-CloudStream::forEachPosition(
-    const std::function<void(const std::array<double, 3>*, std::size_t)>& use) const
+CloudStream::forEachPosition(std::size_t section, const UsePositions& use) const
 {
   const auto useCloud = [&](const CloudFile& cloud) {
     const std::vector<std::array<double, 3>> points = coordinatesOf(cloud);
     use(points.data(), points.size());
   };
   if (!rows_ || rows_->is_text) {
-    forEachPart(useCloud);
+    forEachPart(section, useCloud);
     return;
   }
-  forEachBinary(path_, *rows_, [&](std::string_view body, std::uint64_t points) {
-    CloudFile cloud = partOf(rows_->cloud, points);
-    readBinaryPoints(cloud, body);
-    usePclNames(cloud); // those of coordinates; the rest is not needed
-    useCloud(cloud);
-  });
+  const auto [begin, end] = rangeOf(section);
+  forEachBinary(
+      path_, *rows_, begin, end, [&](std::string_view body, std::uint64_t points) {
+        CloudFile cloud = partOf(rows_->cloud, points);
+        readBinaryPoints(cloud, body);
+        usePclNames(cloud); // those of coordinates; the rest is not needed
+        useCloud(cloud);
+      });
+}
+
+void
+CloudStream::forEachPosition(const UsePositions& use) const
+{
+  for (std::size_t section = 0; section < countSections(); ++section)
+    forEachPosition(section, use);
 }
 
 } // namespace pcl::app

@@ -47,16 +47,32 @@ public:
   /** \brief Size and date of the file, now. */
   std::string state() const;
 
-  /** \brief Give the points in their order, in clouds of one row, with all fields.
-   * \throws InputError for what is wrong with them */
-  void forEachPart(const std::function<void(CloudFile& part)>& use) const;
+  /** \brief How many sections of the points can be read without those before them: of
+   * binary points some, of others one. */
+  std::size_t countSections() const;
+
+  using UsePart = std::function<void(CloudFile& part)>;
+  using UsePositions =
+      std::function<void(const std::array<double, 3>* points, std::size_t count)>;
+
+  /** \brief Give the points of a section in their order, in clouds of one row, with all
+   * fields. \throws InputError for what is wrong with them */
+  void forEachPart(std::size_t section, const UsePart& use) const;
 
   /** \brief The same for x, y and z alone: of packed bytes nothing else is looked at.
    * \throws InputError unless they are single float32 or float64 values */
-  void forEachPosition(const std::function<void(const std::array<double, 3>* points,
-                                                std::size_t count)>& use) const;
+  void forEachPosition(std::size_t section, const UsePositions& use) const;
+
+  /** \brief Those of all sections. */
+  void forEachPosition(const UsePositions& use) const;
 
 private:
+  /** The points of a section. */
+  struct Range {
+    std::uint64_t begin = 0, end = 0;
+  };
+
+  Range rangeOf(std::size_t section) const;
   void finish(CloudFile& part) const;
 
   std::string path_;

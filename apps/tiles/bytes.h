@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace pcl::app {
@@ -33,10 +34,10 @@ putAll(const std::vector<T>& values, Bytes& bytes)
   bytes.insert(bytes.end(), from, from + values.size() * sizeof(T));
 }
 
-/** \brief Takes what was put, in the same order. */
+/** \brief Takes what was put, in the same order: of a result of tiles mostly. */
 class ByteReader {
 public:
-  explicit ByteReader(const Bytes& bytes) : bytes_(bytes) {}
+  explicit ByteReader(Bytes bytes) : bytes_(std::move(bytes)) {}
 
   template <typename T>
   T
@@ -67,7 +68,7 @@ private:
     at_ += size;
   }
 
-  const Bytes& bytes_;
+  Bytes bytes_;
   std::size_t at_ = 0;
 };
 

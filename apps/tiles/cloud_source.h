@@ -43,6 +43,20 @@ public:
     stream_.forEachPosition(use);
   }
 
+  std::size_t
+  countSections() const override
+  {
+    return stream_.countSections();
+  }
+
+  void
+  readSection(std::size_t section,
+              const std::function<void(const pcl::tiling::Position*, std::size_t)>& use)
+      const override
+  {
+    stream_.forEachPosition(section, use);
+  }
+
   const CloudStream&
   stream() const
   {

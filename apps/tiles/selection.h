@@ -55,17 +55,30 @@ public:
     counts_.assign(counts_.size(), 0);
   }
 
+  /** \brief The least value whose upper half is that of the value that is to be found;
+   * after chooseHigh(). */
+  float
+  high() const
+  {
+    return valueOf(high_ << bits);
+  }
+
   /** \brief The value, after the second pass; called once. */
   float
   value()
   {
-    const std::uint32_t key = high_ << bits | takeDigit();
+    return valueOf(high_ << bits | takeDigit());
+  }
+
+private:
+  static float
+  valueOf(std::uint32_t key)
+  {
     float value = 0.0f;
     std::memcpy(&value, &key, sizeof value);
     return value;
   }
 
-private:
   static constexpr int bits = 16;
   static constexpr std::uint32_t digit_mask = (1U << bits) - 1;
 
@@ -84,22 +97,5 @@ private:
   std::uint32_t high_ = 0;
   bool is_high_known_ = false;
 };
-
-/** \brief The value that as many are below as the rank says. \param[in] forEach calls a
- * function for each value, which is not negative, and how many times it is there; it is
- * called twice */
-template <typename ForEach>
-float
-selected(std::uint64_t rank, const ForEach& forEach)
-{
-  FloatSelection selection;
-  const auto add = [&](float value, std::uint64_t times) {
-    selection.add(value, times);
-  };
-  forEach(add);
-  selection.chooseHigh(rank);
-  forEach(add);
-  return selection.value();
-}
 
 } // namespace pcl::app

@@ -492,8 +492,7 @@ unknownOf(TiledCloud& cloud, const std::string& name)
     std::uint64_t count = 0;
     for (std::size_t tile = 0; tile < cloud.size(); ++tile)
       if (cloud.pointsOf(tile) > 0) {
-        const Bytes bytes = cloud.resultOf(name, tile);
-        count += ByteReader(bytes).take<std::uint64_t>();
+        count += ByteReader(cloud.resultOf(name, tile)).take<std::uint64_t>();
       }
     return std::to_string(count);
   }));

@@ -28,8 +28,8 @@ const std::string grown_name = "grown", instances_name = "instances";
 std::vector<InstancePoint>
 pointsOf(const TiledCloud& cloud, std::size_t tile)
 {
-  const Bytes bytes = cloud.resultOf(instancePointsName(), tile);
-  return ByteReader(bytes).takeAll<InstancePoint>();
+  return ByteReader(cloud.resultOf(instancePointsName(), tile))
+      .takeAll<InstancePoint>();
 }
 
 /** The box of some points, grown along each axis. */
@@ -89,8 +89,7 @@ labelBytes(const InstancesOfParts& parts,
 TileLabels
 labelsOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
 {
-  const Bytes bytes = cloud.resultOf(name, tile);
-  ByteReader reader(bytes);
+  ByteReader reader(cloud.resultOf(name, tile));
   TileLabels labels;
   labels.counts = reader.takeAll<LabelCount>();
   labels.places = reader.takeAll<std::int32_t>();
@@ -106,8 +105,7 @@ struct TileRanks {
 TileRanks
 ranksOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
 {
-  const Bytes bytes = cloud.resultOf(name, tile);
-  ByteReader reader(bytes);
+  ByteReader reader(cloud.resultOf(name, tile));
   TileRanks ranks;
   ranks.count = reader.take<std::uint64_t>();
   ranks.ranks = reader.takeAll<std::int32_t>();
@@ -322,8 +320,7 @@ findInstances(TiledCloud& cloud,
 TileInstances
 instancesOf(const TiledCloud& cloud, std::size_t tile)
 {
-  const Bytes bytes = cloud.resultOf(instancePointsName(), tile);
-  ByteReader reader(bytes);
+  ByteReader reader(cloud.resultOf(instancePointsName(), tile));
   reader.takeAll<InstancePoint>();
   const auto point_of_row = reader.takeAll<std::uint32_t>();
   const std::vector<std::int32_t> instances =

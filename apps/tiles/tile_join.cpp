@@ -14,6 +14,9 @@
 #include <algorithm>
 #include <cstring>
 #include <fstream>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
 
 namespace pcl::app {
 namespace {
@@ -21,13 +24,17 @@ namespace {
 using pcl::tiling::Position;
 using pcl::tiling::TiledCloud;
 
+const std::string joined_name = "joined"; // of each section, as in its output
+
 /** Gives the rows of a tile's result one after the other. */
 class TileRows {
 public:
-  TileRows(std::string path, std::size_t fields, std::uint64_t points)
+  /** \param[in] rows which of them */
+  TileRows(std::string path, std::size_t fields, const TiledCloud::Rows& rows)
   : path_(std::move(path))
   , fields_(fields)
-  , left_(points)
+  , left_(rows.count)
+  , begin_(result_header + rows.first * fields * sizeof values_[0])
   {}
 
   const std::uint32_t*
@@ -68,7 +75,7 @@ private:
 
   std::string path_;
   std::size_t fields_, at_ = 0;
-  std::uint64_t left_, begin_ = result_header;
+  std::uint64_t left_, begin_;
   std::vector<std::uint32_t> values_;
 };
 
@@ -144,44 +151,38 @@ turnedNormals(const Columns& columns,
   return normals;
 }
 
-/** Writes the outputs, from the first source to the last. */
-class Join {
+/** Writes the points of a section with their fields. */
+class SectionJoin {
 public:
-  Join(const TiledCloud& cloud, const TileWanted& wanted, PCDFormat format)
+  SectionJoin(const TiledCloud& cloud,
+              const TileWanted& wanted,
+              const JoinedOutputs& outputs,
+              std::size_t section)
   : cloud_(cloud)
   , wanted_(wanted)
-  , format_(format)
+  , outputs_(outputs)
+  , is_first_(cloud.sections()[section].number == 0)
   , fields_(fieldsOf(wanted))
   {
-    for (std::size_t tile = 0; tile < cloud.size(); ++tile)
-      rows_.emplace_back(
-          cloud.pathOf(resultsName(), tile), fields_.size(), cloud.pointsOf(tile));
+    for (const TiledCloud::Rows& rows : cloud.rowsOf(section))
+      rows_.emplace(
+          rows.tile,
+          TileRows(cloud.pathOf(resultsName(), rows.tile), fields_.size(), rows));
   }
 
   void
-  write(const CloudSource& source, const std::string& path, bool is_given)
+  write(const CloudStream& stream, std::size_t number, const TiledCloud::Sink& sink)
   {
-    AtomicFile output(path);
-    bool has_header = false;
-    source.stream().forEachPart([&](CloudFile& part) {
-      addFields(part, is_given);
-      if (!has_header)
-        output.write(headerOf(part, source.stream().description()));
-      has_header = true;
-      output.write(isPly(part) ? encodePlyPoints(part, format_ == PCDFormat::ascii)
-                               : encodePcdPoints(part, format_));
+    const auto give = [&](const std::string& text) { sink(text.data(), text.size()); };
+    stream.forEachPart(number, [&](CloudFile& part) {
+      addFields(part);
+      if (is_first_)
+        give(headerOf(part, stream.description()));
+      is_first_ = false;
+      give(isPly(part) ? encodePlyPoints(part, isText())
+                       : encodePcdPoints(part, outputs_.format));
     });
-    output.commit();
-  }
-
-  void
-  requireEnd() const
-  {
-    if (!std::all_of(rows_.begin(), rows_.end(), [](const TileRows& rows) {
-          return rows.isAtEnd();
-        }))
-      throw InputError("the inputs have fewer points than their tiles; expected inputs "
-                       "that do not change");
+    requireEnd();
   }
 
 private:
@@ -191,18 +192,49 @@ private:
     return endingOf(cloud.path) == ".ply";
   }
 
-  void
-  addFields(CloudFile& part, bool is_given)
+  bool
+  isText() const
   {
-    setOffset(part, cloud_.offset(), is_given);
+    return outputs_.format == PCDFormat::ascii;
+  }
+
+  void
+  addFields(CloudFile& part)
+  {
+    setOffset(part, cloud_.offset(), outputs_.is_offset_given);
     const std::vector<Position> points = coordinatesOf(part);
     Columns columns(fields_);
     for (const Position& p : points)
-      columns.add(cloud_.holds(p) ? rows_[cloud_.tileOf(p)].next() : nullptr);
+      columns.add(cloud_.holds(p) ? rowOf(p) : nullptr);
     if (wanted_.normals)
       setNormals(part, turnedNormals(columns, points, part));
     constexpr std::size_t of_normals = 4;
     columns.setFields(wanted_.normals ? of_normals : 0, part);
+  }
+
+  const std::uint32_t*
+  rowOf(const Position& point)
+  {
+    const auto found = rows_.find(cloud_.tileOf(point));
+    if (found == rows_.end())
+      failChanged("other");
+    return found->second.next();
+  }
+
+  void
+  requireEnd() const
+  {
+    if (!std::all_of(rows_.begin(), rows_.end(), [](const auto& rows) {
+          return rows.second.isAtEnd();
+        }))
+      failChanged("fewer");
+  }
+
+  [[noreturn]] static void
+  failChanged(const std::string& which)
+  {
+    throw InputError("the inputs have " + which +
+                     " points than their tiles; expected inputs that do not change");
   }
 
   std::string
@@ -212,41 +244,63 @@ private:
     whole.blob.data.clear();
     whole.blob.width = description.blob.width;
     whole.blob.height = description.blob.height;
-    return isPly(part) ? encodePlyHeader(whole, format_ == PCDFormat::ascii)
-                       : encodePcdHeader(whole, format_);
+    return isPly(part) ? encodePlyHeader(whole, isText())
+                       : encodePcdHeader(whole, outputs_.format);
   }
 
   const TiledCloud& cloud_;
   const TileWanted& wanted_;
-  PCDFormat format_;
+  const JoinedOutputs& outputs_;
+  bool is_first_; ///< of its source, and nothing is written yet
   std::vector<TileField> fields_;
-  std::vector<TileRows> rows_;
+  std::unordered_map<std::uint64_t, TileRows> rows_; ///< of each tile it has points of
 };
 
-/** Reads the results once, before anything is written of them. */
+/** The sections of a source, one after the other. */
 void
-requireUndamaged(const TiledCloud& cloud)
+putTogether(const TiledCloud& cloud, std::size_t source, const std::string& path)
 {
-  for (std::size_t tile = 0; tile < cloud.size(); ++tile)
-    if (cloud.pointsOf(tile) > 0)
-      cloud.resultOf(resultsName(), tile);
+  AtomicFile output(path);
+  const std::vector<TiledCloud::Section>& sections = cloud.sections();
+  for (std::size_t section = 0; section < sections.size(); ++section)
+    if (sections[section].source == source)
+      cloud.copyTo(joined_name, section, [&](const void* data, std::size_t size) {
+        output.write({static_cast<const char*>(data), size});
+      });
+  output.commit();
 }
 
 } // namespace
 
 void
-joinTiles(const TiledCloud& cloud,
+joinTiles(TiledCloud& cloud,
+          pcl::tiling::Team& team,
           const CloudSources& sources,
-          const std::vector<std::string>& outputs,
           const TileWanted& wanted,
-          PCDFormat format,
-          bool is_given)
+          const JoinedOutputs& outputs)
 {
-  requireUndamaged(cloud);
-  Join join(cloud, wanted, format);
-  for (std::size_t s = 0; s < sources.size(); ++s)
-    join.write(*sources[s], outputs[s], is_given);
-  join.requireEnd();
+  cloud.check(resultsName()); // before parts of them are read
+  cloud.runOnSections(joined_name,
+                      [&](std::size_t section, const TiledCloud::Sink& sink) {
+                        const auto [source, number] = cloud.sections()[section];
+                        SectionJoin(cloud, wanted, outputs, section)
+                            .write(sources[source]->stream(), number, sink);
+                      });
+  std::vector<std::size_t> all(sources.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::string failure;
+  team.run(
+      all,
+      [&](std::size_t source) {
+        putTogether(cloud, source, outputs.paths[source]);
+        return std::string();
+      },
+      [&](std::size_t, const std::string&, const std::string& error) {
+        failure = failure.empty() ? error : failure;
+      });
+  if (!failure.empty())
+    throw InputError(failure);
+  cloud.removeResult(joined_name);
 }
 
 } // namespace pcl::app

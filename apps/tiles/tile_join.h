@@ -15,15 +15,21 @@
 
 namespace pcl::app {
 
+/** \brief Where joined clouds go. */
+struct JoinedOutputs {
+  std::vector<std::string> paths; ///< one for each source
+  PCDFormat format;               ///< not compressed
+  bool is_offset_given;           ///< see chooseOffset()
+};
+
 /** \brief Write an output for each source: its fields and points in their order, with
- * the fields of the tiles appended, or in the place of those of the same name. Outputs
- * appear complete. \param[in] outputs paths, one for each source \param[in] format not
- * compressed \param[in] is_given whether the offset was, see chooseOffset() */
-void joinTiles(const pcl::tiling::TiledCloud& cloud,
+ * the fields of the tiles appended, or in the place of those of the same name. Each
+ * section of the sources is a task of the team, and then each output is put together.
+ * Outputs appear complete. */
+void joinTiles(pcl::tiling::TiledCloud& cloud,
+               pcl::tiling::Team& team,
                const CloudSources& sources,
-               const std::vector<std::string>& outputs,
                const TileWanted& wanted,
-               PCDFormat format,
-               bool is_given);
+               const JoinedOutputs& outputs);
 
 } // namespace pcl::app

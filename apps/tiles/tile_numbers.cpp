@@ -17,6 +17,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace pcl::app {
 namespace {
@@ -62,8 +63,7 @@ measuredDistances(const TilePoints& points,
 TileDistances
 distancesOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
 {
-  const Bytes bytes = cloud.resultOf(name, tile);
-  ByteReader reader(bytes);
+  ByteReader reader(cloud.resultOf(name, tile));
   TileDistances distances;
   distances.low = reader.take<std::array<float, 3>>();
   distances.high = reader.take<std::array<float, 3>>();
@@ -84,22 +84,70 @@ unknownPlaces(const TiledCloud& cloud, double resolution)
   return resolution > 0.0 ? 0 : cloud.countNotFinite();
 }
 
+/** use(distances) of each tile. */
+template <typename Use>
+void
+forEachDistances(const TiledCloud& cloud, const std::string& name, const Use& use)
+{
+  for (std::size_t tile = 0; tile < cloud.size(); ++tile)
+    if (cloud.pointsOf(tile) > 0)
+      use(distancesOf(cloud, name, tile));
+}
+
+/** The medians of the distances that are positive, and of all of them, in two passes
+ * over the files of tiles. Points that are not finite count with the first one, as in
+ * the whole cloud. */
+class DistanceMedians {
+public:
+  explicit DistanceMedians(std::uint64_t unknown) : unknown_(unknown) {}
+
+  void
+  add(const std::vector<float>& distances)
+  {
+    for (const float d : distances) {
+      all_.add(d, 1);
+      if (d > 0.0f)
+        positive_.add(d, 1);
+    }
+  }
+
+  /** After the first pass. */
+  void
+  chooseHigh()
+  {
+    has_positive_ = positive_.count() > 0;
+    if (has_positive_)
+      positive_.chooseHigh(middleOf(positive_.count()));
+    all_.add(has_positive_ ? positive_.high() : 1.0f, unknown_);
+    all_.chooseHigh(middleOf(all_.count()));
+  }
+
+  /** After the second one: of those that are positive, and of all. */
+  std::pair<float, float>
+  values()
+  {
+    const float distance = has_positive_ ? positive_.value() : 1.0f;
+    all_.add(distance, unknown_);
+    return {distance, all_.value()};
+  }
+
+private:
+  std::uint64_t unknown_;
+  bool has_positive_ = false;
+  FloatSelection positive_, all_;
+};
+
 /** Medians, the box and the number of places, of distances as far as the reach. */
 Json
 mediansOf(const TiledCloud& cloud, const std::string& name, double resolution)
 {
   constexpr float far = std::numeric_limits<float>::infinity();
   std::array<float, 3> low{far, far, far}, high{-far, -far, -far};
-  std::uint64_t places = 0, positive = 0;
-  const auto forEachTile = [&](const auto& use) {
-    for (std::size_t tile = 0; tile < cloud.size(); ++tile)
-      if (cloud.pointsOf(tile) > 0)
-        use(distancesOf(cloud, name, tile));
-  };
-  forEachTile([&](const TileDistances& of_tile) {
+  std::uint64_t places = 0;
+  DistanceMedians medians(unknownPlaces(cloud, resolution));
+  forEachDistances(cloud, name, [&](const TileDistances& of_tile) {
     places += of_tile.distances.size();
-    for (const float d : of_tile.distances)
-      positive += d > 0.0f ? 1 : 0;
+    medians.add(of_tile.distances);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       low[axis] = std::min(low[axis], of_tile.low[axis]);
       high[axis] = std::max(high[axis], of_tile.high[axis]);
@@ -109,24 +157,12 @@ mediansOf(const TiledCloud& cloud, const std::string& name, double resolution)
     throw InputError("the cloud has " + std::to_string(places) +
                      " different places; expected at least " +
                      std::to_string(min_places) + " to divide it");
-  double distance = 1.0;
-  if (positive > 0)
-    distance = static_cast<double>(selected(middleOf(positive), [&](const auto& use) {
-      forEachTile([&](const TileDistances& of_tile) {
-        for (const float d : of_tile.distances)
-          if (d > 0.0f)
-            use(d, 1);
-      });
-    }));
-  // Points that are not finite count with the median, as in the whole cloud.
-  const std::uint64_t unknown = unknownPlaces(cloud, resolution);
-  const float middle = selected(middleOf(places + unknown), [&](const auto& use) {
-    use(static_cast<float>(distance), unknown);
-    forEachTile([&](const TileDistances& of_tile) {
-      for (const float d : of_tile.distances)
-        use(d, 1);
-    });
+  medians.chooseHigh();
+  forEachDistances(cloud, name, [&](const TileDistances& of_tile) {
+    medians.add(of_tile.distances);
   });
+  const auto [positive, middle] = medians.values();
+  const double distance = positive;
   const bool is_known = std::isfinite(distance);
   return {{"distance", is_known ? distance : 0.0},
           {"spacing", is_known ? pcl::spacingAt(middle, distance) : 0.0f},

@@ -4,9 +4,11 @@
 
 #include "tiles/tile_pieces.h"
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <limits>
-#include <numeric>
+#include <utility>
 
 namespace pcl::app {
 namespace {
@@ -34,8 +36,7 @@ struct TileLinks {
 TileLinks
 linksOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
 {
-  const Bytes bytes = cloud.resultOf(name, tile);
-  ByteReader reader(bytes);
+  ByteReader reader(cloud.resultOf(name, tile));
   TileLinks links;
   links.pieces = reader.take<std::uint32_t>();
   links.piece = reader.takeAll<std::uint32_t>();
@@ -43,86 +44,25 @@ linksOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
   return links;
 }
 
-/** Sets of pieces of tiles; the root of each is its first one. */
-class PieceSets {
-public:
-  void
-  add(std::size_t count)
-  {
-    const std::size_t before = parents_.size();
-    parents_.resize(before + count);
-    std::iota(parents_.begin() + static_cast<std::ptrdiff_t>(before),
-              parents_.end(),
-              static_cast<std::uint32_t>(before));
-  }
-
-  std::uint32_t
-  find(std::uint32_t piece)
-  {
-    while (parents_[piece] != piece)
-      piece = parents_[piece] = parents_[parents_[piece]];
-    return piece;
-  }
-
-  void
-  unite(std::uint32_t a, std::uint32_t b)
-  {
-    a = find(a);
-    b = find(b);
-    parents_[std::max(a, b)] = std::min(a, b);
-  }
-
-  std::size_t
-  size() const
-  {
-    return parents_.size();
-  }
-
-private:
-  std::vector<std::uint32_t> parents_;
-};
-
 /** The pieces of the cloud: for each tile those of its nodes. */
 struct Pieces {
   std::vector<std::vector<std::uint32_t>> of_nodes; ///< or none
   std::vector<std::uint64_t> sizes;                 ///< in nodes
 };
 
+/** Numbers the sets of pieces of tiles by the first piece of each. */
+template <typename Sets>
 Pieces
-unitedPieces(const TiledCloud& cloud, const std::string& links_name)
+numberedSets(Sets& sets, std::uint32_t count, Pieces pieces)
 {
-  Pieces pieces;
-  pieces.of_nodes.resize(cloud.size());
-  PieceSets sets;
-  for (std::size_t tile = 0; tile < cloud.size(); ++tile) {
-    if (cloud.pointsOf(tile) == 0)
-      continue;
-    TileLinks links = linksOf(cloud, links_name, tile);
-    for (std::uint32_t& piece : links.piece)
-      if (piece != none)
-        piece += static_cast<std::uint32_t>(sets.size());
-    sets.add(links.pieces);
-    pieces.of_nodes[tile] = std::move(links.piece);
-  }
-  std::uint32_t first = 0; // piece of the tile
-  for (std::size_t tile = 0; tile < cloud.size(); ++tile) {
-    if (cloud.pointsOf(tile) == 0)
-      continue;
-    const TileLinks links = linksOf(cloud, links_name, tile);
-    for (const OutwardLink& link : links.outward) {
-      const std::uint32_t other = pieces.of_nodes[link.node.tile][link.node.number];
-      if (other != none)
-        sets.unite(first + link.piece, other);
-    }
-    first += links.pieces;
-  }
-  std::vector<std::uint32_t> numbers(sets.size(), none);
-  for (std::uint32_t piece = 0; piece < sets.size(); ++piece) {
-    if (sets.find(piece) == piece) {
-      numbers[piece] = static_cast<std::uint32_t>(pieces.sizes.size());
+  std::vector<std::uint32_t> number_of_root(count, none), numbers;
+  for (std::uint32_t piece = 0; piece < count; ++piece) {
+    std::uint32_t& number = number_of_root[sets.find_set(piece)];
+    if (number == none) {
+      number = static_cast<std::uint32_t>(pieces.sizes.size());
       pieces.sizes.push_back(0);
     }
-    numbers[piece] = numbers[sets.find(piece)];
+    numbers.push_back(number);
   }
   for (std::vector<std::uint32_t>& of_tile : pieces.of_nodes)
     for (std::uint32_t& piece : of_tile)
@@ -131,6 +71,38 @@ unitedPieces(const TiledCloud& cloud, const std::string& links_name)
         ++pieces.sizes[piece];
       }
   return pieces;
+}
+
+Pieces
+unitedPieces(const TiledCloud& cloud, const std::string& links_name)
+{
+  Pieces pieces;
+  pieces.of_nodes.resize(cloud.size());
+  std::uint32_t count = 0; // of pieces of tiles
+  for (std::size_t tile = 0; tile < cloud.size(); ++tile) {
+    if (cloud.pointsOf(tile) == 0)
+      continue;
+    TileLinks links = linksOf(cloud, links_name, tile);
+    for (std::uint32_t& piece : links.piece)
+      if (piece != none)
+        piece += count;
+    count += links.pieces;
+    pieces.of_nodes[tile] = std::move(links.piece);
+  }
+  boost::disjoint_sets_with_storage<> sets(count);
+  std::uint32_t first = 0; // piece of the tile
+  for (std::size_t tile = 0; tile < cloud.size(); ++tile) {
+    if (cloud.pointsOf(tile) == 0)
+      continue;
+    const TileLinks links = linksOf(cloud, links_name, tile);
+    for (const OutwardLink& link : links.outward) {
+      const std::uint32_t other = pieces.of_nodes[link.node.tile][link.node.number];
+      if (other != none)
+        sets.union_set(first + link.piece, other);
+    }
+    first += links.pieces;
+  }
+  return numberedSets(sets, count, std::move(pieces));
 }
 
 /** Cuts some pieces after the other. */
@@ -223,8 +195,7 @@ private:
 std::vector<InstanceNode>
 nodesOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
 {
-  const Bytes bytes = cloud.resultOf(name, tile);
-  return ByteReader(bytes).takeAll<InstanceNode>();
+  return ByteReader(cloud.resultOf(name, tile)).takeAll<InstanceNode>();
 }
 
 Bytes
@@ -279,8 +250,7 @@ cutNodesOf(const TiledCloud& cloud,
 {
   CutNodes result;
   result.nodes = nodesOf(cloud, nodes, tile);
-  const Bytes bytes = cloud.resultOf(pieces, tile);
-  ByteReader reader(bytes);
+  ByteReader reader(cloud.resultOf(pieces, tile));
   result.low = reader.take<std::array<float, 3>>();
   result.high = reader.take<std::array<float, 3>>();
   result.labels = reader.takeAll<std::int32_t>();

@@ -40,8 +40,7 @@ takeLinked(ByteReader& reader)
 TileFaces
 facesOf(const TiledCloud& cloud, std::size_t tile)
 {
-  const Bytes bytes = cloud.resultOf(facesName(), tile);
-  ByteReader reader(bytes);
+  ByteReader reader(cloud.resultOf(facesName(), tile));
   TileFaces faces;
   faces.unknown = reader.take<std::uint64_t>();
   faces.part.linked = takeLinked(reader);
@@ -64,8 +63,7 @@ addNeighbors(const TiledCloud& cloud,
       haloOf(pcl::reachOf(numbers.of_cloud, pcl::ShapeModel::defaultEdges()).surfaces,
              resolution);
   for (const std::size_t other : cloud.tilesAround(tile, halo)) {
-    const Bytes bytes = cloud.resultOf(facesName(), other);
-    ByteReader reader(bytes);
+    ByteReader reader(cloud.resultOf(facesName(), other));
     reader.take<std::uint64_t>();
     faces.add(takeLinked(reader));
   }
@@ -97,8 +95,7 @@ forEachWindows(const TiledCloud& cloud, const Use& use)
   for (std::size_t tile = 0; tile < cloud.size(); ++tile) {
     if (cloud.pointsOf(tile) == 0)
       continue;
-    const Bytes bytes = cloud.resultOf(windows_name, tile);
-    ByteReader reader(bytes);
+    ByteReader reader(cloud.resultOf(windows_name, tile));
     for (std::size_t level = 0; level < FacesAround::levels; ++level)
       use(level, reader.takeAll<float>());
   }

@@ -108,8 +108,14 @@ private:
 std::uint32_t
 checksumOf(const void* data, std::size_t size)
 {
+  return checksumOf(0, data, size);
+}
+
+std::uint32_t
+checksumOf(std::uint32_t before, const void* data, std::size_t size)
+{
   return static_cast<std::uint32_t>(
-      ::crc32_z(0, static_cast<const unsigned char*>(data), size));
+      ::crc32_z(before, static_cast<const unsigned char*>(data), size));
 }
 
 std::string
@@ -120,21 +126,65 @@ toText(std::uint32_t checksum)
   return digits;
 }
 
+struct WholeFile::State {
+  explicit State(const std::string& at)
+  : path(at)
+  , temporary(at + '.' + std::to_string(::getpid()) + ".tmp")
+  , file(temporary, O_WRONLY | O_CREAT | O_TRUNC)
+  {}
+
+  std::string path, temporary;
+  File file;
+  std::uint64_t size = 0;
+  std::uint32_t checksum = 0;
+  bool is_committed = false;
+};
+
+WholeFile::WholeFile(const std::string& path) : state_(std::make_unique<State>(path)) {}
+
+WholeFile::~WholeFile()
+{
+  if (!state_->is_committed)
+    ::unlink(state_->temporary.c_str());
+}
+
+void
+WholeFile::write(const void* data, std::size_t size)
+{
+  if (size == 0)
+    return;
+  state_->file.write(data, size);
+  state_->size += size;
+  state_->checksum = checksumOf(state_->checksum, data, size);
+}
+
+void
+WholeFile::commit()
+{
+  state_->file.finish();
+  if (std::rename(state_->temporary.c_str(), state_->path.c_str()) != 0)
+    fail(state_->path, "written", errno);
+  state_->is_committed = true;
+}
+
+std::uint64_t
+WholeFile::size() const
+{
+  return state_->size;
+}
+
+std::uint32_t
+WholeFile::checksum() const
+{
+  return state_->checksum;
+}
+
 void
 writeWhole(const std::string& path, const Bytes& bytes)
 {
-  const std::string temporary = path + '.' + std::to_string(::getpid()) + ".tmp";
-  try {
-    File file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
-    file.write(bytes.data(), bytes.size());
-    file.finish();
-    if (std::rename(temporary.c_str(), path.c_str()) != 0)
-      fail(path, "written", errno);
-  }
-  catch (...) {
-    ::unlink(temporary.c_str());
-    throw;
-  }
+  WholeFile file(path);
+  file.write(bytes.data(), bytes.size());
+  file.commit();
 }
 
 Bytes
@@ -144,6 +194,14 @@ readWhole(const std::string& path)
   Bytes bytes(file.size());
   file.readAt(0, bytes.data(), bytes.size());
   return bytes;
+}
+
+void
+failDamaged(const std::string& path)
+{
+  ::unlink(path.c_str());
+  throw TilingError(path + ": was damaged, and is removed; run the same command again "
+                           "to make it anew");
 }
 
 void

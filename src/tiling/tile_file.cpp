@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <numeric>
 
 namespace pcl::tiling {
@@ -30,15 +29,6 @@ struct Entry {
 };
 
 constexpr double blocks_along = 24.0; // edges: a border is a tenth of the tile then
-
-[[noreturn]] void
-failDamaged(const std::string& path)
-{
-  std::error_code error;
-  std::filesystem::remove(path, error);
-  throw TilingError(path + ": was damaged, and is removed; run the same command again "
-                           "to make it anew");
-}
 
 /** The points in the order of blocks, each with the number of its block. */
 struct Sorted {

@@ -141,6 +141,16 @@ CellGrid::keyOf(const float* point) const
   return key;
 }
 
+CellKey
+CellGrid::keyOf(const CellGrid& finer, const CellKey& key) const
+{
+  CellKey result;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    result[axis] =
+        std::floor(std::ldexp(key[axis], finer.exponent - exponent)) + 0.0; // one zero
+  return result;
+}
+
 double
 CellGrid::size() const
 {
@@ -204,6 +214,23 @@ void
 DensityCells::add(const float* point)
 {
   counts_.add(grid_.keyOf(point), 1);
+  bound();
+}
+
+void
+DensityCells::add(const CellGrid& grid, const std::vector<Cell>& cells)
+{
+  for (; grid_.exponent < grid.exponent; ++grid_.exponent)
+    counts_ = counts_.coarser();
+  for (const Cell& cell : cells) {
+    counts_.add(grid_.keyOf(grid, cell.key), cell.count);
+    bound();
+  }
+}
+
+void
+DensityCells::bound()
+{
   for (; counts_.size() > max_cells; ++grid_.exponent)
     counts_ = counts_.coarser();
 }

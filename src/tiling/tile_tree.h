@@ -20,6 +20,8 @@ struct CellGrid {
   int exponent = 0; ///< of the size in meters
 
   CellKey keyOf(const float* point) const;
+  /** \brief The cell that holds one of another grid, whose cells are not larger. */
+  CellKey keyOf(const CellGrid& finer, const CellKey& key) const;
   double size() const;
 };
 
@@ -64,6 +66,9 @@ public:
   /** \param[in] point finite */
   void add(const float* point);
 
+  /** \brief The points of other cells, whatever their size. */
+  void add(const CellGrid& grid, const std::vector<Cell>& cells);
+
   const CellGrid&
   grid() const
   {
@@ -81,6 +86,8 @@ public:
   double typicalDistance() const;
 
 private:
+  void bound();
+
   CellGrid grid_;
   CellCounts counts_;
 };

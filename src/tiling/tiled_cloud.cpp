@@ -5,14 +5,14 @@
 
 #include "tiling/checked_file.h"
 #include "tiling/manifest.h"
+#include "tiling/plan.h"
+#include "tiling/section_file.h"
 #include "tiling/tile_file.h"
-#include "tiling/tile_tree.h"
 
 #include <pcl/tiling/tiled_cloud.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
@@ -36,10 +36,11 @@ namespace {
 
 using Record = Manifest::Record;
 
-constexpr int format_version = 1;
-// Of points on their way to tiles; what is more goes to disk.
-constexpr std::size_t buffered_bytes = std::size_t{128} << 20;
-const std::string tiles_name = "tiles", buckets_name = "buckets";
+constexpr int format_version = 2;
+const std::string tiles_name = "tiles";
+// Of sections: their counts, their points by tile, and which rows of tiles these are.
+const std::string survey_name = "survey", sections_name = "sections",
+                  rows_name = "rows";
 const std::string manifest_name = "manifest.jsonl", lock_name = "lock";
 
 /** Holds a file so that no other run does; it is released with the process. */
@@ -106,22 +107,6 @@ makeDirectory(const std::string& path)
     throw TilingError(path + ": cannot be made: " + error.message());
 }
 
-std::array<float, 3>
-floatsOf(const Position& point, const Position& offset)
-{
-  std::array<float, 3> floats;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    floats[axis] = static_cast<float>(point[axis] - offset[axis]);
-  return floats;
-}
-
-/** What is finite in double may be too large for float. */
-bool
-isFinite(const std::array<float, 3>& p)
-{
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
 std::vector<fs::path>
 entriesOf(const std::string& directory)
 {
@@ -179,49 +164,31 @@ kindOf(const fs::path& path)
   return parts[1].matched ? FileOfTile::unfinished : FileOfTile::complete;
 }
 
-/** How the sources are divided. */
-struct Plan {
-  Position offset{};
-  TileTree tree;
-  std::vector<std::uint64_t> points; ///< of each tile
-  std::uint64_t finite = 0, not_finite = 0;
-  double typical_distance = 0.0;
-};
-
-Record
-toJson(const Plan& plan)
-{
-  Record nodes = Record::array();
-  for (const TileTree::Node& node : plan.tree.nodes())
-    nodes.push_back({node.axis, node.cut, node.first, node.second});
-  return {{"event", "plan"},
-          {"offset", plan.offset},
-          {"cell", plan.tree.grid().exponent},
-          {"nodes", nodes},
-          {"points", plan.points},
-          {"finite", plan.finite},
-          {"not_finite", plan.not_finite},
-          {"typical_distance", plan.typical_distance}};
-}
-
-Plan
-planOf(const Record& record)
-{
-  std::vector<TileTree::Node> nodes;
-  for (const Record& node : record.at("nodes"))
-    nodes.push_back({node.at(0), node.at(1), node.at(2), node.at(3)});
-  return {record.at("offset"),
-          TileTree(CellGrid{record.at("cell")}, std::move(nodes)),
-          record.at("points"),
-          record.at("finite"),
-          record.at("not_finite"),
-          record.at("typical_distance")};
-}
-
 /** A file that is complete. */
 struct Complete {
   std::uint64_t bytes = 0;
   std::string check;
+};
+
+/** \return what completeOf() reads */
+std::string
+completeText(std::uint64_t bytes, std::uint32_t checksum)
+{
+  return std::to_string(bytes) + ' ' + toText(checksum);
+}
+
+Complete
+completeOf(const std::string& text)
+{
+  Complete complete;
+  std::istringstream(text) >> complete.bytes >> complete.check;
+  return complete;
+}
+
+/** What has a result: tiles, or sections. */
+struct Tasks {
+  std::string kind;                 ///< for messages
+  std::vector<std::uint64_t> sizes; ///< 0 for what needs no result
 };
 
 } // namespace
@@ -241,6 +208,9 @@ public:
       throw TilingError("no sources are given; expected at least one");
     if (settings.max_points == 0)
       throw TilingError("0 points for a tile; expected at least one");
+    for (std::size_t source = 0; source < sources.size(); ++source)
+      for (std::size_t k = 0; k < sources[source]->countSections(); ++k)
+        sections_.push_back({source, k});
     if (team.isFirst()) {
       makeDirectory(directory);
       requireOwn(directory);
@@ -258,10 +228,22 @@ public:
   void
   partition()
   {
-    if (!plan_ && team_.isFirst())
-      add(toJson(survey()));
-    refresh();
-    makeTiles();
+    if (!plan_)
+      survey();
+    removeResult(survey_name); // also that of a run which was killed after it
+    const bool is_needed = !missingOf(tiles_name, tiles()).empty() ||
+                           !missingOf(rows_name, sections()).empty();
+    sortSections(is_needed);
+    compute(tiles_name, tiles(), [&](std::size_t tile) {
+      return written(tiles_name, tile, encodeTile(pointsOfSections(tile)));
+    });
+    removeResult(sections_name);
+  }
+
+  const std::vector<Section>&
+  sectionList() const
+  {
+    return sections_;
   }
 
   const Plan&
@@ -311,21 +293,102 @@ public:
   void
   run(const std::string& name, double halo, const Function& function)
   {
-    compute(name, [&](std::size_t tile) { return function(tile, load(tile, halo)); });
+    requireFree(name);
+    compute(name, tiles(), [&](std::size_t tile) {
+      return written(name, tile, function(tile, load(tile, halo)));
+    });
   }
 
   void
   runOnResults(const std::string& name, const ResultFunction& function)
   {
-    compute(name, function);
+    requireFree(name);
+    compute(name, tiles(), [&](std::size_t tile) {
+      return written(name, tile, function(tile));
+    });
+  }
+
+  void
+  runOnSections(const std::string& name, const SectionFunction& function)
+  {
+    requireFree(name);
+    compute(name, sections(), [&](std::size_t section) {
+      WholeFile file(pathOf(name, section));
+      function(section,
+               [&](const void* data, std::size_t size) { file.write(data, size); });
+      file.commit();
+      return completeText(file.size(), file.checksum());
+    });
+  }
+
+  std::vector<Rows>
+  rowsOf(std::size_t section) const
+  {
+    const Bytes bytes = resultOf(rows_name, section);
+    std::vector<Rows> rows(bytes.size() / sizeof(Rows));
+    if (!rows.empty())
+      std::memcpy(rows.data(), bytes.data(), bytes.size());
+    return rows;
+  }
+
+  void
+  check(const std::string& name)
+  {
+    std::string failure;
+    team_.run(
+        allOf(tiles()),
+        [&](std::size_t tile) {
+          resultOf(name, tile);
+          return std::string();
+        },
+        [&](std::size_t, const std::string&, const std::string& error) {
+          failure = failure.empty() ? error : failure;
+        });
+    team_.meet();
+    if (!failure.empty())
+      throw TilingError(failure);
+    requireAll(name, tiles(), failure); // what is damaged was removed
+  }
+
+  void
+  copyTo(const std::string& name, std::size_t number, const Sink& sink) const
+  {
+    const std::string path = pathOf(name, number);
+    const Complete& complete = completeAt(name, number);
+    constexpr std::uint64_t bytes_at_a_time = 1 << 22;
+    std::uint32_t checksum = 0;
+    Bytes bytes;
+    for (std::uint64_t at = 0; at < complete.bytes; at += bytes.size()) {
+      bytes.resize(std::min(bytes_at_a_time, complete.bytes - at));
+      readAt(path, at, bytes.data(), bytes.size());
+      checksum = checksumOf(checksum, bytes.data(), bytes.size());
+      sink(bytes.data(), bytes.size());
+    }
+    if (toText(checksum) != complete.check)
+      failDamaged(path);
+  }
+
+  void
+  removeResult(const std::string& name)
+  {
+    if (!team_.isFirst())
+      return;
+    const std::string directory = directory_ + '/' + name;
+    if (!isThere(directory))
+      return;
+    for (const fs::path& file : entriesOf(directory))
+      if (kindOf(file) != FileOfTile::none)
+        removeFile(file);
+    removeFile(directory);
   }
 
   void
   runAtOnce(const std::string& name,
             const std::function<void(const Write& write)>& function)
   {
+    requireFree(name);
     team_.meet();
-    const bool is_missing = !missingOf(name).empty();
+    const bool is_missing = !missingOf(name, tiles()).empty();
     makePlaceFor(name);
     std::string failure;
     const auto work = [&](std::size_t) {
@@ -342,42 +405,31 @@ public:
                 std::istringstream lines(error.empty() ? results : std::string());
                 std::size_t tile = 0;
                 for (std::string result; lines >> tile && std::getline(lines, result);)
-                  if (const Complete now = completeOf(result);
-                      !isRecorded(name, tile, now))
-                    complete(name, tile, now);
+                  complete(name, tile, completeOf(result));
               });
     refresh();
-    if (!missingOf(name).empty())
+    if (!missingOf(name, tiles()).empty())
       throw TilingError(failure.empty() ? name + " of some tiles were not written"
                                         : name + ": " + failure);
   }
 
   std::string
-  pathOf(const std::string& name, std::size_t tile) const
+  pathOf(const std::string& name, std::size_t number) const
   {
     char file[32];
-    std::snprintf(file, sizeof file, "/%06zu.bin", tile);
+    std::snprintf(file, sizeof file, "/%06zu.bin", number);
     return directory_ + '/' + name + file;
   }
 
   Bytes
-  resultOf(const std::string& name, std::size_t tile) const
+  resultOf(const std::string& name, std::size_t number) const
   {
-    const std::string path = pathOf(name, tile);
-    const auto of_name = complete_.find(name);
-    const auto found = of_name == complete_.end()
-                           ? decltype(of_name->second.find(tile)){}
-                           : of_name->second.find(tile);
-    if (of_name == complete_.end() || found == of_name->second.end())
-      throw TilingError(path + ": is not computed yet; expected run() before");
+    const std::string path = pathOf(name, number);
+    const Complete& complete = completeAt(name, number);
     Bytes bytes = readWhole(path);
-    if (bytes.size() != found->second.bytes ||
-        toText(checksumOf(bytes.data(), bytes.size())) != found->second.check) {
-      std::error_code error;
-      fs::remove(path, error);
-      throw TilingError(path + ": was damaged, and is removed; run the same command "
-                               "again to make it anew");
-    }
+    if (bytes.size() != complete.bytes ||
+        toText(checksumOf(bytes.data(), bytes.size())) != complete.check)
+      failDamaged(path);
     return bytes;
   }
 
@@ -404,15 +456,8 @@ public:
       return;
     for (const auto& [name, results] : complete_)
       names_.insert(name);
-    for (const std::string& name : names_) {
-      const std::string directory = directory_ + '/' + name;
-      if (!isThere(directory))
-        continue;
-      for (const fs::path& file : entriesOf(directory))
-        if (kindOf(file) != FileOfTile::none)
-          removeFile(file);
-      removeFile(directory);
-    }
+    for (const std::string& name : names_)
+      removeResult(name);
     removeFile(directory_ + '/' + manifest_name);
     removeFile(directory_ + '/' + lock_name);
     lock_.reset(); // NFS keeps a removed file in its directory until it is closed
@@ -460,8 +505,8 @@ private:
     else if (event == "decision")
       decisions_[record.at("name")] = record.at("value");
     else if (event == "result")
-      complete_[record.at("name")][record.at("tile")] = {record.at("bytes"),
-                                                         record.at("check")};
+      complete_[record.at("name")][record.at("number")] = {record.at("bytes"),
+                                                           record.at("check")};
   }
 
   /** Writes what results depend on, or compares it with what is there. */
@@ -504,60 +549,169 @@ private:
     }
   }
 
-  Plan
-  survey() const
+  /** The sections are counted, and then divided. */
+  void
+  survey()
   {
-    DensityCells cells;
-    std::uint64_t finite = 0, not_finite = 0;
-    for (const auto& source : sources_)
-      source->read([&](const Position* points, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) {
-          const std::array<float, 3> floats = floatsOf(points[i], offset_);
-          const bool is_finite = isFinite(floats);
-          ++(is_finite ? finite : not_finite);
-          if (is_finite)
-            cells.add(floats.data());
+    compute(survey_name, sections(), [&](std::size_t section) {
+      Survey survey;
+      readSection(section, [&](const Position& point) { survey.add(point, offset_); });
+      return written(survey_name, section, survey.toBytes());
+    });
+    if (team_.isFirst()) {
+      Survey all;
+      for (std::size_t section = 0; section < sections_.size(); ++section)
+        all.add(resultOf(survey_name, section));
+      add(toJson(planOf(all, offset_, settings_.max_points, settings_.max_edge)));
+    }
+    refresh();
+  }
+
+  /** use(point) for each point of a section. */
+  template <typename Use>
+  void
+  readSection(std::size_t section, const Use& use) const
+  {
+    const auto& [source, number] = sections_[section];
+    sources_[source]->readSection(number,
+                                  [&](const Position* points, std::size_t count) {
+                                    std::for_each(points, points + count, use);
+                                  });
+  }
+
+  /** The points of each section by tile, and which rows of the tiles they are. */
+  void
+  sortSections(bool is_needed)
+  {
+    compute(sections_name,
+            is_needed ? sections() : Tasks{sections().kind, {}},
+            [&](std::size_t section) {
+              WholeFile file(pathOf(sections_name, section));
+              SectionWriter writer(file, plan().points.size());
+              readSection(section, [&](const Position& point) {
+                const std::array<float, 3> floats = floatsOf(point, offset());
+                if (isFinite(floats))
+                  writer.add(point, plan().tree.tileOf(floats.data()));
+              });
+              writer.finish();
+              file.commit();
+              return completeText(file.size(), file.checksum());
+            });
+    if (is_needed && team_.isFirst())
+      countRows();
+    refresh();
+  }
+
+  void
+  countRows()
+  {
+    makePlaceFor(rows_name);
+    std::vector<std::uint64_t> next(plan().points.size());
+    for (std::size_t section = 0; section < sections_.size(); ++section) {
+      const std::vector<std::uint64_t> counts = sectionFile(section).counts();
+      Bytes bytes;
+      for (std::size_t tile = 0; tile < counts.size(); ++tile)
+        if (counts[tile] > 0) {
+          put(Rows{tile, next[tile], counts[tile]}, bytes);
+          next[tile] += counts[tile];
         }
-      });
-    if (finite == 0)
-      throw TilingError("none of " + std::to_string(not_finite) +
-                        " points is finite; expected at least one");
-    Plan plan{offset_,
-              TileTree(cells, settings_.max_points, settings_.max_edge),
-              {},
-              finite,
-              not_finite,
-              cells.typicalDistance()};
-    plan.points.resize(plan.tree.size());
-    for (const auto& [key, count] : cells.counts().sorted())
-      plan.points[plan.tree.tileOf(key)] += count;
-    return plan;
+      complete(rows_name, section, completeOf(written(rows_name, section, bytes)));
+    }
+    if (next != plan().points)
+      throw TilingError(directory_ + ": the sources have other points than before; "
+                                     "expected sources that do not change");
+  }
+
+  SectionFile
+  sectionFile(std::size_t section) const
+  {
+    return {pathOf(sections_name, section), plan().points.size()};
+  }
+
+  std::vector<Position>
+  pointsOfSections(std::size_t tile) const
+  {
+    std::vector<Position> points;
+    points.reserve(plan().points[tile]);
+    for (std::size_t section = 0; section < sections_.size(); ++section)
+      sectionFile(section).addPointsOf(tile, points);
+    if (points.size() != plan().points[tile])
+      throw TilingError(directory_ + ": tile " + std::to_string(tile) + " has " +
+                        std::to_string(points.size()) + " points in " + sections_name +
+                        "; expected " + std::to_string(plan().points[tile]));
+    return points;
+  }
+
+  Tasks
+  tiles() const
+  {
+    return {"tile", plan().points};
+  }
+
+  Tasks
+  sections() const
+  {
+    return {"section", std::vector<std::uint64_t>(sections_.size(), 1)};
+  }
+
+  const Complete&
+  completeAt(const std::string& name, std::size_t number) const
+  {
+    const auto of_name = complete_.find(name);
+    if (of_name != complete_.end())
+      if (const auto found = of_name->second.find(number);
+          found != of_name->second.end())
+        return found->second;
+    throw TilingError(pathOf(name, number) +
+                      ": is not computed yet; expected run() before");
   }
 
   bool
-  isComplete(const std::string& name, std::size_t tile) const
+  isComplete(const std::string& name, std::size_t number) const
   {
     const auto of_name = complete_.find(name);
     if (of_name == complete_.end())
       return false;
-    const auto found = of_name->second.find(tile);
+    const auto found = of_name->second.find(number);
     return found != of_name->second.end() &&
-           sizeOfFile(pathOf(name, tile)) ==
+           sizeOfFile(pathOf(name, number)) ==
                static_cast<std::int64_t>(found->second.bytes);
   }
 
-  /** Those that are not complete, the largest first. */
-  std::vector<std::size_t>
-  missingOf(const std::string& name) const
+  /** Those that need a result, the largest first. */
+  static std::vector<std::size_t>
+  allOf(const Tasks& tasks)
   {
-    std::vector<std::size_t> missing;
-    for (std::size_t tile = 0; tile < plan().points.size(); ++tile)
-      if (plan().points[tile] > 0 && !isComplete(name, tile))
-        missing.push_back(tile);
-    std::stable_sort(missing.begin(), missing.end(), [&](auto a, auto b) {
-      return plan().points[a] > plan().points[b];
+    std::vector<std::size_t> all;
+    for (std::size_t number = 0; number < tasks.sizes.size(); ++number)
+      if (tasks.sizes[number] > 0)
+        all.push_back(number);
+    std::stable_sort(all.begin(), all.end(), [&](auto a, auto b) {
+      return tasks.sizes[a] > tasks.sizes[b];
     });
+    return all;
+  }
+
+  /** Those of them that are not complete. */
+  std::vector<std::size_t>
+  missingOf(const std::string& name, const Tasks& tasks) const
+  {
+    std::vector<std::size_t> missing = allOf(tasks);
+    const auto end =
+        std::remove_if(missing.begin(), missing.end(), [&](std::size_t number) {
+          return isComplete(name, number);
+        });
+    missing.erase(end, missing.end());
     return missing;
+  }
+
+  static void
+  requireFree(const std::string& name)
+  {
+    for (const std::string& own : {tiles_name, survey_name, sections_name, rows_name})
+      if (name == own)
+        throw TilingError("a result is called '" + name +
+                          "', as files of the partition are; expected another name");
   }
 
   void
@@ -569,137 +723,66 @@ private:
 
   /** \return bytes and checksum */
   std::string
-  written(const std::string& name, std::size_t tile, const Bytes& bytes) const
+  written(const std::string& name, std::size_t number, const Bytes& bytes) const
   {
-    writeWhole(pathOf(name, tile), bytes);
-    return std::to_string(bytes.size()) + ' ' +
-           toText(checksumOf(bytes.data(), bytes.size()));
+    writeWhole(pathOf(name, number), bytes);
+    return completeText(bytes.size(), checksumOf(bytes.data(), bytes.size()));
   }
 
-  /** Compute the files of a name that are missing. */
+  /** Compute the files of a name that are missing. \param[in] function writes the file
+   * of a task, and returns bytes and checksum */
   void
-  compute(const std::string& name, const std::function<Bytes(std::size_t)>& function)
+  compute(const std::string& name,
+          const Tasks& tasks,
+          const std::function<std::string(std::size_t)>& function)
   {
     team_.meet(); // before the first one adds files that others count as missing
     // What is missing is asked by each rank for itself, and file systems may answer
     // differently: the list of the first one counts, so that all of them run.
-    const std::vector<std::size_t> missing = missingOf(name);
-    makePlaceFor(name);
+    const std::vector<std::size_t> missing = missingOf(name, tasks);
+    if (!tasks.sizes.empty())
+      makePlaceFor(name);
     std::string failure;
     team_.run(
         missing,
-        [&](std::size_t tile) { return written(name, tile, function(tile)); },
-        [&](std::size_t tile, const std::string& result, const std::string& error) {
+        function,
+        [&](std::size_t number, const std::string& result, const std::string& error) {
           if (error.empty())
-            complete(name, tile, completeOf(result));
+            complete(name, number, completeOf(result));
           else if (failure.empty())
-            failure = name + " of tile " + std::to_string(tile) + ": " + error;
+            failure = name + " of " + tasks.kind + ' ' + std::to_string(number) + ": " +
+                      error;
         });
     refresh();
-    const std::size_t left = missingOf(name).size();
-    if (left > 0)
-      throw TilingError(failure.empty()
-                            ? "another rank has failed"
-                            : failure + "; " + std::to_string(left) + " of " +
-                                  std::to_string(plan().points.size()) +
-                                  " tiles are left for the next run of the "
-                                  "same command");
-  }
-
-  /** \param[in] result what written() returned */
-  static Complete
-  completeOf(const std::string& result)
-  {
-    Complete complete;
-    std::istringstream(result) >> complete.bytes >> complete.check;
-    return complete;
-  }
-
-  bool
-  isRecorded(const std::string& name, std::size_t tile, const Complete& now)
-  {
-    const Complete& before = complete_[name][tile];
-    return before.bytes == now.bytes && before.check == now.check;
+    requireAll(name, tasks, failure);
   }
 
   void
-  complete(const std::string& name, std::size_t tile, const Complete& now)
+  requireAll(const std::string& name,
+             const Tasks& tasks,
+             const std::string& failure) const
   {
+    if (const std::size_t left = missingOf(name, tasks).size(); left > 0)
+      throw TilingError(
+          failure.empty() ? "another rank has failed"
+                          : failure + "; " + std::to_string(left) + " of " +
+                                std::to_string(tasks.sizes.size()) + ' ' + tasks.kind +
+                                "s are left for the next run of the "
+                                "same command");
+  }
+
+  /** Records what the manifest does not have yet: it may have been made anew. */
+  void
+  complete(const std::string& name, std::size_t number, const Complete& now)
+  {
+    const Complete& before = complete_[name][number];
+    if (before.bytes == now.bytes && before.check == now.check)
+      return;
     add({{"event", "result"},
          {"name", name},
-         {"tile", tile},
+         {"number", number},
          {"bytes", now.bytes},
          {"check", now.check}});
-    if (name == tiles_name)
-      removeFile(pathOf(buckets_name, tile));
-  }
-
-  /** Points to buckets, one for each tile, in the order of the sources; a bucket
-   * becomes a tile. */
-  void
-  makeTiles()
-  {
-    const std::vector<std::size_t> missing = missingOf(tiles_name);
-    if (team_.isFirst() && !haveBuckets(missing))
-      fillBuckets(missing);
-    compute(tiles_name, [&](std::size_t tile) {
-      const Bytes bytes = readWhole(pathOf(buckets_name, tile));
-      std::vector<Position> points(bytes.size() / sizeof(Position));
-      std::memcpy(points.data(), bytes.data(), bytes.size());
-      return encodeTile(points);
-    });
-  }
-
-  bool
-  haveBuckets(const std::vector<std::size_t>& tiles) const
-  {
-    return std::all_of(tiles.begin(), tiles.end(), [&](std::size_t tile) {
-      return sizeOfFile(pathOf(buckets_name, tile)) ==
-             static_cast<std::int64_t>(plan().points[tile] * sizeof(Position));
-    });
-  }
-
-  void
-  fillBuckets(const std::vector<std::size_t>& tiles)
-  {
-    const std::string directory = directory_ + '/' + buckets_name;
-    makeDirectory(directory);
-    for (const fs::path& file : entriesOf(directory))
-      if (kindOf(file) != FileOfTile::none)
-        removeFile(file);
-    constexpr std::size_t no_bucket = ~std::size_t{0};
-    std::vector<std::size_t> bucket_of(plan().points.size(), no_bucket);
-    for (std::size_t b = 0; b < tiles.size(); ++b)
-      bucket_of[tiles[b]] = b;
-    std::vector<std::vector<Position>> buckets(tiles.size());
-    const std::size_t most =
-        std::max<std::size_t>(64, buffered_bytes / sizeof(Position) / tiles.size());
-    const auto flush = [&](std::size_t b) {
-      appendTo(pathOf(buckets_name, tiles[b]),
-               buckets[b].data(),
-               buckets[b].size() * sizeof(Position));
-      buckets[b].clear();
-    };
-    for (const auto& source : sources_)
-      source->read([&](const Position* points, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) {
-          const std::array<float, 3> floats = floatsOf(points[i], offset());
-          if (!isFinite(floats))
-            continue;
-          const std::size_t b = bucket_of[plan().tree.tileOf(floats.data())];
-          if (b == no_bucket)
-            continue;
-          buckets[b].push_back(points[i]);
-          if (buckets[b].size() >= most)
-            flush(b);
-        }
-      });
-    for (std::size_t b = 0; b < buckets.size(); ++b)
-      if (!buckets[b].empty())
-        flush(b);
-    if (!haveBuckets(tiles))
-      throw TilingError(directory + ": the sources have other points than before; "
-                                    "expected sources that do not change");
   }
 
   /** Neighbors are found in float: by how much two coordinates there may be nearer than
@@ -737,6 +820,7 @@ private:
 
   std::string directory_;
   Sources sources_;
+  std::vector<Section> sections_;
   TileSettings settings_;
   Team& team_;
   std::optional<Lock> lock_;
@@ -744,7 +828,8 @@ private:
   Position offset_{};
   std::optional<Plan> plan_;
   std::map<std::string, std::map<std::size_t, Complete>> complete_;
-  std::set<std::string> names_{tiles_name, buckets_name}; ///< of directories
+  std::set<std::string> names_{
+      tiles_name, survey_name, sections_name, rows_name}; ///< of directories
   std::map<std::string, std::string> decisions_;
   std::vector<std::unique_ptr<TileFile>> files_;
 };
@@ -847,6 +932,42 @@ TiledCloud::runAtOnce(const std::string& name,
                       const std::function<void(const Write& write)>& function)
 {
   state_->runAtOnce(name, function);
+}
+
+const std::vector<TiledCloud::Section>&
+TiledCloud::sections() const
+{
+  return state_->sectionList();
+}
+
+std::vector<TiledCloud::Rows>
+TiledCloud::rowsOf(std::size_t section) const
+{
+  return state_->rowsOf(section);
+}
+
+void
+TiledCloud::runOnSections(const std::string& name, const SectionFunction& function)
+{
+  state_->runOnSections(name, function);
+}
+
+void
+TiledCloud::check(const std::string& name)
+{
+  state_->check(name);
+}
+
+void
+TiledCloud::copyTo(const std::string& name, std::size_t number, const Sink& sink) const
+{
+  state_->copyTo(name, number, sink);
+}
+
+void
+TiledCloud::removeResult(const std::string& name)
+{
+  state_->removeResult(name);
 }
 
 std::vector<std::uint8_t>

@@ -191,6 +191,40 @@ mostKilobytes()
   return usage.ru_maxrss;
 }
 
+TEST_F(Streams, SectionsHaveAllPointsInTheirOrder)
+{
+  constexpr std::size_t points = 300'001; // three sections, not of equal size
+  std::string text = "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z id\nSIZE 4 4 4 4\n"
+                     "TYPE F F F U\nCOUNT 1 1 1 1\nWIDTH 300001\nHEIGHT 1\n"
+                     "POINTS 300001\nDATA binary\n";
+  for (std::uint32_t i = 0; i < points; ++i) {
+    const std::array<float, 3> at{static_cast<float>(i), 1.0f, 2.0f};
+    text.append(reinterpret_cast<const char*>(at.data()), sizeof at);
+    text.append(reinterpret_cast<const char*>(&i), sizeof i);
+  }
+  writeFile(path("many.pcd"), text);
+  const CloudStream stream(path("many.pcd"));
+  ASSERT_EQ(stream.countSections(), 3U);
+  std::vector<double> x;
+  std::vector<std::uint32_t> ids;
+  for (std::size_t section = 0; section < stream.countSections(); ++section) {
+    const std::size_t before = x.size();
+    stream.forEachPosition(section, [&](const auto* positions, std::size_t count) {
+      for (std::size_t i = 0; i < count; ++i)
+        x.push_back(positions[i][0]);
+    });
+    EXPECT_NEAR(static_cast<double>(x.size() - before), points / 3.0, 1.0);
+    stream.forEachPart(section, [&](const CloudFile& part) {
+      const std::vector<std::uint32_t> some = pcl::app::labelsOf(part, "id");
+      ids.insert(ids.end(), some.begin(), some.end());
+    });
+  }
+  ASSERT_EQ(x.size(), points);
+  ASSERT_EQ(ids.size(), points);
+  for (std::uint32_t i = 0; i < points; ++i)
+    ASSERT_TRUE(x[i] == i && ids[i] == i) << i;
+}
+
 TEST_F(Streams, ManyShortLinesNeedLittleMemory)
 {
   constexpr std::size_t lines = 6'000'000; // 36 MB
@@ -207,7 +241,7 @@ TEST_F(Streams, ManyShortLinesNeedLittleMemory)
   const CloudStream stream(cloud);
   std::size_t points = 0, parts = 0;
   long before = 0;
-  stream.forEachPart([&](const CloudFile& part) {
+  stream.forEachPart(0, [&](const CloudFile& part) {
     points += part.size();
     constexpr std::size_t warm = 4; // after these parts all buffers are there
     if (++parts == warm)

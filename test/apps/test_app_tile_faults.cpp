@@ -252,6 +252,12 @@ TEST_F(TileFaults, WhatCannotBeIsRefused)
                 2,
                 {"two inputs"});
   expectRefused(tiles("out", {"-memory", "3"}), 2, {"-memory", "'3'", "300M"});
+  for (const Words& wanted : {Words{"-surfaces"}, Words{"-instances", "planar"}}) {
+    Words words{input, "-output_dir", path("out"), "-memory", "799M"};
+    words.insert(words.end(), wanted.begin(), wanted.end());
+    expectRefused(
+        runApp("pcl_shape_tiles", words), 2, {"-memory", "'799M'", "at least 800M"});
+  }
   expectRefused(tiles("out", {"-processes", "0"}), 2, {"-processes"});
   expectRefused(tiles("out", {"-inad", "-1"}), 2, {"-inad"});
   expectRefused(tiles("out", {"-instances", "object"}), 2, {"-instances", "planar"});

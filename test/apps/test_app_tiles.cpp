@@ -211,6 +211,23 @@ TEST_P(EqualTiles, GiveTheInadOfTheWholeCloud)
   }
 }
 
+TEST_F(Tiles, OfInputsInSeveralSectionsAreTheWholeCloud)
+{
+  constexpr std::size_t points = 280000; // three sections
+  const std::string file = whole(withTrouble(sheetCloud(points)));
+  const std::string radius = "0.06"; // a dozen neighbors
+  expectSuccessOrWarnings(
+      runApp("pcl_inad_estimation",
+             {file, path("whole.pcd"), "-radius", radius, "-format", "binary"}));
+  for (const std::string processes : {"1", "3"}) {
+    const Words options{"-inad", radius, "-tile", "9", "-processes", processes};
+    expectSuccess(tiles({file}, options));
+    EXPECT_EQ(differences(readFile(path("out/cloud.pcd")), readFile(path("whole.pcd"))),
+              0U)
+        << processes << " processes";
+  }
+}
+
 TEST_F(Tiles, HaveTheSurfacesAndInstancesOfACloudThatIsLongerThanTheyLook)
 {
   constexpr std::size_t points = 120000;

@@ -42,9 +42,26 @@ public:
   void
   read(const std::function<void(const Position*, std::size_t)>& use) const override
   {
+    for (std::size_t section = 0; section < countSections(); ++section)
+      readSection(section, use);
+  }
+
+  std::size_t
+  countSections() const override
+  {
+    return 3;
+  }
+
+  void
+  readSection(
+      std::size_t section,
+      const std::function<void(const Position*, std::size_t)>& use) const override
+  {
     constexpr std::size_t at_a_time = 100;
-    for (std::size_t begin = 0; begin < points_.size(); begin += at_a_time)
-      use(&points_[begin], std::min(at_a_time, points_.size() - begin));
+    const std::size_t end = points_.size() * (section + 1) / countSections();
+    for (std::size_t begin = points_.size() * section / countSections(); begin < end;
+         begin += at_a_time)
+      use(&points_[begin], std::min(at_a_time, end - begin));
   }
 
 private:

@@ -82,6 +82,20 @@ TEST(TileTree, DoesNotDependOnTheOrderOfPoints)
   for (std::size_t i = 0; i < cells.size(); ++i)
     ASSERT_TRUE(cells[i].key == same[i].key && cells[i].count == same[i].count);
   EXPECT_EQ(before.typicalDistance(), after.typicalDistance());
+  // Nor on how they are counted: parts of the cloud, and then these together.
+  DensityCells together;
+  const auto few = points.begin() + 5000, many = points.begin() + 300000;
+  for (const auto& [begin, end] : {std::pair(many, points.end()),
+                                   std::pair(points.begin(), few),
+                                   std::pair(few, many)}) {
+    const DensityCells part = cellsOf({begin, end});
+    together.add(part.grid(), part.counts().sorted());
+  }
+  EXPECT_EQ(before.grid().exponent, together.grid().exponent);
+  const std::vector<Cell> added = together.counts().sorted();
+  ASSERT_EQ(cells.size(), added.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    ASSERT_TRUE(cells[i].key == added[i].key && cells[i].count == added[i].count);
   const TileTree again(after, 50000, 0.0);
   for (const Position& p : points)
     ASSERT_EQ(tree.tileOf(floatsOf(p).data()), again.tileOf(floatsOf(p).data()));

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <set>
@@ -255,6 +256,102 @@ TEST_F(TiledClouds, SayWhatAllAtOnceLacks)
   const auto writes_one = [](const TiledCloud::Write& write) { write(0, {}); };
   EXPECT_EQ(refusal([&] { cloud->runAtOnce("numbers", writes_one); }),
             "numbers of some tiles were not written");
+}
+
+TEST_F(TiledClouds, ComputeSections)
+{
+  // Each section tells which points it has of tiles: they are those of load().
+  std::vector<std::vector<Position>> tiles(cloud->size());
+  const auto tell = [&](std::size_t section, const TiledCloud::Sink& sink) {
+    for (const TiledCloud::Rows& rows : cloud->rowsOf(section)) {
+      EXPECT_EQ(tiles[rows.tile].size(), rows.first);
+      const std::vector<Position> all = cloud->load(rows.tile, 0.0).points;
+      for (std::uint64_t i = rows.first; i < rows.first + rows.count; ++i) {
+        tiles[rows.tile].push_back(all[i]);
+        sink(&all[i], sizeof all[i]);
+      }
+    }
+  };
+  ASSERT_EQ(cloud->sections().size(), 6U);
+  EXPECT_EQ(cloud->sections()[4].source, 1U);
+  EXPECT_EQ(cloud->sections()[4].number, 1U);
+  cloud->runOnSections("told", tell);
+  for (std::size_t tile = 0; tile < cloud->size(); ++tile)
+    EXPECT_EQ(tiles[tile], cloud->load(tile, 0.0).points);
+  std::vector<Position> found;
+  for (std::size_t section = 0; section < cloud->sections().size(); ++section) {
+    Bytes bytes;
+    cloud->copyTo("told", section, [&](const void* data, std::size_t size) {
+      const auto* const from = static_cast<const std::uint8_t*>(data);
+      bytes.insert(bytes.end(), from, from + size);
+    });
+    EXPECT_EQ(bytes, cloud->resultOf("told", section));
+    found.resize(found.size() + bytes.size() / sizeof(Position));
+    std::memcpy(found.data() + found.size() - bytes.size() / sizeof(Position),
+                bytes.data(),
+                bytes.size());
+  }
+  std::vector<Position> finite;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(finite), isFinite);
+  std::sort(finite.begin(), finite.end());
+  std::sort(found.begin(), found.end());
+  EXPECT_EQ(found, finite);
+}
+
+TEST_F(TiledClouds, GoOnWithSectionsThatAreMissing)
+{
+  std::set<std::size_t> done;
+  const auto number = [&](std::size_t section, const TiledCloud::Sink& sink) {
+    done.insert(section);
+    sink(&section, sizeof section);
+  };
+  cloud->runOnSections("numbers", number);
+  EXPECT_EQ(done.size(), 6U);
+  std::filesystem::remove(cloud->pathOf("numbers", 2));
+  std::ofstream(cloud->pathOf("numbers", 4)) << "12345678"; // as many bytes
+  const auto ignore = [](const void*, std::size_t) {};
+  EXPECT_NE(refusal([&] { cloud->copyTo("numbers", 4, ignore); }).find("was damaged"),
+            std::string::npos);
+  divide();
+  done.clear();
+  cloud->runOnSections("numbers", number);
+  EXPECT_EQ(done, (std::set<std::size_t>{2, 4}));
+  cloud->removeResult("numbers");
+  EXPECT_FALSE(std::filesystem::exists(directory + "/numbers"));
+}
+
+TEST_F(TiledClouds, AreTheSameFromSeveralProcesses)
+{
+  std::vector<Bytes> expected;
+  for (std::size_t tile = 0; tile < cloud->size(); ++tile)
+    expected.push_back(cloud->resultOf("tiles", tile));
+  cloud->remove();
+  cloud.reset();
+  team = makeTeam(3);
+  divide();
+  ASSERT_EQ(cloud->size(), expected.size());
+  for (std::size_t tile = 0; tile < cloud->size(); ++tile)
+    EXPECT_EQ(cloud->resultOf("tiles", tile), expected[tile]);
+}
+
+TEST_F(TiledClouds, CheckResultsOfAllTiles)
+{
+  countPoints();
+  cloud->check("counts");
+  const std::string path = cloud->pathOf("counts", 3);
+  std::ofstream(path, std::ios::binary) << "abcd"; // as many bytes
+  EXPECT_NE(refusal([&] { cloud->check("counts"); }).find("was damaged"),
+            std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST_F(TiledClouds, KeepTheirOwnNames)
+{
+  const auto none = [](std::size_t, const TilePoints&) { return Bytes{}; };
+  for (const char* const name : {"tiles", "survey", "sections", "rows"})
+    EXPECT_NE(refusal([&] { cloud->run(name, 0.0, none); }).find("another name"),
+              std::string::npos)
+        << name;
 }
 
 TEST_F(TiledClouds, DecideOnce)

@@ -42,6 +42,27 @@ public:
   virtual void
   read(const std::function<void(const Position* points, std::size_t count)>& use)
       const = 0;
+
+  /** \brief In how many sections the cloud can be read, at the same time by several
+   * processes: always the same number, at least one. */
+  virtual std::size_t
+  countSections() const
+  {
+    return 1;
+  }
+
+  /** \brief Gives the points of a section as read() does. Those of all sections, one
+   * after the other, are the points of the cloud in their order. */
+  virtual void
+  readSection(
+      std::size_t section,
+      const std::function<void(const Position* points, std::size_t count)>& use) const
+  {
+    if (section > 0)
+      throw TilingError(name() + ": has no section " + std::to_string(section) +
+                        "; expected readSection() to go with countSections()");
+    read(use);
+  }
 };
 
 } // namespace pcl::tiling

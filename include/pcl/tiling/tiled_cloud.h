@@ -132,11 +132,52 @@ public:
   void runAtOnce(const std::string& name,
                  const std::function<void(const Write& write)>& function);
 
-  /** \brief What run() and its likes have computed. */
-  std::vector<std::uint8_t> resultOf(const std::string& name, std::size_t tile) const;
+  /** \brief A section of the sources, which one process reads. */
+  struct Section {
+    std::size_t source = 0, number = 0; ///< see PointSource::readSection()
+  };
+
+  /** \brief The sections of all sources, in their order. */
+  const std::vector<Section>& sections() const;
+
+  /** \brief Points that a section and a tile share: of the tile's own points so many,
+   * in the order of both. */
+  struct Rows {
+    std::uint64_t tile = 0, first = 0, count = 0;
+  };
+
+  /** \brief Which points of tiles a section has; the tiles ascend. \param[in] section
+   * an index of sections() */
+  std::vector<Rows> rowsOf(std::size_t section) const;
+
+  /** \brief Takes bytes that follow those before them. */
+  using Sink = std::function<void(const void* data, std::size_t size)>;
+
+  /** \brief Gives what is computed of a section to a sink. */
+  using SectionFunction = std::function<void(std::size_t section, const Sink& sink)>;
+
+  /** \brief Compute what is missing of a result of sections as run() does of tiles. The
+   * name is none of a result of tiles. */
+  void runOnSections(const std::string& name, const SectionFunction& function);
+
+  /** \brief What run() and its likes have computed. \param[in] number of the tile or
+   * the section */
+  std::vector<std::uint8_t> resultOf(const std::string& name, std::size_t number) const;
+
+  /** \brief The same, some bytes at a time. \throws TilingError at the end if they are
+   * damaged */
+  void copyTo(const std::string& name, std::size_t number, const Sink& sink) const;
 
   /** \brief Where it is. */
-  std::string pathOf(const std::string& name, std::size_t tile) const;
+  std::string pathOf(const std::string& name, std::size_t number) const;
+
+  /** \brief Read a result of all tiles, for those who read parts of it by pathOf().
+   * \throws TilingError if it is damaged */
+  void check(const std::string& name);
+
+  /** \brief Remove what was computed, in the first process; the next run makes it anew
+   * if it is asked for. */
+  void removeResult(const std::string& name);
 
   /** \brief A value that the first process finds and all of them use; kept in the
    * manifest, so that it is found once. \param[in] name of the value

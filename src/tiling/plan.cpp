@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// How sources are divided into tiles, from the counts of their sections.
+
+#include "tiling/plan.h"
+
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <utility>
+
+namespace pcl::tiling {
+namespace {
+
+/** Before the cells of a survey. */
+struct SurveyHeader {
+  std::uint64_t finite = 0, not_finite = 0, cells = 0;
+  std::int64_t exponent = 0; ///< of the size of the cells
+};
+
+} // namespace
+
+std::array<float, 3>
+floatsOf(const Position& point, const Position& offset)
+{
+  std::array<float, 3> floats;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    floats[axis] = static_cast<float>(point[axis] - offset[axis]);
+  return floats;
+}
+
+bool
+isFinite(const std::array<float, 3>& p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+void
+Survey::add(const Position& point, const Position& offset)
+{
+  const std::array<float, 3> floats = floatsOf(point, offset);
+  const bool is_finite = isFinite(floats);
+  ++(is_finite ? finite_ : not_finite_);
+  if (is_finite)
+    cells_.add(floats.data());
+}
+
+void
+Survey::add(const Bytes& bytes)
+{
+  SurveyHeader header;
+  std::memcpy(&header, bytes.data(), sizeof header);
+  std::vector<Cell> cells(header.cells);
+  if (!cells.empty())
+    std::memcpy(
+        cells.data(), bytes.data() + sizeof header, cells.size() * sizeof cells[0]);
+  finite_ += header.finite;
+  not_finite_ += header.not_finite;
+  cells_.add(CellGrid{static_cast<int>(header.exponent)}, cells);
+}
+
+Bytes
+Survey::toBytes() const
+{
+  const std::vector<Cell> cells = cells_.counts().sorted();
+  Bytes bytes;
+  put(SurveyHeader{finite_, not_finite_, cells.size(), cells_.grid().exponent}, bytes);
+  const auto* const from = reinterpret_cast<const std::uint8_t*>(cells.data());
+  bytes.insert(bytes.end(), from, from + cells.size() * sizeof(Cell));
+  return bytes;
+}
+
+Plan
+planOf(const Survey& survey,
+       const Position& offset,
+       std::uint64_t max_points,
+       double max_edge)
+{
+  if (survey.finite() == 0)
+    throw TilingError("none of " + std::to_string(survey.notFinite()) +
+                      " points is finite; expected at least one");
+  Plan plan{offset,
+            TileTree(survey.cells(), max_points, max_edge),
+            {},
+            survey.finite(),
+            survey.notFinite(),
+            survey.cells().typicalDistance()};
+  plan.points.resize(plan.tree.size());
+  for (const auto& [key, count] : survey.cells().counts().sorted())
+    plan.points[plan.tree.tileOf(key)] += count;
+  return plan;
+}
+
+nlohmann::ordered_json
+toJson(const Plan& plan)
+{
+  nlohmann::ordered_json nodes = nlohmann::ordered_json::array();
+  for (const TileTree::Node& node : plan.tree.nodes())
+    nodes.push_back({node.axis, node.cut, node.first, node.second});
+  return {{"event", "plan"},
+          {"offset", plan.offset},
+          {"cell", plan.tree.grid().exponent},
+          {"nodes", nodes},
+          {"points", plan.points},
+          {"finite", plan.finite},
+          {"not_finite", plan.not_finite},
+          {"typical_distance", plan.typical_distance}};
+}
+
+Plan
+planOf(const nlohmann::ordered_json& record)
+{
+  std::vector<TileTree::Node> nodes;
+  for (const nlohmann::ordered_json& node : record.at("nodes"))
+    nodes.push_back({node.at(0), node.at(1), node.at(2), node.at(3)});
+  return {record.at("offset"),
+          TileTree(CellGrid{record.at("cell")}, std::move(nodes)),
+          record.at("points"),
+          record.at("finite"),
+          record.at("not_finite"),
+          record.at("typical_distance")};
+}
+
+} // namespace pcl::tiling

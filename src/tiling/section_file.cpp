@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// The points of a section of the sources on disk, sorted by tile.
+
+#include "tiling/section_file.h"
+
+#include <algorithm>
+
+namespace pcl::tiling {
+namespace {
+
+/** Which points of a group are of a tile: an entry of the group's table. */
+struct Entry {
+  std::uint32_t begin = 0, count = 0;
+  std::uint32_t check = 0;
+};
+
+using PointCount = std::uint64_t; ///< before each table
+
+} // namespace
+
+SectionWriter::SectionWriter(WholeFile& file, std::size_t tiles, std::size_t at_a_time)
+: file_(file)
+, tiles_(tiles)
+, at_a_time_(at_a_time)
+{}
+
+void
+SectionWriter::add(const Position& point, std::size_t tile)
+{
+  points_.push_back(point);
+  tile_of_.push_back(static_cast<std::uint32_t>(tile));
+  if (points_.size() == at_a_time_)
+    write();
+}
+
+void
+SectionWriter::finish()
+{
+  if (!points_.empty())
+    write();
+}
+
+void
+SectionWriter::write()
+{
+  std::vector<Entry> table(tiles_);
+  for (const std::uint32_t tile : tile_of_)
+    ++table[tile].count;
+  for (std::size_t tile = 1; tile < tiles_; ++tile)
+    table[tile].begin = table[tile - 1].begin + table[tile - 1].count;
+  std::vector<Position> sorted(points_.size());
+  std::vector<std::uint32_t> next;
+  for (const Entry& entry : table)
+    next.push_back(entry.begin);
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    sorted[next[tile_of_[i]]++] = points_[i];
+  for (Entry& entry : table)
+    entry.check = checksumOf(&sorted[0] + entry.begin, entry.count * sizeof(Position));
+  const PointCount count = sorted.size();
+  file_.write(&count, sizeof count);
+  file_.write(table.data(), table.size() * sizeof(Entry));
+  file_.write(sorted.data(), sorted.size() * sizeof(Position));
+  points_.clear();
+  tile_of_.clear();
+}
+
+SectionFile::SectionFile(const std::string& path, std::size_t tiles)
+: path_(path)
+, tiles_(tiles)
+{
+  const std::int64_t size = sizeOfFile(path);
+  if (size < 0)
+    throw TilingError(path + ": is not there; expected the points of a section");
+  for (std::uint64_t at = 0; static_cast<std::int64_t>(at) < size;) {
+    PointCount count = 0;
+    readAt(path, at, &count, sizeof count);
+    groups_.push_back({at + sizeof count, count});
+    at = pointsBegin(groups_.back()) + count * sizeof(Position);
+    if (count > points_sorted_at_a_time || static_cast<std::int64_t>(at) > size)
+      failDamaged(path);
+  }
+}
+
+std::uint64_t
+SectionFile::pointsBegin(const Group& group) const
+{
+  return group.begin + tiles_ * sizeof(Entry);
+}
+
+std::vector<std::uint64_t>
+SectionFile::counts() const
+{
+  std::vector<std::uint64_t> counts(tiles_);
+  std::vector<Entry> table(tiles_);
+  for (const Group& group : groups_) {
+    readAt(path_, group.begin, table.data(), table.size() * sizeof(Entry));
+    for (std::size_t tile = 0; tile < tiles_; ++tile)
+      counts[tile] += table[tile].count;
+  }
+  return counts;
+}
+
+void
+SectionFile::addPointsOf(std::size_t tile, std::vector<Position>& points) const
+{
+  for (const Group& group : groups_) {
+    Entry entry;
+    readAt(path_, group.begin + tile * sizeof entry, &entry, sizeof entry);
+    if (std::uint64_t{entry.begin} + entry.count > group.points)
+      failDamaged(path_);
+    if (entry.count == 0)
+      continue;
+    const std::size_t before = points.size();
+    points.resize(before + entry.count);
+    const std::size_t bytes = entry.count * sizeof(Position);
+    readAt(path_,
+           pointsBegin(group) + entry.begin * sizeof(Position),
+           &points[before],
+           bytes);
+    if (checksumOf(&points[before], bytes) != entry.check)
+      failDamaged(path_);
+  }
+}
+
+} // namespace pcl::tiling
