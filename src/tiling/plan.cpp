@@ -63,10 +63,12 @@ Bytes
 Survey::toBytes() const
 {
   const std::vector<Cell> cells = cells_.counts().sorted();
-  Bytes bytes;
-  put(SurveyHeader{finite_, not_finite_, cells.size(), cells_.grid().exponent}, bytes);
-  const auto* const from = reinterpret_cast<const std::uint8_t*>(cells.data());
-  bytes.insert(bytes.end(), from, from + cells.size() * sizeof(Cell));
+  const SurveyHeader header{finite_, not_finite_, cells.size(), cells_.grid().exponent};
+  Bytes bytes(sizeof header + cells.size() * sizeof(Cell));
+  std::memcpy(bytes.data(), &header, sizeof header);
+  if (!cells.empty())
+    std::memcpy(
+        bytes.data() + sizeof header, cells.data(), cells.size() * sizeof(Cell));
   return bytes;
 }
 

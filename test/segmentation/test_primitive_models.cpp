@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Primitives fitted to exact surfaces.
 
+#include "instances/counting_models.h"
 #include "small_surfaces.h"
 
 #include <gtest/gtest.h>
@@ -36,6 +37,52 @@ sampleOf(const Surface& surface)
   sample.tolerance = 0.1;
   sample.first_tolerance = 0.3;
   return sample;
+}
+
+/** Each hypothesis is counted as PCL does it, if it is the best so far. */
+template <typename Counting, typename Counted>
+void
+expectCountsOfPCL(Counting model, const std::vector<std::vector<float>>& hypotheses)
+{
+  std::size_t most = 0, ended = 0;
+  for (const std::vector<float>& hypothesis : hypotheses) {
+    const Eigen::VectorXf coefficients = Eigen::Map<const Eigen::VectorXf>(
+        hypothesis.data(), static_cast<Eigen::Index>(hypothesis.size()));
+    const std::size_t right = model.Counted::countWithinDistance(coefficients, 0.1);
+    const std::size_t count = model.countWithinDistance(coefficients, 0.1);
+    if (right > most) {
+      EXPECT_EQ(count, right);
+    }
+    EXPECT_LE(count, std::max(right, most));
+    ended += count < right;
+    most = std::max(most, right);
+  }
+  EXPECT_GT(most, 300U);
+  EXPECT_GT(ended, 0U) << "none ended early";
+}
+
+TEST(CountingModel, CountsAsPCLUntilItCannotBeTheBest)
+{
+  Random random(12);
+  const PrimitiveSample flat = sampleOf(floorPatch(0, 0, 3, 20, 20));
+  const PrimitiveSample ball = sampleOf(sphere(900, 4.0, random));
+  const PrimitiveSample can = sampleOf(cylinder(900, 4.0, 10.0, random));
+  std::vector<std::vector<float>> planes, balls, cans;
+  for (const float off : {0.05f, 0.02f, 0.0f, 0.01f, 0.04f}) {
+    planes.push_back({off, 0.0f, std::sqrt(1.0f - off * off), -3.0f});
+    balls.push_back({off, 2.0f * off, 0.0f, 4.0f + off});
+    cans.push_back({off, 0.0f, 1.0f, off, 0.0f, std::sqrt(1.0f - off * off), 4.0f});
+  }
+  using Point = PointXYZ;
+  expectCountsOfPCL<segmentation::PlaneModel, SampleConsensusModelPlane<Point>>(
+      segmentation::PlaneModel(flat.points), planes);
+  expectCountsOfPCL<segmentation::SphereModel, SampleConsensusModelSphere<Point>>(
+      segmentation::SphereModel(ball.points), balls);
+  segmentation::CylinderModel of_can(can.points);
+  of_can.setInputNormals(can.normals);
+  of_can.setNormalDistanceWeight(0.0);
+  expectCountsOfPCL<segmentation::CylinderModel,
+                    SampleConsensusModelCylinder<Point, Normal>>(of_can, cans);
 }
 
 TEST(PrimitiveModel, FitsExactSurfaces)
