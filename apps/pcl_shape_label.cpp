@@ -84,7 +84,7 @@ main(int argc, char** argv)
   command_line
       .option("confidence",
               "C",
-              "probability of being right from which a label is kept (0.9)")
+              "probability of being right from which a label is kept (0.95)")
       .option("format",
               "F",
               "pcd (default), ply, or kitti: velodyne/*.bin, labels/*.label, "

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Make src/labels/label_weights.h, the confidence of labels, from generated scenes: depth camera and
-# CAD-like sampling, several noise levels. No real scene is used. Build again to use it.
+# Make src/labels/label_weights.h, the confidence of labels, from generated worlds: parts, tables and rooms, several
+# sensors, densities and noise levels. Standard error says how many labels are kept and right on other seeds and sensors. No
+# real scene is used. It takes some six minutes of processor time. Build again to use it.
 # Usage: scripts/calibrate_labels.sh BUILD_DIR [OUTPUT_FILE]
 set -euo pipefail
 export LC_ALL=C

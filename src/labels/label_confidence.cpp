@@ -10,6 +10,7 @@
 #include "geometry/point_grid.h"
 #include "labels/label_evidence.h"
 #include "labels/label_weights.h"
+#include "labels/normal_turn.h"
 
 #include <pcl/features/shape_model.h>
 
@@ -24,12 +25,15 @@ using Eigen::Vector3f;
 
 // Lengths in spacings.
 constexpr float reach = 3.0f;       // some 100 neighbors: enough for steady means
+constexpr float wide_reach = 6.0f;  // steady fits; not far over small faces
 constexpr float near_crease = 1.5f; // wider than a band without noise
 constexpr float wide_crease = 6.0f; // a crease goes on for some time, an accident not
 // What is beyond these is certain: it does not outweigh all other features.
 constexpr float max_margin = 10.0f;                // log odds of surfaces
 constexpr float min_edge = -4.0f, max_edge = 6.0f; // log odds of edges
 constexpr float min_turn = 0.05f; // of normals, 4 degrees: keeps the logarithm finite
+constexpr float min_rest = 0.02f; // of normals, 1 degree, likewise
+constexpr float same_side = 0.5f; // cosine: the opposite side of a wall turns by more
 
 std::uint32_t
 edgeLabel(const LabelInput& input)
@@ -81,11 +85,17 @@ public:
 private:
   /** What is around a point. */
   struct Around {
-    float squared_border = reach * reach; ///< to the nearest point of another kind
-    float edge = 0.0f;                    ///< the largest likelihood
-    double turn = 0.0;                    ///< sum of 1 - |cosine| of normals
+    float edge = 0.0f;   ///< the largest likelihood
+    double turn = 0.0;   ///< sum of 1 - |cosine| of normals
+    double margin = 0.0; ///< sum over the surfaces, for the label of the point
     Eigen::Vector3d offset = Eigen::Vector3d::Zero(); ///< sum, meters
-    double points = 0.0, known = 0.0, surfaces = 0.0, same = 0.0;
+    double points = 0.0, known = 0.0, surfaces = 0.0;
+  };
+
+  /** What is around a point of a surface, wider. */
+  struct Face {
+    float squared_edge = wide_reach * wide_reach; ///< to the nearest edge point
+    NormalTurn turn;
   };
 
   float
@@ -116,16 +126,16 @@ private:
     return best + 1;
   }
 
-  /** Logarithm of the label's posterior over that of the next best. */
+  /** Logarithm of a surface's posterior at a point over that of the best other one. */
   float
-  marginAt(std::size_t i) const
+  marginOf(std::uint32_t label, std::size_t i) const
   {
-    const std::size_t best = labels_[i] - 1;
     float next = 0.0f;
-    for (std::size_t c = 0; c + 1 < edge_label_; ++c)
-      if (c != best)
-        next = std::max(next, posterior(c, i));
-    return std::min(std::log(posterior(best, i) / next), max_margin);
+    for (std::uint32_t c = 1; c < edge_label_; ++c)
+      if (c != label)
+        next = std::max(next, posterior(c - 1, i));
+    return std::clamp(
+        std::log(posterior(label - 1, i) / next), -max_margin, max_margin);
   }
 
   Vector3f
@@ -140,8 +150,8 @@ private:
     Around around;
     const Vector3f center = positionOf(input_.field.points, i);
     const Vector3f normal = normalAt(i);
-    const float spacing = input_.field.spacings[i];
-    grid_.forEachWithin(center, reach * spacing, [&](std::uint32_t j, float squared) {
+    const float radius = reach * input_.field.spacings[i];
+    grid_.forEachWithin(center, radius, [&](std::uint32_t j, float) {
       around.points += 1.0;
       around.offset += (positionOf(input_.field.points, j) - center).cast<double>();
       if (labels_[j] == 0)
@@ -149,13 +159,32 @@ private:
       around.known += 1.0;
       around.turn += 1.0 - std::abs(normal.dot(normalAt(j)));
       around.edge = std::max(around.edge, input_.field.edge_likelihood[j]);
-      around.surfaces += isEdge(j) ? 0.0 : 1.0;
-      around.same += labels_[j] == labels_[i] ? 1.0 : 0.0;
-      if (isEdge(j) != isEdge(i))
-        around.squared_border =
-            std::min(around.squared_border, squared / (spacing * spacing));
+      if (isEdge(i) || isEdge(j))
+        return;
+      around.surfaces += 1.0;
+      around.margin += marginOf(labels_[i], j);
     });
     return around;
+  }
+
+  Face
+  lookOverFace(std::size_t i) const
+  {
+    const Vector3f center = positionOf(input_.field.points, i);
+    const Vector3f normal = normalAt(i);
+    const float spacing = input_.field.spacings[i];
+    Face face{wide_reach * wide_reach, NormalTurn(normal)};
+    const auto visit = [&](std::uint32_t j, float squared) {
+      if (labels_[j] == 0)
+        return;
+      if (isEdge(j))
+        face.squared_edge = std::min(face.squared_edge, squared / (spacing * spacing));
+      else if (std::abs(normal.dot(normalAt(j))) > same_side)
+        face.turn.add((positionOf(input_.field.points, j) - center) / spacing,
+                      normalAt(j));
+    };
+    grid_.forEachWithin(center, wide_reach * spacing, visit);
+    return face;
   }
 
   /** Logarithm of 1 + the crease points around. */
@@ -181,12 +210,17 @@ private:
               logCreases(i, wide_crease),
               std::log(std::sqrt(turn) + min_turn),
               offset,
-              log_normal_radius_};
-    return {marginAt(i),
-            std::sqrt(around.squared_border),
+              log_normal_radius_,
+              0.0f,
+              0.0f};
+    const Face face = lookOverFace(i);
+    return {marginOf(labels_[i], i),
+            static_cast<float>(around.margin / around.surfaces),
+            std::sqrt(face.squared_edge),
             -logOdds(around.edge),
             -offset,
-            static_cast<float>(around.same / around.surfaces)};
+            -std::log(face.turn.rest() + min_rest),
+            labels_[i] == input_.planar_label ? 1.0f : 0.0f};
   }
 
   const LabelInput& input_;
@@ -197,22 +231,21 @@ private:
   float log_normal_radius_;
 };
 
-/** Other classes take the weights of curved, which ask for more. */
-const LabelWeights&
-weightsOf(std::uint32_t label, const LabelInput& input)
-{
-  if (label == edgeLabel(input))
-    return edge_weights;
-  return label == input.planar_label ? planar_weights : curved_weights;
-}
-
-float
-confidenceOf(const LabelFeatures& features, const LabelWeights& weights)
+double
+probabilityOf(const LabelFeatures& features, const LabelWeights& weights)
 {
   double sum = weights.constant;
   for (std::size_t f = 0; f < features.size(); ++f)
     sum += weights.features[f] * static_cast<double>(features[f]);
-  return static_cast<float>(1.0 / (1.0 + std::exp(-sum)));
+  return 1.0 / (1.0 + std::exp(-sum));
+}
+
+float
+confidenceOf(const LabelFeatures& features, bool is_edge)
+{
+  return static_cast<float>(is_edge ? probabilityOf(features, edge_weights)
+                                    : probabilityOf(features, no_edge_weights) *
+                                          probabilityOf(features, class_weights));
 }
 
 } // namespace
@@ -233,7 +266,7 @@ labelPoints(const LabelInput& input, double confidence)
     if (result.labels[i] == 0)
       continue;
     result.confidence[i] =
-        confidenceOf(evidence.features[i], weightsOf(result.labels[i], input));
+        confidenceOf(evidence.features[i], result.labels[i] == edgeLabel(input));
     if (result.confidence[i] < confidence)
       result.labels[i] = 0;
   }

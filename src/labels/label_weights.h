@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// The weights of the features of labels. Made by scripts/calibrate_labels.sh.
+// Weights of the features of labels, made by scripts/calibrate_labels.sh.
 
 #pragma once
 
@@ -8,14 +8,16 @@
 
 namespace pcl::segmentation {
 
-/** The confidence of a label is 1 / (1 + exp(-(constant + features · weights))). */
+/** How probable it is that nothing speaks against a label in one respect:
+ * 1 / (1 + exp(-(constant + features · weights))). The confidence is the product. */
 struct LabelWeights {
   double constant;
-  std::array<double, 5> features;
+  std::array<double, 7> features;
 };
 
-constexpr LabelWeights planar_weights{-1.149, {0.5816, 1.486, 0.4877, 1.749, 0.1644}};
-constexpr LabelWeights curved_weights{0.9056, {0.6163, 1.054, 0, 4.817, 0.1101}};
-constexpr LabelWeights edge_weights{-7.229, {0.8824, 1.607, 2.842, 2.911, 1.218}};
+/** Of a surface: it is no edge; it is the likeliest of the surfaces. */
+constexpr LabelWeights no_edge_weights{-0.639, {0, 0, 0.859, 0, 3.76, 1.42, 0}};
+constexpr LabelWeights class_weights{-4.73, {1.18, 0, 0, 0, 0, 1.42, 3.83}};
+constexpr LabelWeights edge_weights{1.23, {0.431, 0.355, 1.73, 0.577, 0, 0, 0}};
 
 } // namespace pcl::segmentation

@@ -45,10 +45,10 @@ public:
   using ConstPtr = shared_ptr<const ShapeLabeling<PointT>>;
 
   /** \brief The confidence from which labels are kept: see doc/labels.md. */
-  static constexpr double default_confidence = 0.9;
+  static constexpr double default_confidence = 0.95;
 
-  /** \brief Points of less confidence are void; in [0, 1], 0.9 by default. With 0 every
-   * point has a label whose class is known. */
+  /** \brief Points of less confidence are void; in [0, 1], 0.95 by default. With 0
+   * every point has a label whose class is known. */
   void
   setConfidence(double confidence)
   {
