@@ -43,9 +43,8 @@ constexpr double bytes_of_point = 250.0;
 constexpr double bytes_with_surfaces = 350.0;
 constexpr double fixed_bytes = 200e6; // of the program, and of points on their way
 constexpr double least_memory = 300e6;
-// Pieces of faces reach farther than a small tile: so many that at most a surface has
-// within reach of a tile of the size that this memory is for take as much, see
-// doc/tiles.md.
+// Pieces of faces reach farther than a small tile. This much holds those of a surface
+// that are within reach of a tile, see doc/tiles.md.
 constexpr double least_memory_with_surfaces = 800e6;
 constexpr double most_points = 1e9; // of a tile: they are counted in 32 bits
 
@@ -90,8 +89,8 @@ memoryOf(const Arguments& arguments, const TileWanted& wanted)
   if (wanted.needsSurfaces() && *value * unit < least_memory_with_surfaces)
     arguments.fail(
         "memory",
-        "at least 800M with -surfaces or -instances, which look far beyond a "
-        "tile; -tile makes tiles smaller");
+        "at least 800M with -surfaces or -instances, which look far beyond a tile, "
+        "however small it is");
   return *value * unit;
 }
 
@@ -400,7 +399,9 @@ main(int argc, char** argv)
       .flag("surfaces", "add likelihood and surface: 1 planar, 2 curved, 0 unknown")
       .option("instances", "C", "add instance: 1 and up; of curved or planar")
       .option("inad", "R", "add mu and sigma, with neighborhoods of R meters")
-      .option("memory", "M", "of a process, about: 2G (default), 500M")
+      .option("memory",
+              "M",
+              "of a process, about: 2G (default), 800M or more with surfaces")
       .option("tile", "L", "the longest edge of a tile in meters (by -memory)")
       .option("processes", "N", "that work at the same time: 1 (default)")
       .flag("keep_tiles", "leave D/tiles there in the end")

@@ -74,7 +74,7 @@ onSurface(double x, double y, double share)
     return {x, y, ground(x, y)};
   if (std::max(out_x, out_y) <= 0.0)
     return {x, y, base + eaves + rise * (1.0 - std::abs(off_y) / half_y)};
-  const double z = base + (eaves + 0.0) * share;
+  const double z = base + eaves * share;
   const auto inside = [](double off, double half) {
     return std::clamp(off, -half, half);
   };

@@ -3,7 +3,8 @@
 # Usage: scripts/compare_peers.sh BUILD_DIR [DATA_DIR]
 # DATA_DIR/osd has learn4_gt.pcd and so on, DATA_DIR/synthetic clouds with exact creases, DATA_DIR/parts
 # sampled parts, DATA_DIR/rgbd tables of depth cameras; without it only generated scenes are compared.
-# GROUPS_ONLY="parts dense": only these groups, of real, exact, generated, parts, rgbd, dense. JOBS: clouds at a time, one thread each (1).
+# GROUPS_ONLY="parts dense": these groups instead of "real exact generated"; also parts, rgbd and dense, whose tables are
+# not in the page and go to standard output. JOBS: clouds at a time, one thread each (1).
 # RESULTS: keep the results in this file. ROOT: of the pages to write (the repository).
 set -euo pipefail
 export LC_ALL=C
@@ -24,9 +25,17 @@ compare() {
   printf '{"group": "%s", "result": %s}\n' "$group" "$(tail -n 1 "$work/result")" >>"$work/runs"
 }
 
+groups=${GROUPS_ONLY:-real exact generated}
+for group in $groups; do
+  if [[ ! " real exact generated parts rgbd dense " == *" $group "* ]]; then
+    echo "$0: '$group' in GROUPS_ONLY; expected real, exact, generated, parts, rgbd or dense" >&2
+    exit 2
+  fi
+done
+
 # wants GROUP: whether to run a group
 wants() {
-  [[ -z ${GROUPS_ONLY:-} || " $GROUPS_ONLY " == *" $1 "* ]]
+  [[ " $groups " == *" $1 "* ]]
 }
 
 # scenes NAME OPTION ...: one scene for each of SEEDS

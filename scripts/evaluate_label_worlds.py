@@ -14,7 +14,7 @@ import tempfile
 
 import numpy
 
-from evaluate_sensors import SAMPLINGS, edge_points, fields_of, run, surface_points
+from evaluate_sensors import SAMPLINGS, edge_points, fields_of, surface_points
 
 NAMES = {1: "planar", 2: "curved", 3: "edge"}
 PART = ("-place", "part", "-sensor", "samples", "-sampling", "0.001")
@@ -49,7 +49,10 @@ def truth_of(cloud):
 def labeled(apps, cloud):
     """(truth, label) of the points whose truth counts."""
     truth = truth_of(fields_of(cloud))
-    label = run(apps, "pcl_shape_label", cloud)["label"]
+    with tempfile.TemporaryDirectory() as directory:
+        out = pathlib.Path(directory) / "out.pcd"
+        subprocess.run([apps / "pcl_shape_label", cloud, out], check=True, stdout=subprocess.DEVNULL)
+        label = fields_of(out)["label"]
     return numpy.stack([truth, label])[:, truth > 0].astype(int)
 
 

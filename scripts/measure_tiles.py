@@ -4,7 +4,7 @@
 """The measured rows of doc/tiles.md: memory and cost, scaling, identity.
 
 Usage: scripts/measure_tiles.py BUILD_DIR [-points N] [-files N] [-tile L]
-           [-options="-edges -types"] [-memory M] [-what memory,scaling,identity]
+           [-options="-edges -types"] [-memory M] [-what memory,scaling,identity] [-mpi]
 A generated landscape (benchmarks/landscape) of about N points is written into strips in a
 temporary directory, where there must be room for some 120 bytes a point. Tables in
 Markdown go to standard output. Times are of the processor, so that other programs on the
@@ -14,8 +14,8 @@ memory    runs one process, and the same options on one strip in memory
 scaling   runs one and two processes with the same tiles. What the first process does
           while there are two is serial; with this share, and the rest divided evenly, n
           processes are as much faster as the table says
-identity  five sizes of tiles, three orders of the files and 1, 2 and 4 processes, or
-          ranks where there is mpirun: each output is compared with that of the whole
+identity  five sizes of tiles, three orders of the files and 1, 2 and 4 processes, with
+          -mpi ranks of Open MPI: each output is compared with that of the whole
           cloud in memory, byte by byte. Some points are not finite, equal or far away
 """
 import argparse
@@ -182,7 +182,9 @@ def print_identity(scene):
         expected[file.name] = body[at:at + size_of(file) * step]
         at += size_of(file) * step
     edge = scene.points ** 0.5 / 4.0  # of the landscape, in meters
-    mpirun = shutil.which("mpirun")
+    mpirun = shutil.which("mpirun") if scene.arguments.mpi else None
+    if scene.arguments.mpi and not mpirun:
+        sys.exit("-mpi: there is no mpirun; expected Open MPI")
     orders = (scene.files, scene.files[::-1], scene.files[1::2] + scene.files[::2])
     same = compared = 0
     for share in (1.1, 0.9, 0.6, 0.4, 0.25):
@@ -214,6 +216,7 @@ def main():
     parser.add_argument("-options", default="-edges -types")
     parser.add_argument("-memory", default="2G")
     parser.add_argument("-what", default="memory,scaling,identity")
+    parser.add_argument("-mpi", action="store_true")
     arguments = parser.parse_args()
     what = arguments.what.split(",")
     if unknown := set(what) - {"memory", "scaling", "identity"}:

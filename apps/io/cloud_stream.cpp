@@ -22,8 +22,7 @@ namespace pcl::app {
 namespace {
 
 constexpr std::size_t part_points = 1 << 17; // some megabytes
-// Of a section: so few that processes have several each, and so many that there are few
-// files of sections.
+// Points of a section: small ones can be shared evenly, large ones make few files.
 constexpr std::uint64_t least_section = part_points, most_section = 1 << 20,
                         wanted_sections = 8;
 constexpr std::size_t head_bytes = 1 << 20; // of a header: PCL's have some hundred

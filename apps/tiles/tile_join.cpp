@@ -24,7 +24,12 @@ namespace {
 using pcl::tiling::Position;
 using pcl::tiling::TiledCloud;
 
-const std::string joined_name = "joined"; // of each section, as in its output
+/** Of each section, as in its output. */
+std::string
+joinedName(PCDFormat format)
+{
+  return std::string("joined_") + nameOf(format);
+}
 
 /** Gives the rows of a tile's result one after the other. */
 class TileRows {
@@ -258,13 +263,16 @@ private:
 
 /** The sections of a source, one after the other. */
 void
-putTogether(const TiledCloud& cloud, std::size_t source, const std::string& path)
+putTogether(const TiledCloud& cloud,
+            const std::string& joined,
+            std::size_t source,
+            const std::string& path)
 {
   AtomicFile output(path);
   const std::vector<TiledCloud::Section>& sections = cloud.sections();
   for (std::size_t section = 0; section < sections.size(); ++section)
     if (sections[section].source == source)
-      cloud.copyTo(joined_name, section, [&](const void* data, std::size_t size) {
+      cloud.copyTo(joined, section, [&](const void* data, std::size_t size) {
         output.write({static_cast<const char*>(data), size});
       });
   output.commit();
@@ -280,19 +288,19 @@ joinTiles(TiledCloud& cloud,
           const JoinedOutputs& outputs)
 {
   cloud.check(resultsName()); // before parts of them are read
-  cloud.runOnSections(joined_name,
-                      [&](std::size_t section, const TiledCloud::Sink& sink) {
-                        const auto [source, number] = cloud.sections()[section];
-                        SectionJoin(cloud, wanted, outputs, section)
-                            .write(sources[source]->stream(), number, sink);
-                      });
+  const std::string joined = joinedName(outputs.format);
+  cloud.runOnSections(joined, [&](std::size_t section, const TiledCloud::Sink& sink) {
+    const auto [source, number] = cloud.sections()[section];
+    SectionJoin(cloud, wanted, outputs, section)
+        .write(sources[source]->stream(), number, sink);
+  });
   std::vector<std::size_t> all(sources.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   std::string failure;
   team.run(
       all,
       [&](std::size_t source) {
-        putTogether(cloud, source, outputs.paths[source]);
+        putTogether(cloud, joined, source, outputs.paths[source]);
         return std::string();
       },
       [&](std::size_t, const std::string&, const std::string& error) {
@@ -300,7 +308,9 @@ joinTiles(TiledCloud& cloud,
       });
   if (!failure.empty())
     throw InputError(failure);
-  cloud.removeResult(joined_name);
+  // A run that was killed may have been asked for another format.
+  for (const PCDFormat format : {PCDFormat::ascii, PCDFormat::binary})
+    cloud.removeResult(joinedName(format));
 }
 
 } // namespace pcl::app

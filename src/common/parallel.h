@@ -81,13 +81,15 @@ parallelForEach(std::size_t count, unsigned threads, const Body& body)
 /** \brief What add(i, items) adds for i in [0, count), in this order. */
 template <typename Item, typename Add>
 std::vector<Item>
-collectForEach(std::size_t count, unsigned threads, const Add& add)
+collectForEach(std::uint32_t count, unsigned threads, const Add& add)
 {
   constexpr std::size_t part = 8192;
   std::vector<std::vector<Item>> of_parts((count + part - 1) / part);
   parallelFor(of_parts.size(), threads, [&](std::size_t p) {
-    for (std::size_t i = p * part; i < std::min(count, (p + 1) * part); ++i)
-      add(static_cast<std::uint32_t>(i), of_parts[p]);
+    const auto end =
+        static_cast<std::uint32_t>(std::min<std::size_t>(count, (p + 1) * part));
+    for (auto i = static_cast<std::uint32_t>(p * part); i < end; ++i)
+      add(i, of_parts[p]);
   });
   std::vector<Item> items;
   for (std::vector<Item>& of_part : of_parts) {

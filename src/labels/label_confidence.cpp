@@ -7,6 +7,7 @@
 #include "common/statistics.h"
 #include "edges/edge_types.h"
 #include "features/local_spacing.h"
+#include "features/some_points.h"
 #include "geometry/point_grid.h"
 #include "labels/label_evidence.h"
 #include "labels/label_weights.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl::detail {
 namespace {
@@ -33,6 +35,9 @@ constexpr float max_margin = 10.0f;                // log odds of surfaces
 constexpr float min_edge = -4.0f, max_edge = 6.0f; // log odds of edges
 constexpr float min_turn = 0.05f; // of normals, 4 degrees: keeps the logarithm finite
 constexpr float min_rest = 0.02f; // of normals, 1 degree, likewise
+// A turn of normals is fitted to one point in eight, some 50 within the wide reach;
+// of small clouds to more.
+constexpr std::size_t points_of_sample = 8, min_sample = 20000;
 constexpr float same_side = 0.5f; // cosine: the opposite side of a wall turns by more
 
 std::uint32_t
@@ -47,6 +52,38 @@ logOdds(float likelihood)
   return std::clamp(std::log(likelihood / (1.0f - likelihood)), min_edge, max_edge);
 }
 
+/** Some points of a cloud, to visit those near a place. */
+class SomeOfCloud {
+public:
+  SomeOfCloud(const XYZView& cloud, std::vector<std::uint32_t> indices, float cell)
+  : indices_(std::move(indices))
+  , grid_(gridOver(cloud, indices_, cell))
+  {}
+
+  /** visit(index in the cloud, squared distance) */
+  template <typename Visit>
+  void
+  forEachWithin(const Vector3f& center, float radius, const Visit& visit) const
+  {
+    grid_.forEachWithin(center, radius, [&](std::uint32_t k, float squared) {
+      visit(indices_[k], squared);
+    });
+  }
+
+private:
+  static PointGrid
+  gridOver(const XYZView& cloud, const std::vector<std::uint32_t>& indices, float cell)
+  {
+    std::vector<float> places;
+    for (const std::uint32_t i : indices)
+      places.insert(places.end(), cloud[i], cloud[i] + 3);
+    return {{places.data(), 3, indices.size()}, cell};
+  }
+
+  std::vector<std::uint32_t> indices_;
+  PointGrid grid_;
+};
+
 /** Of the normals, in spacings, which grows with the noise. */
 float
 logNormalRadius(double noise)
@@ -60,14 +97,14 @@ public:
   explicit Evidence(const LabelInput& input)
   : input_(input)
   , edge_label_(edgeLabel(input))
-  , grid_(input.field.points, 2.0f * medianSpacing(input.field.spacings))
-  , creases_(positionsOf(input.field.creases),
-             2.0f * medianSpacing(input.field.spacings))
+  , labels_(allLabels())
+  , spacing_(medianSpacing(input.field.spacings))
+  , grid_(input.field.points, 2.0f * spacing_)
+  , edges_(input.field.points, edgePoints(), wide_reach * spacing_)
+  , faces_(input.field.points, sampleOfFaces(), wide_reach * spacing_)
+  , creases_(positionsOf(input.field.creases), 2.0f * spacing_)
   , log_normal_radius_(logNormalRadius(input.field.noise_level))
-  {
-    for (std::size_t i = 0; i < input.field.points.size; ++i)
-      labels_.push_back(labelAt(i));
-  }
+  {}
 
   LabelEvidence
   run() const
@@ -126,6 +163,39 @@ private:
     return best + 1;
   }
 
+  std::vector<std::uint32_t>
+  allLabels() const
+  {
+    std::vector<std::uint32_t> labels;
+    for (std::size_t i = 0; i < input_.field.points.size; ++i)
+      labels.push_back(labelAt(i));
+    return labels;
+  }
+
+  std::vector<std::uint32_t>
+  edgePoints() const
+  {
+    std::vector<std::uint32_t> edges;
+    for (std::uint32_t i = 0; i < labels_.size(); ++i)
+      if (isEdge(i))
+        edges.push_back(i);
+    return edges;
+  }
+
+  /** Some of the points on surfaces. */
+  std::vector<std::uint32_t>
+  sampleOfFaces() const
+  {
+    const std::size_t count = std::max(labels_.size() / points_of_sample, min_sample);
+    std::vector<std::uint32_t> sample;
+    for (const pcl::index_t index : somePoints(input_.field.points, count)) {
+      const auto i = static_cast<std::uint32_t>(index);
+      if (labels_[i] != 0 && !isEdge(i))
+        sample.push_back(i);
+    }
+    return sample;
+  }
+
   /** Logarithm of a surface's posterior at a point over that of the best other one. */
   float
   marginOf(std::uint32_t label, std::size_t i) const
@@ -174,16 +244,16 @@ private:
     const Vector3f normal = normalAt(i);
     const float spacing = input_.field.spacings[i];
     Face face{wide_reach * wide_reach, NormalTurn(normal)};
-    const auto visit = [&](std::uint32_t j, float squared) {
-      if (labels_[j] == 0)
-        return;
-      if (isEdge(j))
-        face.squared_edge = std::min(face.squared_edge, squared / (spacing * spacing));
-      else if (std::abs(normal.dot(normalAt(j))) > same_side)
+    edges_.forEachWithin(
+        center, wide_reach * spacing, [&](std::uint32_t, float squared) {
+          face.squared_edge =
+              std::min(face.squared_edge, squared / (spacing * spacing));
+        });
+    faces_.forEachWithin(center, wide_reach * spacing, [&](std::uint32_t j, float) {
+      if (std::abs(normal.dot(normalAt(j))) > same_side)
         face.turn.add((positionOf(input_.field.points, j) - center) / spacing,
                       normalAt(j));
-    };
-    grid_.forEachWithin(center, wide_reach * spacing, visit);
+    });
     return face;
   }
 
@@ -226,7 +296,9 @@ private:
   const LabelInput& input_;
   std::uint32_t edge_label_;
   std::vector<std::uint32_t> labels_;
+  float spacing_; ///< of the cloud
   PointGrid grid_;
+  SomeOfCloud edges_, faces_;
   PointGrid creases_;
   float log_normal_radius_;
 };

@@ -16,8 +16,8 @@ struct LabelWeights {
 };
 
 /** Of a surface: it is no edge; it is the likeliest of the surfaces. */
-constexpr LabelWeights no_edge_weights{-0.639, {0, 0, 0.859, 0, 3.76, 1.42, 0}};
-constexpr LabelWeights class_weights{-4.73, {1.18, 0, 0, 0, 0, 1.42, 3.83}};
+constexpr LabelWeights no_edge_weights{-0.0253, {0, 0, 0.885, 0, 4.05, 1.13, 0}};
+constexpr LabelWeights class_weights{-4.44, {1.18, 0, 0, 0, 0, 1.26, 3.81}};
 constexpr LabelWeights edge_weights{1.23, {0.431, 0.355, 1.73, 0.577, 0, 0, 0}};
 
 } // namespace pcl::segmentation

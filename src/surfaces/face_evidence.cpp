@@ -182,7 +182,7 @@ void
 keepMiddles(const FacePyramid& pyramid, float spacing, std::vector<bool>& chosen)
 {
   const FaceLevel& first = pyramid.levels[0];
-  if (first.cell > firstCell(little_noise, spacing))
+  if (pyramid.levels.size() < 2 || first.cell > firstCell(little_noise, spacing))
     return;
   const FaceLevel& next = pyramid.levels[1];
   std::vector<std::uint32_t> middles(next.nodes.size(), FacePyramid::none);

@@ -196,7 +196,8 @@ linkFirst(FaceLevel& level, unsigned threads)
             links.emplace_back(j, i);
         });
   };
-  setLinks(kernels::collectForEach<Link>(level.nodes.size(), threads, addLinks), level);
+  const auto count = static_cast<std::uint32_t>(level.nodes.size());
+  setLinks(kernels::collectForEach<Link>(count, threads, addLinks), level);
 }
 
 /** The normal of the points of a node and of those that follow it. */

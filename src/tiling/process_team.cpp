@@ -119,8 +119,9 @@ public:
     if (process_ < 0)
       throw TilingError(std::string("no further process: ") + std::strerror(errno));
     if (process_ == 0) {
-      // Ends with the one that gives tasks: nobody else would.
-      ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+      // Ends with the one that gives tasks, for nobody else would; a handler may remove
+      // what is unfinished.
+      ::prctl(PR_SET_PDEATHSIG, SIGTERM);
       for (const auto& other : others)
         other->closePipes();
       ::close(down[1]);

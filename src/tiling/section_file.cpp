@@ -4,7 +4,7 @@
 
 #include "tiling/section_file.h"
 
-#include <algorithm>
+#include <cstddef>
 
 namespace pcl::tiling {
 namespace {
@@ -12,7 +12,14 @@ namespace {
 /** Which points of a group are of a tile: an entry of the group's table. */
 struct Entry {
   std::uint32_t begin = 0, count = 0;
-  std::uint32_t check = 0;
+  std::uint32_t points_check = 0;
+  std::uint32_t own_check = 0; ///< of what is before it
+
+  std::uint32_t
+  check() const
+  {
+    return checksumOf(this, offsetof(Entry, own_check));
+  }
 };
 
 using PointCount = std::uint64_t; ///< before each table
@@ -55,8 +62,11 @@ SectionWriter::write()
     next.push_back(entry.begin);
   for (std::size_t i = 0; i < points_.size(); ++i)
     sorted[next[tile_of_[i]]++] = points_[i];
-  for (Entry& entry : table)
-    entry.check = checksumOf(&sorted[0] + entry.begin, entry.count * sizeof(Position));
+  for (Entry& entry : table) {
+    entry.points_check =
+        checksumOf(&sorted[0] + entry.begin, entry.count * sizeof(Position));
+    entry.own_check = entry.check();
+  }
   const PointCount count = sorted.size();
   file_.write(&count, sizeof count);
   file_.write(table.data(), table.size() * sizeof(Entry));
@@ -74,10 +84,15 @@ SectionFile::SectionFile(const std::string& path, std::size_t tiles)
     throw TilingError(path + ": is not there; expected the points of a section");
   for (std::uint64_t at = 0; static_cast<std::int64_t>(at) < size;) {
     PointCount count = 0;
+    if (size - static_cast<std::int64_t>(at) <
+        static_cast<std::int64_t>(sizeof count + tiles * sizeof(Entry)))
+      failDamaged(path);
     readAt(path, at, &count, sizeof count);
+    if (count > points_sorted_at_a_time)
+      failDamaged(path);
     groups_.push_back({at + sizeof count, count});
     at = pointsBegin(groups_.back()) + count * sizeof(Position);
-    if (count > points_sorted_at_a_time || static_cast<std::int64_t>(at) > size)
+    if (static_cast<std::int64_t>(at) > size)
       failDamaged(path);
   }
 }
@@ -95,8 +110,11 @@ SectionFile::counts() const
   std::vector<Entry> table(tiles_);
   for (const Group& group : groups_) {
     readAt(path_, group.begin, table.data(), table.size() * sizeof(Entry));
-    for (std::size_t tile = 0; tile < tiles_; ++tile)
+    for (std::size_t tile = 0; tile < tiles_; ++tile) {
+      if (table[tile].check() != table[tile].own_check)
+        failDamaged(path_);
       counts[tile] += table[tile].count;
+    }
   }
   return counts;
 }
@@ -107,7 +125,8 @@ SectionFile::addPointsOf(std::size_t tile, std::vector<Position>& points) const
   for (const Group& group : groups_) {
     Entry entry;
     readAt(path_, group.begin + tile * sizeof entry, &entry, sizeof entry);
-    if (std::uint64_t{entry.begin} + entry.count > group.points)
+    if (entry.check() != entry.own_check ||
+        std::uint64_t{entry.begin} + entry.count > group.points)
       failDamaged(path_);
     if (entry.count == 0)
       continue;
@@ -118,7 +137,7 @@ SectionFile::addPointsOf(std::size_t tile, std::vector<Position>& points) const
            pointsBegin(group) + entry.begin * sizeof(Position),
            &points[before],
            bytes);
-    if (checksumOf(&points[before], bytes) != entry.check)
+    if (checksumOf(&points[before], bytes) != entry.points_check)
       failDamaged(path_);
   }
 }

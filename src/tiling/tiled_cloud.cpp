@@ -369,6 +369,13 @@ public:
   }
 
   void
+  removeFreeResult(const std::string& name)
+  {
+    requireFree(name);
+    removeResult(name);
+  }
+
+  void
   removeResult(const std::string& name)
   {
     if (!team_.isFirst())
@@ -515,7 +522,9 @@ private:
   {
     Record sources = Record::array();
     for (const auto& source : sources_)
-      sources.push_back({{"name", source->name()}, {"state", source->state()}});
+      sources.push_back({{"name", source->name()},
+                         {"state", source->state()},
+                         {"sections", source->countSections()}});
     const Record now{{"event", "begin"},
                      {"version", format_version},
                      {"parameters", settings_.parameters},
@@ -967,7 +976,7 @@ TiledCloud::copyTo(const std::string& name, std::size_t number, const Sink& sink
 void
 TiledCloud::removeResult(const std::string& name)
 {
-  state_->removeResult(name);
+  state_->removeFreeResult(name);
 }
 
 std::vector<std::uint8_t>

@@ -115,6 +115,16 @@ TEST_F(TileFaults, KilledAgainAndAgain)
   EXPECT_TRUE(output("out") == output("whole"));
 }
 
+TEST_F(TileFaults, AnotherFormatAfterAKillInTheJoin)
+{
+  expectSuccess(tiles("whole", {"-keep_tiles"}));
+  killAt(countLines("whole"), "out", {"-format", "ascii", "-keep_tiles"});
+  fs::remove(path("out/room.pcd"));
+  expectSuccess(tiles("out", {"-keep_tiles"}));
+  EXPECT_TRUE(output("out") == output("whole"));
+  EXPECT_FALSE(exists(path("out/tiles/joined_ascii")));
+}
+
 TEST_F(TileFaults, OtherParametersAndInputsAreRefused)
 {
   killAt(40, "out", {"-keep_tiles"});

@@ -3,9 +3,11 @@
 // Curved is what turns across its face by more than the noise: at any sampling, beside
 // other faces, and whatever waves a sensor makes.
 
+#include "common/statistics.h"
 #include "field_of.h"
 #include "support/bits.h"
 #include "support/random.h"
+#include "surfaces/face_evidence.h"
 #include "surfaces/face_fit.h"
 
 #include <pcl/point_types.h>
@@ -22,6 +24,7 @@ using namespace pcl;
 using namespace pcl::test;
 using segmentation::FaceFit;
 using segmentation::FaceLevel;
+using segmentation::medianSpacing;
 
 using Cloud = PointCloud<PointXYZ>;
 
@@ -118,6 +121,69 @@ TEST(Faces, NeitherOrderNorThreadsMatter)
   for (const std::size_t i : order)
     expected.push_back(first.likelihoods[1][i]);
   EXPECT_TRUE(sameBits(expected, second.likelihoods[1]));
+}
+
+TEST(FaceLinks, AreInTheOrderOfNodesAndOnceEach)
+{
+  FaceLevel level;
+  level.nodes.resize(4);
+  segmentation::setLinks({{2, 3}, {0, 3}, {0, 1}, {2, 0}, {0, 1}, {2, 3}}, level);
+  EXPECT_EQ(level.link_begins, (std::vector<std::uint32_t>{0, 2, 2, 4, 4}));
+  EXPECT_EQ(level.links, (std::vector<std::uint32_t>{1, 3, 0, 3}));
+  segmentation::setLinks({}, level);
+  EXPECT_EQ(level.link_begins, (std::vector<std::uint32_t>(5, 0)));
+  EXPECT_TRUE(level.links.empty());
+}
+
+TEST(FaceLinks, DoNotDependOnThreads)
+{
+  const Cloud::Ptr cloud = sampled(1.0, 1.0, 0.005, 0.0, [](double u, double v) {
+    return Eigen::Vector3d(u, v, 0.1 * u * u);
+  });
+  const ShapeField field = edgeFieldOf(cloud);
+  const float usual = medianSpacing(field.spacings);
+  const FaceLevel one =
+      segmentation::firstFaces(field.points, field, usual, 1).levels.front();
+  const FaceLevel three =
+      segmentation::firstFaces(field.points, field, usual, 3).levels.front();
+  ASSERT_GT(one.nodes.size(), 8192U); // of which threads get parts
+  EXPECT_EQ(one.link_begins, three.link_begins);
+  EXPECT_EQ(one.links, three.links);
+}
+
+/** How many windows each node of the second level has in the first. */
+std::vector<int>
+windowsOfNodes(double noise)
+{
+  constexpr double spacing = 0.01;
+  const Cloud::Ptr cloud = sampled(1.0, 1.0, spacing, noise, [](double u, double v) {
+    return Eigen::Vector3d(u, v, 0.0);
+  });
+  const ShapeField field = edgeFieldOf(cloud);
+  const float usual = medianSpacing(field.spacings);
+  segmentation::FacePyramid faces =
+      segmentation::firstFaces(field.points, field, usual, 1);
+  segmentation::addLevels(2, faces, 1);
+  const std::vector<bool> all(faces.levels[0].nodes.size(), true);
+  const segmentation::FaceFits fits = segmentation::fitsOf(faces, 0, all, usual, 1);
+  std::vector<int> windows(faces.levels[1].nodes.size());
+  for (std::size_t i = 0; i < fits.size(); ++i)
+    windows[faces.levels[0].parents[i]] += fits[i] ? 1 : 0;
+  return windows;
+}
+
+TEST(FaceWindows, OneForEachNodeOfTheNextLevelIfThereIsLittleNoise)
+{
+  const std::vector<int> windows = windowsOfNodes(0.0);
+  EXPECT_EQ(std::count(windows.begin(), windows.end(), 1),
+            static_cast<std::ptrdiff_t>(windows.size()));
+}
+
+TEST(FaceWindows, OneForEachNodeIfThereIsNoise)
+{
+  const std::vector<int> windows = windowsOfNodes(0.004);
+  const int sum = std::accumulate(windows.begin(), windows.end(), 0);
+  EXPECT_GT(sum, 2 * static_cast<int>(windows.size()));
 }
 
 /** Nodes of one window on a paraboloid whose curvature along x is 1 / radius. */

@@ -4,11 +4,14 @@
 
 #include "features/even_sampling.h"
 #include "field_of.h"
+#include "support/bits.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -85,6 +88,29 @@ TEST_P(UnevenDensity, TheResultDependsOnNeitherOrderNorThreads)
                 (std::isnan(field.edge_likelihood[i]) && std::isnan(was)))
         << i;
   }
+}
+
+TEST_P(UnevenDensity, ClassesAreThoseOfWholeFacesWhateverOrderAndThreads)
+{
+  std::mt19937 random(7);
+  const Cloud::Ptr cloud = floorWithStripe(GetParam(), random);
+  cloud->push_back({std::numeric_limits<float>::quiet_NaN(), 0.0f, 0.0f});
+  const ShapeField expected = test::fieldOf(cloud, 1);
+  ASSERT_EQ(expected.classes.size(), expected.likelihoods.size());
+  const std::vector<float>& planar = expected.likelihoods.at(0);
+  ASSERT_EQ(planar.size(), cloud->size());
+  EXPECT_TRUE(std::isnan(planar.back()));
+  const auto right = std::count_if(
+      planar.begin(), planar.end(), [](float likelihood) { return likelihood > 0.5f; });
+  EXPECT_GT(100 * right, 99 * static_cast<std::ptrdiff_t>(cloud->size()));
+  pcl::Indices order(cloud->size());
+  std::iota(order.begin(), order.end(), 0);
+  std::shuffle(order.begin(), order.end(), random);
+  const ShapeField field = test::fieldOf(pcl::make_shared<Cloud>(*cloud, order), 3);
+  std::vector<float> in_order;
+  for (const pcl::index_t i : order)
+    in_order.push_back(planar[static_cast<std::size_t>(i)]);
+  EXPECT_TRUE(test::sameBits(in_order, field.likelihoods.at(0)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Times, UnevenDensity, testing::Values(3.0f, 5.0f));

@@ -129,7 +129,8 @@ StreetGround::standing(const StreetPoint& p) const
 std::optional<GroundHit>
 StreetGround::cast(const Ray& ray, double reach, double tuft) const
 {
-  const auto& [origin, direction] = ray;
+  const Vec3& origin = ray.origin;
+  const Vec3& direction = ray.direction;
   const bool is_fine = !profile.bumps.empty() || !profile.driveways.empty() ||
                        !profile.sides[0].empty() || !profile.sides[1].empty();
   const double step = is_fine ? fine_step : search_step;

@@ -134,16 +134,18 @@ public:
 
   /** \brief A section of the sources, which one process reads. */
   struct Section {
-    std::size_t source = 0, number = 0; ///< see PointSource::readSection()
+    std::size_t source = 0; ///< of those that are given
+    std::size_t number = 0; ///< see PointSource::readSection()
   };
 
   /** \brief The sections of all sources, in their order. */
   const std::vector<Section>& sections() const;
 
-  /** \brief Points that a section and a tile share: of the tile's own points so many,
-   * in the order of both. */
+  /** \brief Points that a section and a tile share, in the order of both. */
   struct Rows {
-    std::uint64_t tile = 0, first = 0, count = 0;
+    std::uint64_t tile = 0;  ///< which tile
+    std::uint64_t first = 0; ///< of them, among the tile's own points
+    std::uint64_t count = 0; ///< how many they are
   };
 
   /** \brief Which points of tiles a section has; the tiles ascend. \param[in] section
@@ -160,8 +162,8 @@ public:
    * name is none of a result of tiles. */
   void runOnSections(const std::string& name, const SectionFunction& function);
 
-  /** \brief What run() and its likes have computed. \param[in] number of the tile or
-   * the section */
+  /** \brief What run() and its likes have computed. \param[in] name of the result
+   * \param[in] number of the tile or the section */
   std::vector<std::uint8_t> resultOf(const std::string& name, std::size_t number) const;
 
   /** \brief The same, some bytes at a time. \throws TilingError at the end if they are
