@@ -5,7 +5,6 @@
 
 #include "segmentation/evidence_reach.h"
 #include "surfaces/evidence_of_faces.h"
-#include "surfaces/face_evidence.h"
 #include "surfaces/surface_classification.h"
 
 #include <pcl/segmentation/cloud_reach.h>
@@ -412,7 +411,7 @@ FacesAround::likelihoods(const Noise& noise) const
                           nodesAround(faces.levels[l], near[l], spacing),
                           spacing,
                           state_->threads));
-  const std::vector<float> of_nodes = faceEvidence(
+  const FaceEvidence of_nodes = faceEvidence(
       faces, std::move(fits), {noise.begin(), noise.end()}, spacing, state_->threads);
   const PartOfFaces& own = state_->own;
   const std::size_t own_pieces = own.linked.pieces.size();
@@ -421,12 +420,12 @@ FacesAround::likelihoods(const Noise& noise) const
         piece == PartOfFaces::none ? FacePyramid::none
         : piece < own_pieces       ? assembly.nodesOf(0)[piece]
                              : assembly.nodeAt(own.linked.others[piece - own_pieces]));
-  const std::vector<float> of_faces = evidenceOfFaces(state_->places,
-                                                      faces,
-                                                      of_nodes,
-                                                      spacing,
-                                                      boundsOf(state_->numbers),
-                                                      state_->threads);
+  const FaceEvidence of_faces = evidenceOfFaces(state_->places,
+                                                faces,
+                                                of_nodes,
+                                                spacing,
+                                                boundsOf(state_->numbers),
+                                                state_->threads);
   std::vector<float> values = joinedEvidence(own.of_model, of_faces);
   const ShapeModel& model = ShapeModel::defaultSurfaces();
   toPosteriors(model, values);

@@ -20,7 +20,7 @@ constexpr float off_plane = 8.0f; // of squares
 class NearestFace {
 public:
   NearestFace(const FaceLevel& level,
-              const std::vector<float>& evidence,
+              const FaceEvidence& evidence,
               float reach,
               const Bounds& bounds)
   : nodes_(knownOf(level, evidence))
@@ -28,34 +28,35 @@ public:
   , reach_(reach)
   {}
 
-  float
-  evidenceAt(const Eigen::Vector3f& point) const
+  /** \return the number of the nearest node, or none */
+  std::uint32_t
+  nodeAt(const Eigen::Vector3f& point) const
   {
     float nearest = std::numeric_limits<float>::infinity();
-    float evidence = std::numeric_limits<float>::quiet_NaN();
+    std::uint32_t node = FacePyramid::none;
     grid_.forEachWithin(point, reach_, [&](std::uint32_t k, float squared) {
       const float off = nodes_[k].normal.dot(point - nodes_[k].position);
       if (const float distance = squared + off_plane * off * off; distance < nearest) {
         nearest = distance;
-        evidence = nodes_[k].evidence;
+        node = nodes_[k].number;
       }
     });
-    return evidence;
+    return node;
   }
 
 private:
   struct Node {
     Eigen::Vector3f position, normal;
-    float evidence;
+    std::uint32_t number;
   };
 
   static std::vector<Node>
-  knownOf(const FaceLevel& level, const std::vector<float>& evidence)
+  knownOf(const FaceLevel& level, const FaceEvidence& evidence)
   {
     std::vector<Node> nodes;
-    for (std::size_t i = 0; i < evidence.size(); ++i)
-      if (!std::isnan(evidence[i]))
-        nodes.push_back({level.nodes[i].position, level.nodes[i].normal, evidence[i]});
+    for (std::uint32_t i = 0; i < evidence.curved.size(); ++i)
+      if (!std::isnan(evidence.curved[i]))
+        nodes.push_back({level.nodes[i].position, level.nodes[i].normal, i});
     return nodes;
   }
 
@@ -66,23 +67,27 @@ private:
 
 } // namespace
 
-std::vector<float>
+FaceEvidence
 evidenceOfFaces(const XYZView& points,
                 const FacePyramid& faces,
-                const std::vector<float>& of_nodes,
+                const FaceEvidence& of_nodes,
                 float spacing,
                 const Bounds& bounds,
                 unsigned threads)
 {
   const NearestFace nearest(
       faces.levels.front(), of_nodes, nearest_face_spacings * spacing, bounds);
-  std::vector<float> evidence(points.size, std::numeric_limits<float>::quiet_NaN());
-  kernels::parallelForEach(evidence.size(), threads, [&](std::size_t i) {
-    const std::uint32_t node = faces.node_of_point[i];
-    if (node != FacePyramid::none)
-      evidence[i] = of_nodes[node];
-    else if (kernels::isFinite(points[i]))
-      evidence[i] = nearest.evidenceAt(positionOf(points, i));
+  const std::vector<float> unknown(points.size,
+                                   std::numeric_limits<float>::quiet_NaN());
+  FaceEvidence evidence{unknown, unknown};
+  kernels::parallelForEach(points.size, threads, [&](std::size_t i) {
+    std::uint32_t node = faces.node_of_point[i];
+    if (node == FacePyramid::none && kernels::isFinite(points[i]))
+      node = nearest.nodeAt(positionOf(points, i));
+    if (node == FacePyramid::none)
+      return;
+    evidence.curved[i] = of_nodes.curved[node];
+    evidence.flat[i] = of_nodes.flat[node];
   });
   return evidence;
 }

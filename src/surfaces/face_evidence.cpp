@@ -52,8 +52,16 @@ constexpr float excess_residual = 1.5f; // squared, of the noise at the node's o
 constexpr float visible_bulge = 4.0f; // in noise
 constexpr float least_share = 0.3f;
 
+// Waves that neighbors share bend small windows. A large one that holds many of them is
+// flat: its bulge is no more than twice what its nodes are off it, and it turns by less
+// than half of what is curved.
+constexpr std::size_t flat_level = 2; // 13 spacings in radius, wider than waves
+constexpr float flat_bulge = 2.0f;
+constexpr float flat_turn = 0.5f * least_turn;
+
 struct LevelFits {
   FaceFits fits;
+  std::vector<const FaceFit*> flat; ///< the flat window that each node is in, or none
   std::vector<float> noise,
       evidence; ///< of each node; NaN where its window is not used
 };
@@ -79,6 +87,45 @@ evidenceOf(const FaceFit& fit, float noise, float waves)
                                 fit.bulge / (least_errors * fit.bulge_error)});
   // 0 for an exact plane: its logarithm is cut off like any other.
   return std::clamp(steepness * std::log(ratio), -most_evidence, most_evidence);
+}
+
+bool
+isFlat(const FaceFit& fit)
+{
+  return fit.inliers > least_inliers && fit.bulge <= flat_bulge * fit.residual &&
+         fit.turn() <= flat_turn;
+}
+
+/** Finds the flat window that each node is in: of several the roughest. */
+void
+findFlatWindows(LevelFits& level)
+{
+  level.flat.assign(level.fits.size(), nullptr);
+  for (const std::optional<FaceFit>& fit : level.fits)
+    if (fit)
+      for (const std::uint32_t i : fit->nodes) {
+        const FaceFit*& flat = level.flat[i];
+        const bool is_noise = fit->residual <= most_residual * level.noise[i];
+        if (is_noise && (!flat || fit->residual > flat->residual))
+          flat = &*fit;
+      }
+}
+
+/** By how much nodes are off the flat windows that a node is in, at the levels above
+ * its own; 0 without any. */
+float
+flatResidual(const FacePyramid& pyramid,
+             const std::vector<LevelFits>& levels,
+             std::size_t level,
+             std::uint32_t node)
+{
+  float most = 0.0f;
+  while (level + 1 < levels.size()) {
+    node = pyramid.levels[level++].parents[node];
+    if (const FaceFit* const flat = levels[level].flat[node]; flat)
+      most = std::max(most, flat->residual);
+  }
+  return most;
 }
 
 /** The largest noise at the levels above a node. */
@@ -110,7 +157,8 @@ findEvidence(const FacePyramid& pyramid, std::vector<LevelFits>& levels, float s
         const float noise = level.noise[i];
         const float waves = std::max(least, wavesAt(pyramid, levels, l, i));
         if (holds(*fit, std::max(noise, waves)))
-          level.evidence[i] = evidenceOf(*fit, noise, waves);
+          level.evidence[i] = evidenceOf(
+              *fit, noise, std::max(waves, flatResidual(pyramid, levels, l, i)));
       }
   }
 }
@@ -137,6 +185,9 @@ mostAt(const FacePyramid& pyramid,
   std::vector<std::pair<const FaceFit*, float>> smaller; // and the noise of each
   for (std::size_t l = 0; l < levels.size(); ++l) {
     const LevelFits& level = levels[l];
+    const float least = std::max(level.noise[node], least_noise * spacing);
+    if (level.flat[node])
+      smaller.emplace_back(level.flat[node], least);
     if (const float evidence = level.evidence[node]; !std::isnan(evidence)) {
       const FaceFit& fit = *level.fits[node];
       const bool agrees =
@@ -145,7 +196,7 @@ mostAt(const FacePyramid& pyramid,
           });
       if (agrees)
         most = std::isnan(most) ? evidence : std::max(most, evidence);
-      smaller.emplace_back(&fit, std::max(level.noise[node], least_noise * spacing));
+      smaller.emplace_back(&fit, least);
     }
     if (l + 1 < levels.size())
       node = pyramid.levels[l].parents[node];
@@ -225,15 +276,19 @@ fitsOf(const FacePyramid& pyramid,
         for (std::size_t i = begin; i < end; ++i) {
           const auto radius =
               static_cast<float>(windowRadius(level.cell, level.nodes[i].spacing));
-          if (wanted[i])
-            fits[i] = fitter.fit(
-                window.around(static_cast<std::uint32_t>(i), radius, same_window));
+          if (!wanted[i])
+            continue;
+          const std::vector<std::uint32_t>& nodes =
+              window.around(static_cast<std::uint32_t>(i), radius, same_window);
+          fits[i] = fitter.fit(nodes);
+          if (fits[i] && of_level >= flat_level && isFlat(*fits[i]))
+            fitter.addNodes(nodes, *fits[i]);
         }
       });
   return fits;
 }
 
-std::vector<float>
+FaceEvidence
 faceEvidence(const FacePyramid& pyramid, float spacing, unsigned threads)
 {
   std::vector<FaceFits> fits;
@@ -247,7 +302,7 @@ faceEvidence(const FacePyramid& pyramid, float spacing, unsigned threads)
   return faceEvidence(pyramid, std::move(fits), noise, spacing, threads);
 }
 
-std::vector<float>
+FaceEvidence
 faceEvidence(const FacePyramid& pyramid,
              std::vector<FaceFits> fits,
              const std::vector<float>& noise_of_cloud,
@@ -256,21 +311,28 @@ faceEvidence(const FacePyramid& pyramid,
 {
   std::vector<LevelFits> levels;
   for (std::size_t l = 0; l < fits.size(); ++l) {
-    levels.push_back({std::move(fits[l]), {}, {}});
+    levels.push_back({std::move(fits[l]), {}, {}, {}});
     levels.back().noise =
         faceNoise(pyramid.levels[l], levels.back().fits, spacing, noise_of_cloud[l]);
+    findFlatWindows(levels.back());
   }
   findEvidence(pyramid, levels, spacing);
   const FaceLevel& first = pyramid.levels.front();
   std::vector<bool> is_middle(first.nodes.size(), true);
   keepMiddles(pyramid, spacing, is_middle);
-  std::vector<float> evidence(first.nodes.size(), nan);
-  kernels::parallelForEach(evidence.size(), threads, [&](std::size_t i) {
-    if (is_middle[i])
-      evidence[i] = mostAt(pyramid, levels, static_cast<std::uint32_t>(i), spacing);
+  const std::vector<float> unknown(first.nodes.size(), nan);
+  FaceEvidence evidence{unknown, unknown};
+  kernels::parallelForEach(unknown.size(), threads, [&](std::size_t i) {
+    const auto node = static_cast<std::uint32_t>(i);
+    if (!is_middle[i])
+      return;
+    evidence.curved[i] = mostAt(pyramid, levels, node, spacing);
+    evidence.flat[i] = flatResidual(pyramid, levels, 0, node) > 0.0f ? 1.0f : 0.0f;
   });
-  for (int round = 0; round < averaging_rounds; ++round)
-    evidence = averaged(first, evidence, threads);
+  for (int round = 0; round < averaging_rounds; ++round) {
+    evidence.curved = averaged(first, evidence.curved, threads);
+    evidence.flat = averaged(first, evidence.flat, threads);
+  }
   return evidence;
 }
 

@@ -29,18 +29,25 @@ FaceFits fitsOf(const FacePyramid& pyramid,
                 float spacing,
                 unsigned threads);
 
-/** \brief Evidence for curved against planar of each node of the first level: the
- * logarithm of a ratio, from -4 to 4; NaN where no window tells. See doc/method.md.
+/** \brief What windows say of nodes, or of points. */
+struct FaceEvidence {
+  /** For curved against planar: the logarithm of a ratio, from -4 to 4; NaN where no
+   * window tells. */
+  std::vector<float> curved;
+  /** How much of what is around is in a large flat window, from 0 to 1. */
+  std::vector<float> flat;
+};
+
+/** \brief The evidence of each node of the first level. See doc/method.md.
  * \param[in] pyramid with levels \param[in] spacing of the cloud, median \param[in]
  * threads 0 for all cores */
-std::vector<float>
-faceEvidence(const FacePyramid& pyramid, float spacing, unsigned threads);
+FaceEvidence faceEvidence(const FacePyramid& pyramid, float spacing, unsigned threads);
 
 /** \brief The same with what fitsOf() and noiseOfCloud() say of each level. */
-std::vector<float> faceEvidence(const FacePyramid& pyramid,
-                                std::vector<FaceFits> fits,
-                                const std::vector<float>& noise_of_cloud,
-                                float spacing,
-                                unsigned threads);
+FaceEvidence faceEvidence(const FacePyramid& pyramid,
+                          std::vector<FaceFits> fits,
+                          const std::vector<float>& noise_of_cloud,
+                          float spacing,
+                          unsigned threads);
 
 } // namespace pcl::segmentation

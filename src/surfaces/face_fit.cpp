@@ -24,6 +24,7 @@ constexpr double coefficients = 6.0;     // of a quadric
 constexpr int rounds = 3;                // of weights: a fourth moves little
 constexpr float biweight_reach = 4.685f; // 95 % efficient for normal noise
 constexpr float deviation_of_median = 1.4826f;
+constexpr float least_weight = 0.1f; // of a node that counts
 // Least pivot of the normal equations, in cells: below it nodes are nearly on a curve.
 constexpr double least_pivot = 1e-4;
 // In cells: rounding of coordinates.
@@ -173,14 +174,13 @@ FaceFitter::spread() const
 FaceFit
 FaceFitter::describe() const
 {
-  constexpr float counts = 0.1f;      // the weight of an inlier
   constexpr double half_widths = 2.0; // deviations of a disc
   double weight = 0.0, squares = 0.0;
   std::size_t inliers = 0;
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     weight += weights_[k];
     squares += static_cast<double>(weights_[k]) * residuals_[k] * residuals_[k];
-    inliers += weights_[k] > counts ? 1 : 0;
+    inliers += weights_[k] > least_weight ? 1 : 0;
   }
   const Vector6d& c = solution_;
   const double residual =
@@ -230,6 +230,14 @@ FaceFitter::fit(const std::vector<std::uint32_t>& window)
       return std::nullopt;
   }
   return describe();
+}
+
+void
+FaceFitter::addNodes(const std::vector<std::uint32_t>& window, FaceFit& fit) const
+{
+  for (std::size_t k = 0; k < window.size(); ++k)
+    if (weights_[k] > least_weight)
+      fit.nodes.push_back(window[k]);
 }
 
 } // namespace pcl::segmentation

@@ -9,7 +9,6 @@
 #include "features/class_evidence.h"
 #include "surfaces/evidence_averaging.h"
 #include "surfaces/evidence_of_faces.h"
-#include "surfaces/face_evidence.h"
 
 #include <pcl/features/distinct_points.h>
 
@@ -97,7 +96,7 @@ evidenceWithFaces(const FieldInput& input,
   const std::vector<float> of_model =
       evidenceOfModel(input, field, model, known, pointsOfNodes(faces, known));
   addLevels(face_levels, faces, input.threads);
-  const std::vector<float> of_faces =
+  const FaceEvidence of_faces =
       evidenceOfFaces(input.points,
                       faces,
                       faceEvidence(faces, spacing, input.threads),
@@ -140,11 +139,12 @@ modelReach(const CloudNumbers& numbers,
 }
 
 std::vector<float>
-joinedEvidence(const std::vector<float>& of_model, const std::vector<float>& of_faces)
+joinedEvidence(const std::vector<float>& of_model, const FaceEvidence& of_faces)
 {
   // Waves and near creases look curved to the model: it decides where the bend of a
   // face is in doubt, and may not overrule clear evidence of it by itself. That it sees
-  // none says little: it looks no farther than 7 spacings.
+  // none says little: it looks no farther than 7 spacings. For the same reason it has
+  // nothing to add where a large window is flat.
   constexpr float model_weight = 0.6f;
   constexpr float least_of_model = -2.0f;
   constexpr float most_of_model = 4.8f;
@@ -155,11 +155,13 @@ joinedEvidence(const std::vector<float>& of_model, const std::vector<float>& of_
     if (std::isnan(difference))
       continue;
     evidence[2 * i] = 0.0f;
-    evidence[2 * i + 1] =
-        std::isnan(of_faces[i])
-            ? difference
-            : of_faces[i] +
-                  std::clamp(model_weight * difference, least_of_model, most_of_model);
+    if (std::isnan(of_faces.curved[i])) {
+      evidence[2 * i + 1] = difference;
+      continue;
+    }
+    const float most = most_of_model * (1.0f - of_faces.flat[i]);
+    evidence[2 * i + 1] = of_faces.curved[i] +
+                          std::clamp(model_weight * difference, least_of_model, most);
   }
   return evidence;
 }

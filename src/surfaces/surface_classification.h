@@ -5,7 +5,7 @@
 #pragma once
 
 #include "features/adaptive_inad.h"
-#include "surfaces/face_pyramid.h"
+#include "surfaces/face_evidence.h"
 
 #include <pcl/features/shape_model.h>
 #include <pcl/segmentation/shape_field.h>
@@ -35,7 +35,7 @@ double modelReach(const CloudNumbers& numbers,
 /** \brief The evidence of planar and curved of each point, from both kinds. Where no
  * face tells, the model decides alone. \param[in] of_faces NaN unknown */
 std::vector<float> joinedEvidence(const std::vector<float>& of_model,
-                                  const std::vector<float>& of_faces);
+                                  const segmentation::FaceEvidence& of_faces);
 
 /** \brief Posteriors in the place of evidence, by Bayes' rule. */
 void toPosteriors(const ShapeModel& model, std::vector<float>& values);
