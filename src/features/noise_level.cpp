@@ -186,6 +186,42 @@ isOnSteps(float first, const Scatter& scatter)
   return middle > stable && scatter(levels.size() - 1) < falls * middle;
 }
 
+/** Whether normals differ even at the largest radii, by more than half as much again as
+ * is stable. (Those of curved surfaces do, too, but by no less than at the first ones.)
+ */
+template <typename Scatter>
+bool
+isNeverStable(float first, const Scatter& scatter)
+{
+  constexpr float most = 1.5f * stable;
+  constexpr float falls = 0.8f;
+  const float last = scatter(levels.size() - 1);
+  return last > most && last < falls * first;
+}
+
+/** The level at which normals are stable in white noise. If they never are, that at
+ * which they differ least: larger radii reach other faces where creases are crowded. */
+template <typename Scatter>
+double
+whiteLevel(double noise, float first, float second, const Scatter& scatter)
+{
+  if (first <= stable)
+    return 0.0;
+  double best = levels[0];
+  float least = first, before = first, scattered = second;
+  for (std::size_t i = 1; i < levels.size() && levels[i - 1] < noise; ++i) {
+    scattered = i == 1 ? second : scatter(i);
+    if (scattered <= stable)
+      return std::min(noise, crossing(levels[i - 1], before, levels[i], scattered));
+    if (scattered < least) {
+      least = scattered;
+      best = levels[i];
+    }
+    before = scattered;
+  }
+  return least == scattered ? noise : std::min(noise, best);
+}
+
 /** \param[in] scatter how far normals differ at a level, radians */
 template <typename Scatter>
 NoiseLevel
@@ -196,23 +232,13 @@ levelOf(double noise, const Scatter& scatter)
     return {max_noise, 1.0};
   if (noise == 0.0 || !(first > 0.0f))
     return {};
-  float before = scatter(1);
+  const float before = scatter(1);
   float share = correlation(before / first);
   if (share > 0.0f)
     share *= 1.0f - curvatureShare(first, before, scatter);
   if (share == 1.0f)
-    return {noise, 1.0};
-  double white = first <= stable    ? 0.0
-                 : before <= stable ? crossing(levels[0], first, levels[1], before)
-                                    : noise;
-  for (std::size_t i = 2; i < levels.size() && before > stable && levels[i - 1] < noise;
-       ++i) {
-    const float scattered = scatter(i);
-    if (scattered <= stable)
-      white = crossing(levels[i - 1], before, levels[i], scattered);
-    before = scattered;
-  }
-  white = std::min(white, noise);
+    return {isNeverStable(first, scatter) ? max_noise : noise, 1.0};
+  const double white = whiteLevel(noise, first, before, scatter);
   return {white + static_cast<double>(share) * (noise - white),
           static_cast<double>(share)};
 }

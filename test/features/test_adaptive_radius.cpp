@@ -6,6 +6,7 @@
 #include "support/clouds.h"
 #include "support/errors.h"
 
+#include <pcl/common/angles.h>
 #include <pcl/features/inad.h>
 #include <pcl/features/normal_3d_sweep.h>
 #include <pcl/features/shape_model.h>
@@ -14,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -251,6 +253,36 @@ TEST(AdaptiveRadius, StepsOfASensorAreBeyondRadii)
         Eigen::Vector3d(any.normal(), any.normal(), any.normal()).normalized();
     return SurfacePoint{0.1 * n, n};
   })));
+}
+
+/** How far normals differ at each level, in degrees, as noiseLevelOf() needs it. */
+detail::NormalAngles
+anglesOf(const std::array<double, 8>& degrees)
+{
+  detail::NormalAngles angles;
+  for (std::size_t level = 0; level < degrees.size(); ++level)
+    angles[level] = {static_cast<float>(pcl::deg2rad(degrees[level]))};
+  return angles;
+}
+
+TEST(AdaptiveRadius, NormalsThatAreNeverStableAreBeyondRadii)
+{
+  // Neighbors share their noise: a stereo camera's, a Kinect's, and a curved surface.
+  const auto stereo = anglesOf({7.2, 5.6, 5.3, 5.0, 4.6, 4.2, 3.7, 3.4});
+  const auto kinect = anglesOf({5.4, 3.4, 3.0, 2.6, 2.1, 1.8, 1.4, 1.1});
+  const auto curved = anglesOf({6.0, 6.4, 6.7, 7.0, 7.4, 7.1, 7.6, 7.4});
+  EXPECT_TRUE(detail::noiseLevelOf(0.27, stereo).isBeyondRadii());
+  EXPECT_FALSE(detail::noiseLevelOf(0.2, kinect).isBeyondRadii());
+  EXPECT_FALSE(detail::noiseLevelOf(0.2, curved).isBeyondRadii());
+}
+
+TEST(AdaptiveRadius, WhiteNoiseAmongCrowdedCreasesHasTheMostStableRadii)
+{
+  const auto crowded = anglesOf({5.2, 2.6, 3.5, 5.0, 6.7, 7.4, 6.4, 5.9});
+  EXPECT_EQ(0.05, detail::noiseLevelOf(0.28, crowded).level);
+  // Noise that only grows less: as far as the noise says.
+  const auto strong = anglesOf({20.0, 10.0, 7.6, 6.2, 5.0, 4.2, 3.6, 3.2});
+  EXPECT_EQ(0.3, detail::noiseLevelOf(0.3, strong).level);
 }
 
 TEST(DefaultModels, AreThereAndSeparateTheirClasses)
