@@ -179,14 +179,6 @@ WholeFile::checksum() const
   return state_->checksum;
 }
 
-void
-writeWhole(const std::string& path, const Bytes& bytes)
-{
-  WholeFile file(path);
-  file.write(bytes.data(), bytes.size());
-  file.commit();
-}
-
 Bytes
 readWhole(const std::string& path)
 {
