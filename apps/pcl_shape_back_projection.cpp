@@ -18,19 +18,10 @@ classify(CloudFile& file,
          Report& report)
 {
   SurfaceDetector detector;
-  InadCloud cloud;
-  if (settings.paper) {
-    cloud = inadOf(file, settings, arguments, report);
-    usePaperMethod(detector, cloud, settings, arguments);
-  }
-  else {
-    cloud.points = pointsOf(file);
-    detector.setInputCloud(cloud.points);
-  }
+  const PointsPtr points = setInput(detector, file, settings, arguments, report);
   report.time("back_projection", [&] {
     if (!settings.paper)
-      detector.setShapeField(
-          fieldOf(file, cloud.points, settings, false, arguments, report));
+      detector.setShapeField(fieldOf(file, points, settings, false, arguments, report));
     addSurfaces(file, detector, settings, report);
   });
 }

@@ -18,22 +18,12 @@ detect(CloudFile& file,
        Report& report)
 {
   EdgeDetector detector;
-  InadCloud cloud;
-  if (settings.paper) {
-    cloud = inadOf(file, settings, arguments, report);
-    usePaperMethod(detector, cloud, settings, arguments);
-  }
-  else {
-    cloud.points = pointsOf(file);
-    detector.setInputCloud(cloud.points);
-    detector.setThreshold(settings.threshold);
-    detector.setNumberOfThreads(arguments.threads());
-  }
+  const PointsPtr points = setInput(detector, file, settings, arguments, report);
+  detector.setThreshold(settings.threshold);
   const EdgeResults results{true, arguments.has("types"), arguments.has("lines")};
   return report.time("edge_detection", [&] {
     if (!settings.paper)
-      detector.setShapeField(
-          fieldOf(file, cloud.points, settings, true, arguments, report));
+      detector.setShapeField(fieldOf(file, points, settings, true, arguments, report));
     return addEdges(file, detector, results, report);
   });
 }

@@ -99,30 +99,27 @@ pointAt(std::uint64_t column, std::uint64_t row)
   return point;
 }
 
-/** Of columns from first to end; T is float or double. */
-template <typename T>
+/** Of columns from first to end. */
 void
 writeStrip(const std::string& path,
            std::uint64_t first,
            std::uint64_t end,
-           std::uint64_t rows,
-           const Point& origin)
+           std::uint64_t rows)
 {
   std::ofstream file(path, std::ios::binary);
-  const std::string size = std::to_string(sizeof(T));
   const std::string points = std::to_string((end - first) * rows);
   file << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z\nSIZE "
-       << size << ' ' << size << ' ' << size << "\nTYPE F F F\nCOUNT 1 1 1\nWIDTH "
+          "4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH "
        << points << "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " << points
        << "\nDATA binary\n";
-  std::vector<std::array<T, 3>> line;
+  std::vector<std::array<float, 3>> line;
   for (std::uint64_t row = 0; row < rows; ++row) {
     line.clear();
     for (std::uint64_t column = first; column < end; ++column) {
       const Point p = pointAt(column, row);
-      line.push_back({static_cast<T>(origin[0] + p[0]),
-                      static_cast<T>(origin[1] + p[1]),
-                      static_cast<T>(origin[2] + p[2])});
+      line.push_back({static_cast<float>(p[0]),
+                      static_cast<float>(p[1]),
+                      static_cast<float>(p[2])});
     }
     file.write(reinterpret_cast<const char*>(line.data()),
                static_cast<std::streamsize>(line.size() * sizeof line[0]));
@@ -133,23 +130,16 @@ writeStrip(const std::string& path,
 }
 
 void
-writeLandscape(const std::string& directory,
-               std::uint64_t points,
-               std::uint64_t files,
-               bool is_utm)
+writeLandscape(const std::string& directory, std::uint64_t points, std::uint64_t files)
 {
   const auto edge =
       static_cast<std::uint64_t>(std::lround(std::sqrt(static_cast<double>(points))));
-  const Point origin{is_utm ? 4e5 : 0.0, is_utm ? 5.6e6 : 0.0, 0.0};
   std::filesystem::create_directories(directory);
   for (std::uint64_t f = 0; f < files; ++f) {
     char name[32];
     std::snprintf(name, sizeof name, "/strip_%03u.pcd", static_cast<unsigned>(f));
     const std::uint64_t first = f * edge / files, end = (f + 1) * edge / files;
-    if (is_utm)
-      writeStrip<double>(directory + name, first, end, edge, origin);
-    else
-      writeStrip<float>(directory + name, first, end, edge, origin);
+    writeStrip(directory + name, first, end, edge);
   }
 }
 
@@ -158,17 +148,15 @@ writeLandscape(const std::string& directory,
 int
 main(int argc, char** argv)
 try {
-  if (argc < 4 || argc > 5 || (argc == 5 && std::string(argv[4]) != "-utm")) {
-    std::cerr
-        << "usage: landscape DIRECTORY POINTS FILES [-utm]\n"
-           "Writes strips of a landscape, about POINTS points in all; with -utm as "
-           "doubles at an easting of\n400 km and a northing of 5600 km.\n";
+  if (argc != 4) {
+    std::cerr << "usage: landscape DIRECTORY POINTS FILES\n"
+                 "Writes strips of a landscape, about POINTS points in all.\n";
     return 2;
   }
   const std::uint64_t points = std::stoull(argv[2]), files = std::stoull(argv[3]);
   if (points == 0 || files == 0)
     throw std::invalid_argument("0 points or files; expected at least one");
-  writeLandscape(argv[1], points, files, argc == 5);
+  writeLandscape(argv[1], points, files);
   return 0;
 }
 catch (const std::exception& error) {

@@ -14,21 +14,15 @@ import tempfile
 
 import numpy
 
-from evaluate_sensors import SAMPLINGS, edge_points, fields_of, surface_points
+from evaluate_sensors import GENERATED, SAMPLINGS, edge_points, fields_of, generate, sampled_parts, surface_points
 
 NAMES = {1: "planar", 2: "curved", 3: "edge"}
-PART = ("-place", "part", "-sensor", "samples", "-sampling", "0.001")
 WORLDS = {
-    "part, even": PART,
-    "part, even, .15 s": (*PART, "-noise", "0.00015"),
-    "part, even, .40 s": (*PART, "-noise", "0.0004"),
-    "part, random, .15 s": (*PART, "-noise", "0.00015", "-spread", "random"),
+    **sampled_parts(0.001),
     "part, photogrammetry": ("-place", "part", "-sensor", "photogrammetry"),
-    "parts on a table, stereo": ("-place", "part", "-sensor", "stereo"),
-    "parts on a table, structured light": ("-place", "part", "-sensor", "structured"),
-    "table, stereo": ("-sensor", "stereo"),
-    "table, time of flight": ("-sensor", "tof"),
-    "table, structured light": ("-sensor", "structured"),
+    **{title: GENERATED[title] for title in (
+        "parts on a table, stereo", "parts on a table, structured light", "table, stereo", "table, time of flight",
+        "table, structured light")},
     "room, one station": ("-place", "room", "-sensor", "station", "-step", "0.4"),
     "room, three stations": ("-place", "room", "-sensor", "station", "-stations", "3", "-step", "0.6"),
     "house front": ("-place", "facade", "-sensor", "station"),
@@ -93,8 +87,7 @@ def generated_worlds(apps):
         for title, options in WORLDS.items():
             of_kind = []
             for seed in SEEDS:
-                subprocess.run([apps / "pcl_shape_scene", cloud, "-seed", str(seed), "-format", "binary", *options],
-                               check=True, stdout=subprocess.DEVNULL)
+                generate(apps, cloud, seed, options)
                 of_kind.append(labeled(apps, cloud))
             of_all += of_kind
             row(title, numpy.concatenate(of_kind, axis=1))

@@ -219,13 +219,20 @@ def object_table(apps, folder):
     print("| mean | " + " | ".join(f"{s:.3f}" for s in means[:3]) + f" | {int(sums[3])} of {int(sums[4])} |\n")
 
 
-# Title, options of pcl_shape_scene. The spacing of the parts is .7 mm: their radii are 3 to 70 spacings.
-PART = ("-place", "part", "-sensor", "samples", "-sampling", "0.0007")
+def sampled_parts(spacing):
+    """Title, options of pcl_shape_scene."""
+    part = ("-place", "part", "-sensor", "samples", "-sampling", f"{spacing:g}")
+    some, more = f"{0.15 * spacing:g}", f"{0.4 * spacing:g}"
+    return {
+        "part, even": part,
+        "part, even, .15 s": (*part, "-noise", some),
+        "part, even, .40 s": (*part, "-noise", more),
+        "part, random, .15 s": (*part, "-noise", some, "-spread", "random"),
+    }
+
+
 GENERATED = {
-    "part, even": PART,
-    "part, even, .15 s": (*PART, "-noise", "0.000105"),
-    "part, even, .40 s": (*PART, "-noise", "0.00028"),
-    "part, random, .15 s": (*PART, "-noise", "0.000105", "-spread", "random"),
+    **sampled_parts(0.0007),  # their radii are 3 to 70 spacings
     "part, photogrammetry": ("-place", "part", "-sensor", "photogrammetry", "-sampling", "0.0007"),
     "room, one station": ("-place", "room", "-sensor", "station"),
     "room, three stations": ("-place", "room", "-sensor", "station", "-stations", "3", "-step", "0.5"),
@@ -239,6 +246,11 @@ GENERATED = {
     "parts on a table, structured light": ("-sensor", "structured", "-place", "part"),
 }
 SEEDS = (901, 902, 903)  # of no training or choosing
+
+
+def generate(apps, cloud, seed, options):
+    subprocess.run([apps / "pcl_shape_scene", cloud, "-seed", str(seed), "-format", "binary", *options],
+                   check=True, stdout=subprocess.DEVNULL)
 
 
 def generated_scores(apps, cloud):
@@ -268,8 +280,7 @@ def generated_table(apps, generator):
         for seed in SEEDS:
             with tempfile.TemporaryDirectory() as directory:
                 cloud = pathlib.Path(directory) / "cloud.pcd"
-                subprocess.run([generator / "pcl_shape_scene", cloud, "-seed", str(seed), "-format", "binary", *options],
-                               check=True, stdout=subprocess.DEVNULL)
+                generate(generator, cloud, seed, options)
                 scores.append(generated_scores(apps, cloud))
         print(f"| {title} | " + " | ".join(f"{mean:.3f}" for mean in numpy.nanmean(scores, 0)) + " |", flush=True)
     print()

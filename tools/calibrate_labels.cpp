@@ -372,9 +372,9 @@ weightsFor(const std::vector<Point>& points)
       classes.push_back({&point, is_right});
   }
   // Those that have to do with it: see LabelFeatures.
-  return {fitMonotone(no_edge, termsOf({2, 3, 4, 5})),
-          fitMonotone(classes, termsOf({0, 1, 5, 6})),
-          fitMonotone(edges, termsOf({0, 1, 2, 3, 4}))};
+  return {fitMonotone(no_edge, termsOf({1, 2, 3})),
+          fitMonotone(classes, termsOf({0, 3, 4})),
+          fitMonotone(edges, termsOf({0, 1, 2, 3}))};
 }
 
 /** Of a world of the choosing: the share kept from several confidences, and how many of

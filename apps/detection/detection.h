@@ -56,14 +56,23 @@ InadCloud inadOf(CloudFile& file,
                  const Arguments& arguments,
                  Report& report);
 
-/** \brief Set up a detector with what the paper's method needs. */
+/** \brief Give a detector the points of a cloud, and for the paper's method all that it
+ * needs besides; the default method's field is set by the caller. \return the points */
 template <typename Detector>
-void
-usePaperMethod(Detector& detector,
-               const InadCloud& cloud,
-               const DetectionSettings& settings,
-               const Arguments& arguments)
+PointsPtr
+setInput(Detector& detector,
+         CloudFile& file,
+         const DetectionSettings& settings,
+         const Arguments& arguments,
+         Report& report)
 {
+  detector.setNumberOfThreads(arguments.threads());
+  if (!settings.paper) {
+    const PointsPtr points = pointsOf(file);
+    detector.setInputCloud(points);
+    return points;
+  }
+  const InadCloud cloud = inadOf(file, settings, arguments, report);
   detector.setMode(Detector::PAPER);
   detector.setInputCloud(cloud.points);
   detector.setInputNormals(cloud.normals);
@@ -71,7 +80,7 @@ usePaperMethod(Detector& detector,
   detector.setModel(settings.model);
   detector.setThreshold(settings.threshold);
   detector.setIgnoreModelParameters(arguments.has("ignore_model_parameters"));
-  detector.setNumberOfThreads(arguments.threads());
+  return cloud.points;
 }
 
 /** \brief Note how many points are of each class, and how many of none. */

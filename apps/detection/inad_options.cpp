@@ -42,13 +42,6 @@ nameOfScale(AdaptiveRadius::RadiusMode mode)
   return scales[mode];
 }
 
-bool
-hasInadParameters(const Arguments& arguments)
-{
-  return arguments.has("radius") || arguments.has("normal_radius") ||
-         arguments.has("k") || arguments.has("outlier_rate");
-}
-
 INADParameters
 inadParameters(const Arguments& arguments, const INADParameters& defaults)
 {

@@ -26,10 +26,6 @@ AdaptiveRadius::RadiusMode radiusMode(const Arguments& arguments);
 /** \brief What -scale calls it. */
 std::string nameOfScale(AdaptiveRadius::RadiusMode mode);
 
-/** \brief Whether one of the options that addInadOptions() added, but -use_normals and
- * -scale, is given. */
-bool hasInadParameters(const Arguments& arguments);
-
 /** \brief The parameters on the command line over given ones. -radius alone is the
  * normal radius too if the two are equal in `defaults`. \throws UsageError for -k
  * together with a radius */

@@ -5,88 +5,17 @@
 #include "tiles/cloud_source.h"
 
 #include "cli/input.h"
+#include "tiles/selection.h"
 
 #include <pcl/features/coordinate_offset.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace pcl::app {
 namespace {
 
 using Position = std::array<double, 3>;
-
-/** Doubles as whole numbers in the same order. */
-std::uint64_t
-keyOf(double value)
-{
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, &value, sizeof bits);
-  constexpr std::uint64_t sign = std::uint64_t{1} << 63;
-  return bits & sign ? ~bits : bits | sign;
-}
-
-double
-valueOf(std::uint64_t key)
-{
-  constexpr std::uint64_t sign = std::uint64_t{1} << 63;
-  const std::uint64_t bits = key & sign ? key ^ sign : ~key;
-  double value = 0.0;
-  std::memcpy(&value, &bits, sizeof value);
-  return value;
-}
-
-/** Finds one of the sorted values of an axis, some bits of it in each pass. */
-class Selection {
-public:
-  static constexpr int bits = 16, passes = 64 / bits;
-
-  Selection(std::size_t axis, std::uint64_t rank) : axis_(axis), rank_(rank) {}
-
-  std::size_t
-  axis() const
-  {
-    return axis_;
-  }
-
-  void
-  begin()
-  {
-    counts_.assign(std::size_t{1} << bits, 0);
-  }
-
-  void
-  count(std::uint64_t key)
-  {
-    const int shift = 64 - bits * (pass_ + 1);
-    if (pass_ == 0 || key >> (shift + bits) == found_)
-      ++counts_[key >> shift & ((1U << bits) - 1)];
-  }
-
-  void
-  end()
-  {
-    std::uint64_t digit = 0;
-    while (rank_ >= counts_[digit])
-      rank_ -= counts_[digit++];
-    found_ = found_ << bits | digit;
-    ++pass_;
-  }
-
-  double
-  value() const
-  {
-    return valueOf(found_);
-  }
-
-private:
-  std::size_t axis_;
-  std::uint64_t rank_; ///< among the values that begin with what is found
-  std::uint64_t found_ = 0;
-  int pass_ = 0;
-  std::vector<std::uint64_t> counts_;
-};
 
 template <typename Use>
 void
@@ -108,26 +37,31 @@ scaleOf(const CloudSources& sources)
   forEachFinite(sources, [&](const Position&) { ++count; });
   if (count == 0)
     return {};
-  std::vector<Selection> selections;
+  struct Wanted {
+    std::size_t axis = 0;
+    std::uint64_t rank = 0;
+    Selection<double> selection;
+  };
+  std::vector<Wanted> all;
   pcl::coordinateScaleOf(count, 0, [&](std::size_t axis, double share) {
-    selections.emplace_back(
-        axis, static_cast<std::uint64_t>(share * static_cast<double>(count - 1)));
+    all.push_back(
+        {axis, static_cast<std::uint64_t>(share * static_cast<double>(count - 1)), {}});
     return 0.0; // the values are found below: here it only says which it needs
   });
-  for (int pass = 0; pass < Selection::passes; ++pass) {
-    for (Selection& selection : selections)
-      selection.begin();
+  for (int pass = 0; pass < Selection<double>::passes; ++pass) {
     forEachFinite(sources, [&](const Position& p) {
-      const std::array<std::uint64_t, 3> keys{keyOf(p[0]), keyOf(p[1]), keyOf(p[2])};
-      for (Selection& selection : selections)
-        selection.count(keys[selection.axis()]);
+      for (Wanted& wanted : all)
+        wanted.selection.add(p[wanted.axis], 1);
     });
-    for (Selection& selection : selections)
-      selection.end();
+    for (Wanted& wanted : all)
+      if (pass == 0)
+        wanted.selection.choose(wanted.rank);
+      else
+        wanted.selection.endPass();
   }
-  auto next = selections.begin();
+  auto next = all.begin();
   return pcl::coordinateScaleOf(
-      count, 0, [&](std::size_t, double) { return (next++)->value(); });
+      count, 0, [&](std::size_t, double) { return (next++)->selection.value(); });
 }
 
 } // namespace

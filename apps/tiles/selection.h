@@ -1,40 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// One of the sorted values of more floats than fit into memory.
+// One of the sorted values of more numbers than fit into memory.
 
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 #include <vector>
 
 namespace pcl::app {
 
-/** \brief Floats of 0 and more are in the order of their bits. */
-inline std::uint32_t
-keyOfFloat(float value)
-{
-  std::uint32_t key = 0;
-  std::memcpy(&key, &value, sizeof key);
-  return key;
-}
-
-/** \brief Finds one of the sorted values of floats that are not negative, in two passes
- * over them: first all are counted by the upper half of their bits, then those whose
- * upper half is that of the value, by the lower half. */
-class FloatSelection {
+/** \brief Finds one of the sorted values of floats or doubles in passes over all of
+ * them: each counts those that begin with the bits found so far by the next 16 bits. */
+template <typename T>
+class Selection {
 public:
+  static constexpr int bits = 16, passes = 8 * sizeof(T) / bits;
+
   void
-  add(float value, std::uint64_t times)
+  add(T value, std::uint64_t times)
   {
-    const std::uint32_t key = keyOfFloat(value);
-    if (!is_high_known_) {
-      counts_[key >> bits] += times;
+    const Key key = keyOf(value);
+    if (pass_ == 0)
       count_ += times;
-    }
-    else if (key >> bits == high_)
-      counts_[key & digit_mask] += times;
+    else if (key >> bitsLeft() != found_)
+      return;
+    counts_[key >> (bitsLeft() - bits) & digit_mask] += times;
   }
 
   /** \brief How many values the first pass had. */
@@ -44,58 +37,65 @@ public:
     return count_;
   }
 
-  /** \brief Ends the first pass; all values are to be added once more. \param[in] rank
-   * how many values are below the one that is to be found, fewer than count() */
+  /** \brief Ends the first pass. \param[in] rank how many values are below the one that
+   * is to be found, fewer than count() */
   void
-  chooseHigh(std::uint64_t rank)
+  choose(std::uint64_t rank)
   {
     rank_ = rank;
-    high_ = takeDigit();
-    is_high_known_ = true;
+    endPass();
+  }
+
+  /** \brief Ends one of the others. */
+  void
+  endPass()
+  {
+    Key digit = 0;
+    while (rank_ >= counts_[digit])
+      rank_ -= counts_[digit++];
+    found_ = static_cast<Key>(pass_ == 0 ? digit : found_ << bits | digit);
+    ++pass_;
     counts_.assign(counts_.size(), 0);
   }
 
-  /** \brief The least value whose upper half is that of the value that is to be found;
-   * after chooseHigh(). */
-  float
-  high() const
+  /** \brief The value, after all passes; after fewer the least one with the bits that
+   * are found. */
+  T
+  value() const
   {
-    return valueOf(high_ << bits);
-  }
-
-  /** \brief The value, after the second pass; called once. */
-  float
-  value()
-  {
-    return valueOf(high_ << bits | takeDigit());
-  }
-
-private:
-  static float
-  valueOf(std::uint32_t key)
-  {
-    float value = 0.0f;
-    std::memcpy(&value, &key, sizeof value);
+    const Key key = pass_ == passes ? found_ : found_ << bitsLeft();
+    const Key value_bits = key & sign ? key ^ sign : ~key;
+    T value{};
+    std::memcpy(&value, &value_bits, sizeof value);
     return value;
   }
 
-  static constexpr int bits = 16;
-  static constexpr std::uint32_t digit_mask = (1U << bits) - 1;
+private:
+  using Key = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+  static constexpr Key sign = Key{1} << (8 * sizeof(T) - 1);
+  static constexpr Key digit_mask = (Key{1} << bits) - 1;
 
-  std::uint32_t
-  takeDigit()
+  /** Whole numbers in the same order. */
+  static Key
+  keyOf(T value)
   {
-    std::uint32_t digit = 0;
-    while (rank_ >= counts_[digit])
-      rank_ -= counts_[digit++];
-    return digit;
+    Key key = 0;
+    std::memcpy(&key, &value, sizeof key);
+    return key & sign ? ~key : key | sign;
+  }
+
+  /** How many bits of a key are not found yet, after the first pass. */
+  int
+  bitsLeft() const
+  {
+    return bits * (passes - pass_);
   }
 
   std::vector<std::uint64_t> counts_ =
       std::vector<std::uint64_t>(std::size_t{1} << bits);
   std::uint64_t count_ = 0, rank_ = 0;
-  std::uint32_t high_ = 0;
-  bool is_high_known_ = false;
+  Key found_ = 0;
+  int pass_ = 0;
 };
 
 } // namespace pcl::app

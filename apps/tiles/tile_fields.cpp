@@ -490,10 +490,9 @@ unknownOf(TiledCloud& cloud, const std::string& name)
 {
   return std::stoull(cloud.decide("unknown", [&] {
     std::uint64_t count = 0;
-    for (std::size_t tile = 0; tile < cloud.size(); ++tile)
-      if (cloud.pointsOf(tile) > 0) {
-        count += ByteReader(cloud.resultOf(name, tile)).take<std::uint64_t>();
-      }
+    forEachTile(cloud, [&](std::size_t tile) {
+      count += ByteReader(cloud.resultOf(name, tile)).take<std::uint64_t>();
+    });
     return std::to_string(count);
   }));
 }

@@ -203,8 +203,8 @@ private:
       all.nodes.insert(all.nodes.end(), some.nodes.begin(), some.nodes.end());
       all.labels.insert(all.labels.end(), some.labels.begin(), some.labels.end());
     }
-    const std::vector<std::int32_t> labels =
-        parts_.labels(points, std::move(all.nodes), all.labels, all.low, all.high);
+    const std::vector<std::int32_t> labels = parts_.labels(
+        points, std::move(all.nodes), all.labels, all.box.low, all.box.high);
     return labelBytes(parts_, points, labels);
   }
 
@@ -242,21 +242,16 @@ private:
   rank(const std::string& labels, const std::string& name, Rank rank)
   {
     cloud_.runAtOnce(name, [&, rank](const TiledCloud::Write& write) {
-      const auto forEachTile = [&](const auto& use) {
-        for (std::size_t tile = 0; tile < cloud_.size(); ++tile)
-          if (cloud_.pointsOf(tile) > 0)
-            use(tile, labelsOf(cloud_, labels, tile).counts);
-      };
       std::vector<LabelCount> all;
-      forEachTile([&](std::size_t, const std::vector<LabelCount>& counts) {
-        InstancesOfParts::add(counts, all);
+      forEachTile(cloud_, [&](std::size_t tile) {
+        InstancesOfParts::add(labelsOf(cloud_, labels, tile).counts, all);
       });
       const std::vector<std::int32_t> ranks = (parts_.*rank)(all);
       const auto is_some = [](std::int32_t r) { return r >= 0; };
       const auto count = std::count_if(ranks.begin(), ranks.end(), is_some);
-      forEachTile([&](std::size_t tile, const std::vector<LabelCount>& counts) {
+      forEachTile(cloud_, [&](std::size_t tile) {
         std::vector<std::int32_t> of_tile;
-        for (const LabelCount& label : counts)
+        for (const LabelCount& label : labelsOf(cloud_, labels, tile).counts)
           of_tile.push_back(ranks[static_cast<std::size_t>(label.label)]);
         Bytes bytes;
         put<std::uint64_t>(static_cast<std::uint64_t>(count), bytes);

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -32,7 +31,7 @@ constexpr double first_reach = 4.0;
 
 /** What a tile adds to the numbers of all. */
 struct TileDistances {
-  std::array<float, 3> low{}, high{};
+  PointBox box;
   std::vector<float> distances;
 };
 
@@ -44,16 +43,14 @@ measuredDistances(const TilePoints& points,
                   unsigned threads)
 {
   const TilePlaces places = placesOf(points, offset, resolution);
-  constexpr float far = std::numeric_limits<float>::infinity();
-  std::array<float, 3> low{far, far, far}, high{-far, -far, -far};
+  PointBox box;
   for (std::size_t i = 0; i < places.places->size(); ++i)
-    for (std::size_t axis = 0; places.is_own[i] && axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], (*places.places)[i].data[axis]);
-      high[axis] = std::max(high[axis], (*places.places)[i].data[axis]);
+    if (places.is_own[i]) {
+      const pcl::PointXYZ& place = (*places.places)[i];
+      box.add(PointBox::of({place.x, place.y, place.z}));
     }
   Bytes bytes;
-  put(low, bytes);
-  put(high, bytes);
+  put(box, bytes);
   putAll(
       pcl::PartOfCloud(places.view(), places.is_own, threads).measureDistances(reach),
       bytes);
@@ -65,8 +62,7 @@ distancesOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
 {
   ByteReader reader(cloud.resultOf(name, tile));
   TileDistances distances;
-  distances.low = reader.take<std::array<float, 3>>();
-  distances.high = reader.take<std::array<float, 3>>();
+  distances.box = reader.take<PointBox>();
   distances.distances = reader.takeAll<float>();
   return distances;
 }
@@ -89,9 +85,7 @@ template <typename Use>
 void
 forEachDistances(const TiledCloud& cloud, const std::string& name, const Use& use)
 {
-  for (std::size_t tile = 0; tile < cloud.size(); ++tile)
-    if (cloud.pointsOf(tile) > 0)
-      use(distancesOf(cloud, name, tile));
+  forEachTile(cloud, [&](std::size_t tile) { use(distancesOf(cloud, name, tile)); });
 }
 
 /** The medians of the distances that are positive, and of all of them, in two passes
@@ -113,51 +107,50 @@ public:
 
   /** After the first pass. */
   void
-  chooseHigh()
+  choose()
   {
     has_positive_ = positive_.count() > 0;
     if (has_positive_)
-      positive_.chooseHigh(middleOf(positive_.count()));
-    all_.add(has_positive_ ? positive_.high() : 1.0f, unknown_);
-    all_.chooseHigh(middleOf(all_.count()));
+      positive_.choose(middleOf(positive_.count()));
+    all_.add(has_positive_ ? positive_.value() : 1.0f, unknown_);
+    all_.choose(middleOf(all_.count()));
   }
 
   /** After the second one: of those that are positive, and of all. */
   std::pair<float, float>
   values()
   {
+    if (has_positive_)
+      positive_.endPass();
     const float distance = has_positive_ ? positive_.value() : 1.0f;
     all_.add(distance, unknown_);
+    all_.endPass();
     return {distance, all_.value()};
   }
 
 private:
   std::uint64_t unknown_;
   bool has_positive_ = false;
-  FloatSelection positive_, all_;
+  Selection<float> positive_, all_;
 };
 
 /** Medians, the box and the number of places, of distances as far as the reach. */
 Json
 mediansOf(const TiledCloud& cloud, const std::string& name, double resolution)
 {
-  constexpr float far = std::numeric_limits<float>::infinity();
-  std::array<float, 3> low{far, far, far}, high{-far, -far, -far};
+  PointBox box;
   std::uint64_t places = 0;
   DistanceMedians medians(unknownPlaces(cloud, resolution));
   forEachDistances(cloud, name, [&](const TileDistances& of_tile) {
     places += of_tile.distances.size();
     medians.add(of_tile.distances);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], of_tile.low[axis]);
-      high[axis] = std::max(high[axis], of_tile.high[axis]);
-    }
+    box.add(of_tile.box);
   });
   if (places < min_places)
     throw InputError("the cloud has " + std::to_string(places) +
                      " different places; expected at least " +
                      std::to_string(min_places) + " to divide it");
-  medians.chooseHigh();
+  medians.choose();
   forEachDistances(cloud, name, [&](const TileDistances& of_tile) {
     medians.add(of_tile.distances);
   });
@@ -166,8 +159,8 @@ mediansOf(const TiledCloud& cloud, const std::string& name, double resolution)
   const bool is_known = std::isfinite(distance);
   return {{"distance", is_known ? distance : 0.0},
           {"spacing", is_known ? pcl::spacingAt(middle, distance) : 0.0f},
-          {"low", low},
-          {"high", high},
+          {"low", box.low},
+          {"high", box.high},
           {"places", places}};
 }
 
@@ -242,9 +235,9 @@ numbersOf(TiledCloud& cloud, double resolution, unsigned threads)
   });
   const Json noise = Json::parse(cloud.decide("noise", [&] {
     pcl::NoiseMeasures measures;
-    for (std::size_t tile = 0; tile < cloud.size(); ++tile)
-      if (cloud.pointsOf(tile) > 0)
-        measures.add(measuresOf(cloud.resultOf("noise", tile)));
+    forEachTile(cloud, [&](std::size_t tile) {
+      measures.add(measuresOf(cloud.resultOf("noise", tile)));
+    });
     pcl::CloudNumbers found = numbers.of_cloud;
     pcl::setNoise(measures, found);
     return Json{{"noise", found.noise},

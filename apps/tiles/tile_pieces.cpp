@@ -7,7 +7,6 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace pcl::app {
@@ -79,21 +78,17 @@ unitedPieces(const TiledCloud& cloud, const std::string& links_name)
   Pieces pieces;
   pieces.of_nodes.resize(cloud.size());
   std::uint32_t count = 0; // of pieces of tiles
-  for (std::size_t tile = 0; tile < cloud.size(); ++tile) {
-    if (cloud.pointsOf(tile) == 0)
-      continue;
+  forEachTile(cloud, [&](std::size_t tile) {
     TileLinks links = linksOf(cloud, links_name, tile);
     for (std::uint32_t& piece : links.piece)
       if (piece != none)
         piece += count;
     count += links.pieces;
     pieces.of_nodes[tile] = std::move(links.piece);
-  }
+  });
   boost::disjoint_sets_with_storage<> sets(count);
   std::uint32_t first = 0; // piece of the tile
-  for (std::size_t tile = 0; tile < cloud.size(); ++tile) {
-    if (cloud.pointsOf(tile) == 0)
-      continue;
+  forEachTile(cloud, [&](std::size_t tile) {
     const TileLinks links = linksOf(cloud, links_name, tile);
     for (const OutwardLink& link : links.outward) {
       const std::uint32_t other = pieces.of_nodes[link.node.tile][link.node.number];
@@ -101,7 +96,7 @@ unitedPieces(const TiledCloud& cloud, const std::string& links_name)
         sets.union_set(first + link.piece, other);
     }
     first += links.pieces;
-  }
+  });
   return numberedSets(sets, count, std::move(pieces));
 }
 
@@ -219,27 +214,20 @@ cutPieces(const TiledCloud& cloud,
           const pcl::InstancesOfParts& parts,
           const TiledCloud::Write& write)
 {
-  constexpr float far = std::numeric_limits<float>::infinity();
-  std::array<float, 3> low{far, far, far}, high{-far, -far, -far};
-  for (std::size_t tile = 0; tile < cloud.size(); ++tile)
-    if (cloud.pointsOf(tile) > 0)
-      for (const InstanceNode& node : nodesOf(cloud, names.nodes, tile))
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          low[axis] = std::min(low[axis], node.position[axis]);
-          high[axis] = std::max(high[axis], node.position[axis]);
-        }
+  PointBox box;
+  forEachTile(cloud, [&](std::size_t tile) {
+    for (const InstanceNode& node : nodesOf(cloud, names.nodes, tile))
+      box.add(PointBox::of(node.position));
+  });
   const Pieces pieces = unitedPieces(cloud, names.links);
   Cutting cutting(cloud, names.nodes, parts, pieces);
   const std::vector<std::vector<std::int32_t>>& labels = cutting.run();
-  for (std::size_t tile = 0; tile < cloud.size(); ++tile) {
-    if (cloud.pointsOf(tile) == 0)
-      continue;
+  forEachTile(cloud, [&](std::size_t tile) {
     Bytes bytes;
-    put(low, bytes);
-    put(high, bytes);
+    put(box, bytes);
     putAll(labels[tile], bytes);
     write(tile, bytes);
-  }
+  });
 }
 
 CutNodes
@@ -251,8 +239,7 @@ cutNodesOf(const TiledCloud& cloud,
   CutNodes result;
   result.nodes = nodesOf(cloud, nodes, tile);
   ByteReader reader(cloud.resultOf(pieces, tile));
-  result.low = reader.take<std::array<float, 3>>();
-  result.high = reader.take<std::array<float, 3>>();
+  result.box = reader.take<PointBox>();
   result.labels = reader.takeAll<std::int32_t>();
   return result;
 }

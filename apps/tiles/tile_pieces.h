@@ -5,11 +5,11 @@
 #pragma once
 
 #include "tiles/bytes.h"
+#include "tiles/tile_places.h"
 
 #include <pcl/segmentation/instances_of_parts.h>
 #include <pcl/tiling/tiled_cloud.h>
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -49,7 +49,7 @@ void cutPieces(const pcl::tiling::TiledCloud& cloud,
 struct CutNodes {
   std::vector<pcl::InstanceNode> nodes;
   std::vector<std::int32_t> labels;
-  std::array<float, 3> low{}, high{}; ///< the box of the cloud's nodes
+  PointBox box; ///< of the cloud's nodes
 };
 
 /** \brief \param[in] nodes, pieces names of results */

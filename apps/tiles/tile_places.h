@@ -10,7 +10,10 @@
 #include <pcl/point_types.h>
 #include <pcl/tiling/tiled_cloud.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace pcl::app {
@@ -23,6 +26,41 @@ struct TilePlaces {
 
   pcl::XYZView view() const;
 };
+
+/** \brief A box along the axes; it begins with no point. */
+struct PointBox {
+  std::array<float, 3> low{far, far, far}, high{-far, -far, -far};
+
+  static PointBox
+  of(const std::array<float, 3>& point)
+  {
+    PointBox box;
+    box.low = box.high = point;
+    return box;
+  }
+
+  void
+  add(const PointBox& other)
+  {
+    for (std::size_t axis = 0; axis < low.size(); ++axis) {
+      low[axis] = std::min(low[axis], other.low[axis]);
+      high[axis] = std::max(high[axis], other.high[axis]);
+    }
+  }
+
+private:
+  static constexpr float far = std::numeric_limits<float>::infinity();
+};
+
+/** \brief use(tile) for each one that has points. */
+template <typename Use>
+void
+forEachTile(const pcl::tiling::TiledCloud& cloud, const Use& use)
+{
+  for (std::size_t tile = 0; tile < cloud.size(); ++tile)
+    if (cloud.pointsOf(tile) > 0)
+      use(tile);
+}
 
 /** \brief The points as floats, with the offset subtracted. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr floatsOf(const pcl::tiling::TilePoints& points,

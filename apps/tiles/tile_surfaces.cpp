@@ -92,20 +92,18 @@ template <typename Use>
 void
 forEachWindows(const TiledCloud& cloud, const Use& use)
 {
-  for (std::size_t tile = 0; tile < cloud.size(); ++tile) {
-    if (cloud.pointsOf(tile) == 0)
-      continue;
+  forEachTile(cloud, [&](std::size_t tile) {
     ByteReader reader(cloud.resultOf(windows_name, tile));
     for (std::size_t level = 0; level < FacesAround::levels; ++level)
       use(level, reader.takeAll<float>());
-  }
+  });
 }
 
 /** The files are read twice: once for each digit of the values of all levels. */
 FacesAround::Noise
 noiseOfWindows(const TiledCloud& cloud)
 {
-  std::array<FloatSelection, FacesAround::levels> selections;
+  std::array<Selection<float>, FacesAround::levels> selections;
   const auto addAll = [&] {
     forEachWindows(cloud, [&](std::size_t level, const std::vector<float>& residuals) {
       for (const float residual : residuals)
@@ -113,14 +111,16 @@ noiseOfWindows(const TiledCloud& cloud)
     });
   };
   addAll();
-  for (FloatSelection& selection : selections)
+  for (Selection<float>& selection : selections)
     if (selection.count() > 0)
-      selection.chooseHigh(FacesAround::rankOfNoise(selection.count()));
+      selection.choose(FacesAround::rankOfNoise(selection.count()));
   addAll();
   FacesAround::Noise noise{};
   for (std::size_t level = 0; level < noise.size(); ++level)
-    if (selections[level].count() > 0)
+    if (selections[level].count() > 0) {
+      selections[level].endPass();
       noise[level] = selections[level].value();
+    }
   return noise;
 }
 

@@ -7,6 +7,7 @@
 #include <exception>
 #include <iostream>
 #include <stdexcept>
+#include <utility>
 
 namespace peers {
 namespace {
@@ -75,12 +76,20 @@ bestChoice(const Peer& peer, const std::vector<Trials>& by_setting)
   return best;
 }
 
-std::vector<Trials>
-without(std::size_t cloud, std::vector<Trials> by_setting)
+/** The best for the other clouds; the trials are as they were afterwards. */
+Choice
+bestWithout(std::size_t cloud, const Peer& peer, std::vector<Trials>& by_setting)
 {
-  for (Trials& trials : by_setting)
-    trials.erase(trials.begin() + static_cast<std::ptrdiff_t>(cloud));
-  return by_setting;
+  const auto at = static_cast<std::ptrdiff_t>(cloud);
+  Trials own;
+  for (Trials& trials : by_setting) {
+    own.push_back(std::move(trials[cloud]));
+    trials.erase(trials.begin() + at);
+  }
+  const Choice choice = bestChoice(peer, by_setting);
+  for (std::size_t s = 0; s < own.size(); ++s)
+    by_setting[s].insert(by_setting[s].begin() + at, std::move(own[s]));
+  return choice;
 }
 
 /** A cloud's trial with what was chosen for it. */
@@ -113,7 +122,7 @@ compete(const Peer& peer,
       add(peer, choice, trial, result);
     return result;
   }
-  const std::vector<Trials> all = trialsOfAll(peer, clouds, task, jobs);
+  std::vector<Trials> all = trialsOfAll(peer, clouds, task, jobs);
   if (!tuning.is_held_out) {
     const Choice choice = bestChoice(peer, all);
     for (const Trial& trial : all[choice.setting])
@@ -121,7 +130,7 @@ compete(const Peer& peer,
     return result;
   }
   for (std::size_t i = 0; i < clouds.size(); ++i) {
-    const Choice choice = bestChoice(peer, without(i, all));
+    const Choice choice = bestWithout(i, peer, all);
     add(peer, choice, all[choice.setting][i], result);
   }
   return result;

@@ -11,8 +11,6 @@
 namespace pcl::segmentation {
 namespace {
 
-using Points = pcl::PointCloud<pcl::PointXYZ>;
-
 /** The float that floats are below if they are below a double. */
 float
 roundedUp(double value)
@@ -25,23 +23,19 @@ roundedUp(double value)
 
 } // namespace
 
-CountedPoints::CountedPoints(const Points& points)
+CountedPoints::CountedPoints(const PointCloud<PointXYZ>& points)
 {
   x_.reserve(points.size());
   y_.reserve(points.size());
   z_.reserve(points.size());
-  for (const pcl::PointXYZ& point : points) {
+  for (const PointXYZ& point : points) {
     x_.push_back(point.x);
     y_.push_back(point.y);
     z_.push_back(point.z);
   }
 }
 
-PlaneModel::PlaneModel(const PointCloudConstPtr& points)
-: SampleConsensusModelPlane(points)
-, points_(*points)
-{}
-
+template <>
 std::size_t
 PlaneModel::countWithinDistance(const Eigen::VectorXf& coefficients,
                                 double threshold) const
@@ -55,11 +49,7 @@ PlaneModel::countWithinDistance(const Eigen::VectorXf& coefficients,
   });
 }
 
-SphereModel::SphereModel(const PointCloudConstPtr& points)
-: SampleConsensusModelSphere(points)
-, points_(*points)
-{}
-
+template <>
 std::size_t
 SphereModel::countWithinDistance(const Eigen::VectorXf& coefficients,
                                  double threshold) const
@@ -78,11 +68,7 @@ SphereModel::countWithinDistance(const Eigen::VectorXf& coefficients,
   });
 }
 
-CylinderModel::CylinderModel(const PointCloudConstPtr& points)
-: SampleConsensusModelCylinder(points)
-, points_(*points)
-{}
-
+template <>
 std::size_t
 CylinderModel::countWithinDistance(const Eigen::VectorXf& coefficients,
                                    double threshold) const

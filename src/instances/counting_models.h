@@ -19,7 +19,7 @@ namespace pcl::segmentation {
  * one of its hypotheses. */
 class CountedPoints {
 public:
-  explicit CountedPoints(const pcl::PointCloud<pcl::PointXYZ>& points);
+  explicit CountedPoints(const PointCloud<PointXYZ>& points);
 
   /** \brief The number of points for which is(x, y, z). RANSAC only asks whether it is
    * the largest so far: if it cannot be, the count ends early, and is no larger. */
@@ -47,10 +47,14 @@ private:
   mutable std::size_t most_ = 0;
 };
 
-/** \brief As PCL's, for clouds without NaN all of whose points count. */
-class PlaneModel : public pcl::SampleConsensusModelPlane<pcl::PointXYZ> {
+/** \brief A model of PCL's, for clouds without NaN all of whose points count. */
+template <typename Model>
+class CountingModel : public Model {
 public:
-  explicit PlaneModel(const PointCloudConstPtr& points);
+  explicit CountingModel(const typename Model::PointCloudConstPtr& points)
+  : Model(points)
+  , points_(*points)
+  {}
 
   std::size_t countWithinDistance(const Eigen::VectorXf& coefficients,
                                   double threshold) const override;
@@ -59,29 +63,16 @@ private:
   CountedPoints points_;
 };
 
-/** \brief Likewise. */
-class SphereModel : public pcl::SampleConsensusModelSphere<pcl::PointXYZ> {
-public:
-  explicit SphereModel(const PointCloudConstPtr& points);
+using PlaneModel = CountingModel<SampleConsensusModelPlane<PointXYZ>>;
+using SphereModel = CountingModel<SampleConsensusModelSphere<PointXYZ>>;
+/** \brief Normals weigh nothing. */
+using CylinderModel = CountingModel<SampleConsensusModelCylinder<PointXYZ, Normal>>;
 
-  std::size_t countWithinDistance(const Eigen::VectorXf& coefficients,
-                                  double threshold) const override;
-
-private:
-  CountedPoints points_;
-};
-
-/** \brief Likewise, with normals that weigh nothing. */
-class CylinderModel
-: public pcl::SampleConsensusModelCylinder<pcl::PointXYZ, pcl::Normal> {
-public:
-  explicit CylinderModel(const PointCloudConstPtr& points);
-
-  std::size_t countWithinDistance(const Eigen::VectorXf& coefficients,
-                                  double threshold) const override;
-
-private:
-  CountedPoints points_;
-};
+template <>
+std::size_t PlaneModel::countWithinDistance(const Eigen::VectorXf&, double) const;
+template <>
+std::size_t SphereModel::countWithinDistance(const Eigen::VectorXf&, double) const;
+template <>
+std::size_t CylinderModel::countWithinDistance(const Eigen::VectorXf&, double) const;
 
 } // namespace pcl::segmentation

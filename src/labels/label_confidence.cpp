@@ -13,8 +13,6 @@
 #include "labels/label_weights.h"
 #include "labels/normal_turn.h"
 
-#include <pcl/features/shape_model.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -31,10 +29,9 @@ constexpr float wide_reach = 6.0f;  // steady fits; not far over small faces
 constexpr float near_crease = 1.5f; // wider than a band without noise
 constexpr float wide_crease = 6.0f; // a crease goes on for some time, an accident not
 // What is beyond these is certain: it does not outweigh all other features.
-constexpr float max_margin = 10.0f;                // log odds of surfaces
-constexpr float min_edge = -4.0f, max_edge = 6.0f; // log odds of edges
-constexpr float min_turn = 0.05f; // of normals, 4 degrees: keeps the logarithm finite
-constexpr float min_rest = 0.02f; // of normals, 1 degree, likewise
+constexpr float max_margin = 10.0f; // log odds of surfaces
+constexpr float min_turn = 0.05f;   // of normals, 4 degrees: keeps the logarithm finite
+constexpr float min_rest = 0.02f;   // of normals, 1 degree, likewise
 // A turn of normals is fitted to one point in eight, some 50 within the wide reach;
 // of small clouds to more.
 constexpr std::size_t points_of_sample = 8, min_sample = 20000;
@@ -44,12 +41,6 @@ std::uint32_t
 edgeLabel(const LabelInput& input)
 {
   return static_cast<std::uint32_t>(input.field.likelihoods.size() + 1);
-}
-
-float
-logOdds(float likelihood)
-{
-  return std::clamp(std::log(likelihood / (1.0f - likelihood)), min_edge, max_edge);
 }
 
 /** Some points of a cloud, to visit those near a place. */
@@ -84,14 +75,6 @@ private:
   PointGrid grid_;
 };
 
-/** Of the normals, in spacings, which grows with the noise. */
-float
-logNormalRadius(double noise)
-{
-  const INADParameters edges = ShapeModel::defaultEdges().parameters();
-  return static_cast<float>(std::log(withNoise(edges, noise).normal_radius));
-}
-
 class Evidence {
 public:
   explicit Evidence(const LabelInput& input)
@@ -103,7 +86,6 @@ public:
   , edges_(input.field.points, edgePoints(), wide_reach * spacing_)
   , faces_(input.field.points, sampleOfFaces(), wide_reach * spacing_)
   , creases_(positionsOf(input.field.creases), 2.0f * spacing_)
-  , log_normal_radius_(logNormalRadius(input.field.noise_level))
   {}
 
   LabelEvidence
@@ -122,11 +104,9 @@ public:
 private:
   /** What is around a point. */
   struct Around {
-    float edge = 0.0f;   ///< the largest likelihood
-    double turn = 0.0;   ///< sum of 1 - |cosine| of normals
-    double margin = 0.0; ///< sum over the surfaces, for the label of the point
+    double turn = 0.0; ///< sum of 1 - |cosine| of normals
     Eigen::Vector3d offset = Eigen::Vector3d::Zero(); ///< sum, meters
-    double points = 0.0, known = 0.0, surfaces = 0.0;
+    double points = 0.0, known = 0.0;
   };
 
   /** What is around a point of a surface, wider. */
@@ -228,11 +208,6 @@ private:
         return;
       around.known += 1.0;
       around.turn += 1.0 - std::abs(normal.dot(normalAt(j)));
-      around.edge = std::max(around.edge, input_.field.edge_likelihood[j]);
-      if (isEdge(i) || isEdge(j))
-        return;
-      around.surfaces += 1.0;
-      around.margin += marginOf(labels_[i], j);
     });
     return around;
   }
@@ -280,14 +255,10 @@ private:
               logCreases(i, wide_crease),
               std::log(std::sqrt(turn) + min_turn),
               offset,
-              log_normal_radius_,
-              0.0f,
               0.0f};
     const Face face = lookOverFace(i);
     return {marginOf(labels_[i], i),
-            static_cast<float>(around.margin / around.surfaces),
             std::sqrt(face.squared_edge),
-            -logOdds(around.edge),
             -offset,
             -std::log(face.turn.rest() + min_rest),
             labels_[i] == input_.planar_label ? 1.0f : 0.0f};
@@ -300,7 +271,6 @@ private:
   PointGrid grid_;
   SomeOfCloud edges_, faces_;
   PointGrid creases_;
-  float log_normal_radius_;
 };
 
 double

@@ -22,14 +22,13 @@ struct LabelInput {
 
 /** \brief Numbers that speak for a label, the larger the more.
  *
- * Of a surface: logarithm of its posterior over the next best; the mean of that of the
- * surfaces around; distance to the nearest edge point; how little there is of an edge
- * around; how evenly the neighbors lie around the point; how well normals that turn
+ * Of a surface: logarithm of its posterior over the next best; distance to the nearest
+ * edge point; how evenly the neighbors lie around the point; how well normals that turn
  * evenly explain those around (logarithm); 1 if it is planar, the commonest. Of an
  * edge: places around, near and wider, that votes for a crease agree on (logarithms);
  * how much the normals turn (logarithm); how far the neighbors' mean is off the point;
- * the radius that normals are averaged over (logarithm); 0 and 0. See doc/labels.md. */
-using LabelFeatures = std::array<float, 7>;
+ * and 0. See doc/labels.md. */
+using LabelFeatures = std::array<float, 5>;
 
 /** \brief The likeliest label of each point, and what speaks for it. */
 struct LabelEvidence {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Files that are complete or not there, with a checksum.
+//
+// The applications' AtomicFile is another thing: it cleans up on signals, follows links
+// and keeps permissions. Here the next run removes what a killed one has left.
 
 #include "tiling/checked_file.h"
 
@@ -177,14 +180,6 @@ std::uint32_t
 WholeFile::checksum() const
 {
   return state_->checksum;
-}
-
-void
-writeWhole(const std::string& path, const Bytes& bytes)
-{
-  WholeFile file(path);
-  file.write(bytes.data(), bytes.size());
-  file.commit();
 }
 
 Bytes

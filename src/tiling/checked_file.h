@@ -47,9 +47,6 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/** \brief Write a file beside its place, and rename it. \throws TilingError */
-void writeWhole(const std::string& path, const Bytes& bytes);
-
 /** \throws TilingError */
 Bytes readWhole(const std::string& path);
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <sstream>
 
 namespace {
@@ -277,20 +278,30 @@ TEST_F(Tiles, SayWhichResolutionStepsNeedAndHaveItsBits)
   EXPECT_GT(std::count(edges.begin(), edges.end(), 1U), 200);
 }
 
-TEST(FloatSelections, FindTheValueOfEachRankInTwoPasses)
+template <typename T>
+class Selections : public ::testing::Test {};
+using SelectedTypes = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(Selections, SelectedTypes);
+
+TYPED_TEST(Selections, FindTheValueOfEachRank)
 {
-  const std::vector<float> values{
-      0.5f, 0.0f, 3e-30f, 0.5f, 7.25f, 7.250001f, 1e30f, 0.25f};
-  std::vector<float> sorted = values;
+  using Selection = pcl::app::Selection<TypeParam>;
+  const auto eps = std::numeric_limits<TypeParam>::epsilon();
+  const std::vector<TypeParam> values{
+      0.5f, 0.0f, 3e-30f, 0.5f, 7.25f, 7.25f * (1 + eps), 1e30f, -0.25f, -1e30f};
+  std::vector<TypeParam> sorted = values;
   std::sort(sorted.begin(), sorted.end());
   for (std::size_t rank = 0; rank < values.size(); ++rank) {
-    pcl::app::FloatSelection selection;
-    for (const float value : values)
-      selection.add(value, 1);
-    EXPECT_EQ(selection.count(), values.size());
-    selection.chooseHigh(rank);
-    for (const float value : values)
-      selection.add(value, 1);
+    Selection selection;
+    for (int pass = 0; pass < Selection::passes; ++pass) {
+      for (const TypeParam value : values)
+        selection.add(value, 1);
+      EXPECT_EQ(selection.count(), values.size());
+      if (pass == 0)
+        selection.choose(rank);
+      else
+        selection.endPass();
+    }
     EXPECT_EQ(selection.value(), sorted[rank]) << "rank " << rank;
   }
 }

@@ -20,6 +20,14 @@ protected:
   TileFiles() : path(directory.path() + "/file") {}
 
   void
+  write(const Bytes& bytes) const
+  {
+    WholeFile file(path);
+    file.write(bytes.data(), bytes.size());
+    file.commit();
+  }
+
+  void
   change(std::streamoff at, char byte) const
   {
     std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
@@ -34,14 +42,14 @@ protected:
 TEST_F(TileFiles, GiveThePointsAsTheyWere)
 {
   const auto points = unevenPoints(5000, 1);
-  writeWhole(path, encodeTile(points));
+  write(encodeTile(points));
   EXPECT_EQ(TileFile(path).points(), points);
 }
 
 TEST_F(TileFiles, GiveThePointsInABox)
 {
   const auto points = unevenPoints(5000, 2);
-  writeWhole(path, encodeTile(points));
+  write(encodeTile(points));
   const Box box{{1.0, 0.5, -1.0}, {9.0, 6.0, 3.0}};
   std::vector<Position> expected, found;
   std::copy_if(points.begin(),
@@ -60,13 +68,13 @@ TEST_F(TileFiles, ThatAreDamagedAreErrors)
   const auto points = unevenPoints(5000, 3);
   const Bytes bytes = encodeTile(points);
   for (const std::size_t at : {std::size_t{3}, std::size_t{200}, bytes.size() - 9}) {
-    writeWhole(path, bytes);
+    write(bytes);
     change(static_cast<std::streamoff>(at), '!');
     EXPECT_THROW(TileFile(path).points(), TilingError) << "byte " << at;
   }
-  writeWhole(path, Bytes(bytes.begin(), bytes.end() - 1));
+  write(Bytes(bytes.begin(), bytes.end() - 1));
   EXPECT_THROW(TileFile{path}, TilingError);
-  writeWhole(path, {});
+  write({});
   EXPECT_THROW(TileFile{path}, TilingError);
 }
 

@@ -33,14 +33,23 @@ randomBox(double scale, const Vec3& heading, Random& random)
   return body;
 }
 
+/** A cylinder or a cone on its base. */
+Body
+standing(Shape shape, double radius, double height, const Vec3& heading)
+{
+  Body body;
+  body.solid = {shape, {radius, height, 0.0}, upright(heading, {})};
+  body.footprint = {{Vec3{}}, radius};
+  body.high = height;
+  return body;
+}
+
 Body
 randomCylinder(double scale, const Vec3& heading, Random& random)
 {
   const double radius = scale * random.uniform(0.028, 0.065);
   const double height = scale * random.uniform(0.06, 0.17);
-  Body body;
-  body.solid.shape = Shape::Cylinder;
-  body.solid.size = {radius, height, 0.0};
+  Body body = standing(Shape::Cylinder, radius, height, heading);
   if (random.chance(0.25)) {
     body.solid.pose = {{{leftOf(heading), {0.0, 0.0, 1.0}, heading}},
                        Vec3{0.0, 0.0, radius} - heading * (0.5 * height)};
@@ -49,9 +58,7 @@ randomCylinder(double scale, const Vec3& heading, Random& random)
     body.widest_low = body.widest_high = radius;
     return body;
   }
-  body.solid.pose = upright(heading, {});
-  body.footprint = {{Vec3{}}, radius};
-  body.high = body.widest_high = height;
+  body.widest_high = height;
   body.carries = true;
   return body;
 }
@@ -104,9 +111,7 @@ randomCone(double scale, const Vec3& heading, Random& random)
 {
   const double radius = scale * random.uniform(0.035, 0.06);
   const double height = scale * random.uniform(0.08, 0.15);
-  Body body;
-  body.solid.shape = Shape::Cone;
-  body.solid.size = {radius, height, 0.0};
+  Body body = standing(Shape::Cone, radius, height, heading);
   if (random.chance(0.25)) {
     Pose pose = coneOnItsSide(radius, height, heading);
     const double behind =
@@ -117,11 +122,7 @@ randomCone(double scale, const Vec3& heading, Random& random)
     body.footprint = rectangle({}, heading, ahead - behind, 2.0 * radius);
     body.high = 2.0 * pose.origin.z;
     body.widest_low = 1.0; // nowhere: it is narrower than its footprint at every height
-    return body;
   }
-  body.solid.pose = upright(heading, {});
-  body.footprint = {{Vec3{}}, radius};
-  body.high = height;
   return body;
 }
 

@@ -5,6 +5,7 @@
 #include "scene/street_places.h"
 
 #include <cmath>
+#include <map>
 
 namespace pcl::scene {
 namespace {
@@ -62,19 +63,21 @@ shapeTownWithBumps(Random& random, StreetProfile& profile)
   }
 }
 
-/** Walls along both sides of a driveway. */
+/** Along both sides of the driveways. */
 void
-addWalls(const Driveway& way, double edge, StreetBuilder& builder)
+addWalls(Random& /*random*/, StreetBuilder& builder, const StreetProfile& profile)
 {
   constexpr double thickness = 0.3;
-  const double depth = std::abs(way.slope) * way.length;
-  for (const double s : {way.begin, way.end}) {
-    builder.beginObject();
-    builder.addBlock({s, way.side * (edge + 1.2 + 0.5 * way.length)},
-                     depth + 1.0,
-                     thickness,
-                     way.length,
-                     depth + 0.8);
+  for (const Driveway& way : profile.driveways) {
+    const double depth = std::abs(way.slope) * way.length;
+    for (const double s : {way.begin, way.end}) {
+      builder.beginObject();
+      builder.addBlock({s, way.side * (profile.half_width + 1.2 + 0.5 * way.length)},
+                       depth + 1.0,
+                       thickness,
+                       way.length,
+                       depth + 0.8);
+    }
   }
 }
 
@@ -280,38 +283,18 @@ fillPlace(StreetPlace place,
           StreetBuilder& builder,
           const StreetProfile& profile)
 {
-  switch (place) {
-  case StreetPlace::Town:
-    break;
-  case StreetPlace::Bumps:
-    for (const Driveway& way : profile.driveways)
-      addWalls(way, profile.half_width, builder);
-    break;
-  case StreetPlace::Bridge:
-    addBridge(random, builder, profile);
-    break;
-  case StreetPlace::Canopy:
-    addCanopy(random, builder, profile);
-    break;
-  case StreetPlace::Country:
-    addCountry(random, builder, profile);
-    break;
-  case StreetPlace::Deck:
-    addDeck(random, builder, profile);
-    break;
-  case StreetPlace::Garage:
-    addGarage(random, builder, profile);
-    break;
-  case StreetPlace::Tunnel:
-    addTunnel(random, builder, profile);
-    break;
-  case StreetPlace::Corridor:
-    addCorridor(random, builder, profile);
-    break;
-  case StreetPlace::Hall:
-    addHall(random, builder, profile);
-    break;
-  }
+  using Fill = void (*)(Random&, StreetBuilder&, const StreetProfile&);
+  static const std::map<StreetPlace, Fill> fills{{StreetPlace::Bumps, addWalls},
+                                                 {StreetPlace::Bridge, addBridge},
+                                                 {StreetPlace::Canopy, addCanopy},
+                                                 {StreetPlace::Country, addCountry},
+                                                 {StreetPlace::Deck, addDeck},
+                                                 {StreetPlace::Garage, addGarage},
+                                                 {StreetPlace::Tunnel, addTunnel},
+                                                 {StreetPlace::Corridor, addCorridor},
+                                                 {StreetPlace::Hall, addHall}};
+  if (const auto fill = fills.find(place); fill != fills.end())
+    fill->second(random, builder, profile);
 }
 
 } // namespace pcl::scene

@@ -190,7 +190,7 @@ public:
   void remove();
 
 private:
-  class State;
+  struct State;
   std::unique_ptr<State> state_;
 };
 

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// A directory that one run at a time has to itself, and the names of its files.
+
+#include "tiling/own_directory.h"
+
+#include <pcl/tiling/point_source.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <regex>
+#include <unistd.h>
+#include <vector>
+
+#include <sys/file.h>
+#include <sys/stat.h>
+
+namespace fs = std::filesystem;
+
+namespace pcl::tiling {
+namespace {
+
+const std::string manifest_name = "manifest.jsonl", lock_name = "lock";
+
+int
+openLock(const std::string& path)
+{
+  constexpr mode_t by_umask = 0666;
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, by_umask);
+  if (descriptor < 0)
+    throw TilingError(path + ": cannot be written: " + std::strerror(errno));
+  return descriptor;
+}
+
+/** A run that ended after the file was opened has removed it: then the lock is one of a
+ * file that nobody else finds. */
+bool
+isStillAt(const std::string& path, int descriptor)
+{
+  struct stat locked {
+  }, there{};
+  return ::fstat(descriptor, &locked) == 0 && ::stat(path.c_str(), &there) == 0 &&
+         locked.st_ino == there.st_ino && locked.st_dev == there.st_dev;
+}
+
+std::vector<fs::path>
+entriesOf(const std::string& directory)
+{
+  std::error_code error;
+  std::vector<fs::path> entries;
+  for (fs::directory_iterator entry(directory, error), end; !error && entry != end;
+       entry.increment(error))
+    entries.push_back(entry->path());
+  if (error)
+    throw TilingError(directory + ": cannot be read: " + error.message());
+  return entries;
+}
+
+bool
+isThere(const std::string& path)
+{
+  std::error_code error;
+  return fs::exists(fs::symlink_status(path, error));
+}
+
+/** A directory with other files is that of somebody else: nothing there may be removed.
+ */
+void
+requireOwn(const std::string& directory)
+{
+  const std::vector<fs::path> entries = entriesOf(directory);
+  if (!isThere(manifestPath(directory)) &&
+      std::any_of(entries.begin(), entries.end(), [](const fs::path& entry) {
+        return entry.filename() != lock_name;
+      }))
+    throw TilingError(directory +
+                      ": holds other files; expected a new or empty directory");
+}
+
+void
+removeFile(const fs::path& path)
+{
+  std::error_code error;
+  fs::remove(path, error);
+  if (error)
+    throw TilingError(path.string() + ": cannot be removed: " + error.message());
+}
+
+enum class FileOfTile { none, complete, unfinished };
+
+/** By its name: 000012.bin, or 000012.bin.345.tmp while process 345 writes it. */
+FileOfTile
+kindOf(const fs::path& path)
+{
+  static const std::regex names("[0-9]{6,}\\.bin(\\.[0-9]+\\.tmp)?");
+  std::smatch parts;
+  const std::string name = path.filename().string();
+  if (!std::regex_match(name, parts, names))
+    return FileOfTile::none;
+  return parts[1].matched ? FileOfTile::unfinished : FileOfTile::complete;
+}
+
+void
+removeUnfinished(const std::string& directory)
+{
+  for (const fs::path& entry : entriesOf(directory)) {
+    std::error_code error;
+    if (!fs::is_directory(fs::symlink_status(entry, error)))
+      continue;
+    for (const fs::path& file : entriesOf(entry.string()))
+      if (kindOf(file) == FileOfTile::unfinished)
+        removeFile(file);
+  }
+}
+
+} // namespace
+
+std::string
+filePath(const std::string& directory, const std::string& name, std::size_t number)
+{
+  char file[32];
+  std::snprintf(file, sizeof file, "/%06zu.bin", number);
+  return directory + '/' + name + file;
+}
+
+std::string
+manifestPath(const std::string& directory)
+{
+  return directory + '/' + manifest_name;
+}
+
+void
+makeDirectory(const std::string& path)
+{
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error)
+    throw TilingError(path + ": cannot be made: " + error.message());
+}
+
+Lock::Lock(const std::string& path)
+{
+  const std::string directory = fs::path(path).parent_path().string();
+  // The processes of a run that was killed a moment ago may take that long to end.
+  constexpr int attempts = 20;
+  constexpr useconds_t pause = 100000; // microseconds
+  for (int attempt = 0;; ++attempt) {
+    descriptor_ = openLock(path);
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) {
+      if (isStillAt(path, descriptor_))
+        return;
+    }
+    else if (errno != EWOULDBLOCK) {
+      const int error = errno;
+      ::close(descriptor_);
+      throw TilingError(directory + ": cannot be locked: " + std::strerror(error));
+    }
+    ::close(descriptor_);
+    if (attempt == attempts)
+      throw TilingError(directory + ": another run is using it; expected to be alone");
+    ::usleep(pause);
+  }
+}
+
+Lock::~Lock() { ::close(descriptor_); }
+
+OwnDirectory::OwnDirectory(const std::string& path) : path_(path)
+{
+  makeDirectory(path);
+  requireOwn(path);
+  lock_.emplace(path + '/' + lock_name);
+  removeUnfinished(path);
+}
+
+void
+OwnDirectory::removeFilesOf(const std::string& name) const
+{
+  const std::string directory = path_ + '/' + name;
+  if (!isThere(directory))
+    return;
+  for (const fs::path& file : entriesOf(directory))
+    if (kindOf(file) != FileOfTile::none)
+      removeFile(file);
+  removeFile(directory);
+}
+
+void
+OwnDirectory::remove()
+{
+  removeFile(manifestPath(path_));
+  removeFile(path_ + '/' + lock_name);
+  lock_.reset(); // NFS keeps a removed file in its directory until it is closed
+  removeFile(path_);
+}
+
+} // namespace pcl::tiling
