@@ -114,7 +114,7 @@ def parts_picture(apps, data, path):
         clouds = {noise: part_clouds(apps, pathlib.Path(directory), data, noise) for noise in NOISES}
         columns = len(clouds["15"])
         figure, grid = plt.subplots(len(rows), columns, figsize=(2.6 * columns, 2.5 * len(rows)), squeeze=False)
-        figure.subplots_adjust(0, 0, 1, 0.94, 0.02, 0.14)
+        figure.subplots_adjust(0, 0, 1, 0.91, 0.02, 0.14)
         for line, (noise, task) in zip(grid, rows):
             for axes, (name, cloud) in zip(line, clouds[noise].items()):
                 truth = fields_of(cloud)
