@@ -25,9 +25,8 @@ using Nodes = std::vector<SurfaceNode>;
 constexpr double min_share = 0.25;
 constexpr double min_on_top = 0.2; // of what is around
 constexpr double max_behind = 0.2; // of what is around: noise, and the plane's own rim
-// Of what stands on it: a box has at least as much of its own sides around its lid as
-// of a box that stands there.
-constexpr double max_rim = 0.5;
+// Of its own area: the rim of a table; the sides of a box are larger.
+constexpr double max_sides = 0.25;
 constexpr float same_level = 0.94f; // cosine of 20 degrees
 constexpr float max_bend = 8.0f;    // of a plane at the corners of an image
 constexpr double patch_share = 0.8; // of a face's points, as some are at its borders
@@ -36,23 +35,29 @@ struct Largest {
   double area = 0.0, points = 0.0;
 };
 
+bool
+hasThingsOnTop(const Surroundings& around)
+{
+  return around.on_top >= min_on_top * (around.before + around.behind);
+}
+
 /** Things lie before it, and nothing goes on behind it but its rim. */
 bool
 hasNothingBehind(const SupportPart& part, const Surroundings& around)
 {
   const double near = around.before + around.behind;
-  if (near > 0.0)
-    return around.behind <= std::max(max_behind * near, max_rim * around.on_top);
-  return part.area > around.others;
+  if (!(near > 0.0))
+    return part.area > around.others;
+  return around.behind <= max_behind * near ||
+         (hasThingsOnTop(around) && around.sides <= max_sides * part.area);
 }
 
-/** Of planes that are not wide, only those with things on them do. */
+/** Of parts that are not wide, only those with things on top do. */
 bool
 carries(const SupportPart& part, const Largest& largest, const Surroundings& around)
 {
   return hasNothingBehind(part, around) &&
-         (part.area >= min_share * largest.area ||
-          around.on_top >= min_on_top * (around.before + around.behind));
+         (part.area >= min_share * largest.area || hasThingsOnTop(around));
 }
 
 /** The same level as a support, or a lower one: what stands on it is above it. */
