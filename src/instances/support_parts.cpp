@@ -25,7 +25,8 @@ using Nodes = std::vector<SurfaceNode>;
 constexpr std::size_t max_parts = 12; // more are walls of something else
 constexpr double least_share = 0.02;  // of the largest: what stands there is larger
 constexpr std::size_t min_nodes = 50; // some 10 x 10 spacings
-constexpr std::size_t max_fitted = 2000;
+constexpr std::size_t max_fitted = 2000, max_looked_at = 500;
+constexpr float max_gap = 0.25f; // of a part's width: that of a large object on it
 constexpr double area_per_point = 0.26; // 12 of 13 points are within one spacing
 // A ripple turns normals by 22 degrees in the median: normals say little of one point.
 constexpr float min_cosine = 0.7f;
@@ -144,6 +145,28 @@ fitTo(const Nodes& on, float min_offset, SupportPlane& support)
       sigmas * sigma_of_median * median(std::move(offsets)), min_offset, max_offset);
 }
 
+/** A part, and what else is on its plane near it: behind a gap that an object makes. */
+Nodes
+withNear(const Nodes& part, const Nodes& on, float reach)
+{
+  const std::size_t step = (part.size() + max_looked_at - 1) / max_looked_at;
+  const auto is_near = [&](const SurfaceNode& node) {
+    for (std::size_t k = 0; k < part.size(); k += step)
+      if ((part[k].position - node.position).squaredNorm() < reach * reach)
+        return true;
+    return false;
+  };
+  Nodes result;
+  auto next = part.begin();
+  for (const SurfaceNode& node : on) {
+    const bool is_in = next != part.end() && next->point == node.point;
+    next += is_in ? 1 : 0;
+    if (is_in || is_near(node))
+      result.push_back(node);
+  }
+  return result;
+}
+
 /** The largest part of the plane that most points are on. */
 std::optional<SupportPart>
 nextPart(const Nodes& nodes, float min_offset, float unit)
@@ -162,6 +185,8 @@ nextPart(const Nodes& nodes, float min_offset, float unit)
   on = nodesOn(on, *support);
   if (on.size() < min_nodes)
     return std::nullopt;
+  const auto width = static_cast<float>(std::sqrt(areaOf(on, unit)));
+  on = withNear(on, nodesOn(nodes, *support), max_gap * width);
   const double area = areaOf(on, unit), points = pointsOf(on, unit);
   return SupportPart{*support, std::move(on), area, points};
 }

@@ -36,28 +36,40 @@ struct Largest {
 };
 
 bool
+isWide(const SupportPart& part, const Largest& largest)
+{
+  return part.area >= min_share * largest.area;
+}
+
+/** In space, or in the sight of the camera. */
+bool
+isLarge(const SupportPart& part, const Largest& largest)
+{
+  return isWide(part, largest) || part.points >= min_share * largest.points;
+}
+
+bool
 hasThingsOnTop(const Surroundings& around)
 {
   return around.on_top >= min_on_top * (around.before + around.behind);
 }
 
-/** Things lie before it, and nothing goes on behind it but its rim. */
 bool
-hasNothingBehind(const SupportPart& part, const Surroundings& around)
+hasNothingBehind(const Surroundings& around)
 {
-  const double near = around.before + around.behind;
-  if (!(near > 0.0))
-    return part.area > around.others;
-  return around.behind <= max_behind * near ||
-         (hasThingsOnTop(around) && around.sides <= max_sides * part.area);
+  return around.behind <= max_behind * (around.before + around.behind);
 }
 
-/** Of parts that are not wide, only those with things on top do. */
+/** Things lie before it and nothing behind, or things stand on it and it has a rim. */
 bool
 carries(const SupportPart& part, const Largest& largest, const Surroundings& around)
 {
-  return hasNothingBehind(part, around) &&
-         (part.area >= min_share * largest.area || hasThingsOnTop(around));
+  if (!(around.before + around.behind > 0.0))
+    return part.area > around.others;
+  const bool has_rim = around.sides <= max_sides * part.area;
+  if (hasThingsOnTop(around))
+    return hasNothingBehind(around) || has_rim;
+  return hasNothingBehind(around) && isWide(part, largest);
 }
 
 /** The same level as a support, or a lower one: what stands on it is above it. */
@@ -70,14 +82,6 @@ isBelow(const SupportPart& part, const std::vector<Support>& supports)
     return plane.normal.dot(support.plane.normal) > same_level &&
            support.plane.normal.dot(above) > 0.0f && plane.normal.dot(above) > 0.0f;
   });
-}
-
-/** In space, or in the sight of the camera. */
-bool
-isLarge(const SupportPart& part, const Largest& largest)
-{
-  return part.area >= min_share * largest.area ||
-         part.points >= min_share * largest.points;
 }
 
 /** The points near a support's nodes that are on its plane. */
@@ -142,7 +146,7 @@ supportPlanes(const InstanceInput& input,
   });
   addThose([&](const SupportPart& part) {
     return isBelow(part, supports) &&
-           hasNothingBehind(part, surroundingsOf(part, nodes, unit));
+           hasNothingBehind(surroundingsOf(part, nodes, unit));
   });
   return supports;
 }
