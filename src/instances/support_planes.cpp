@@ -72,7 +72,15 @@ carries(const SupportPart& part, const Largest& largest, const Surroundings& aro
   return hasNothingBehind(around) && isWide(part, largest);
 }
 
-/** The same level as a support, or a lower one: what stands on it is above it. */
+/** Things lie before it and nothing behind. Around the lid of a box that is seen from
+ * above there is nothing at all. */
+bool
+isFoot(const Surroundings& around)
+{
+  return around.before > 0.0 && hasNothingBehind(around);
+}
+
+/** Behind a support, and parallel to it: what stands on it is above it. */
 bool
 isBelow(const SupportPart& part, const std::vector<Support>& supports)
 {
@@ -145,8 +153,7 @@ supportPlanes(const InstanceInput& input,
            carries(part, largest, surroundingsOf(part, nodes, unit));
   });
   addThose([&](const SupportPart& part) {
-    return isBelow(part, supports) &&
-           hasNothingBehind(surroundingsOf(part, nodes, unit));
+    return isBelow(part, supports) && isFoot(surroundingsOf(part, nodes, unit));
   });
   return supports;
 }
