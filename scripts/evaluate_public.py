@@ -144,7 +144,7 @@ def kinect_table(apps, folder):
     for name, of_scenes in scores.items():
         means, sums = numpy.mean(of_scenes, 0), numpy.sum(of_scenes, 0)
         print(f"| {len(of_scenes)} {name} | " + " | ".join(f"{s:.3f}" for s in means[:3]) +
-              f" | {int(sums[3])} of {int(sums[4])} | {numpy.max(of_scenes, 0)[5]:.4f} |")
+              f" | {int(sums[3])} of {int(sums[4])} | {numpy.max(of_scenes, 0)[5]:.3f} |")
     print()
 
 
@@ -155,7 +155,8 @@ def main():
     kinect = clones / "data/segmentation/mOSD"
     if not kinect.is_dir() and not any((clones / name).is_dir() for name in IMAGES):
         sys.exit(f"{clones}: it must have clones named {', '.join(IMAGES)} or data")
-    image_table(apps, clones)
+    if any((clones / name).is_dir() for name in IMAGES):
+        image_table(apps, clones)
     if kinect.is_dir():
         kinect_table(apps, kinect)
 

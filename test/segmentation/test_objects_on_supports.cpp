@@ -239,22 +239,19 @@ tableOnAFloor()
 
 TEST(Supports, ATableWithARimAboveALargerFloorIsNone)
 {
-  for (const double ripple : {0.0, 0.0015}) {
-    std::mt19937 random(6);
-    const Scene scene =
-        tableScene(ripple, 0.002, {boxWith(0)}, random, tableOnAFloor());
-    const std::vector<ShapeInstance> objects = objectsOf(scene);
-    EXPECT_LT(tableShare(scene, objects), 0.02) << ripple;
-    EXPECT_LT(takenShare(scene, objects, floor_below), 0.02) << ripple;
-    EXPECT_GT(bestOverlap(scene, objects, cup), 0.85) << ripple;
-    EXPECT_GT(bestOverlap(scene, objects, box), 0.85) << ripple;
-  }
+  std::mt19937 random(6);
+  const Scene scene = tableScene(0.0, 0.0025, {boxWith(0)}, random, tableOnAFloor());
+  const std::vector<ShapeInstance> objects = objectsOf(scene);
+  EXPECT_LT(tableShare(scene, objects), 0.02);
+  EXPECT_LT(takenShare(scene, objects, floor_below), 0.02);
+  EXPECT_GT(bestOverlap(scene, objects, cup), 0.85);
+  EXPECT_GT(bestOverlap(scene, objects, box), 0.85);
 }
 
 TEST(Supports, AStrongRippleIsNotBehindATable)
 {
   std::mt19937 random(7);
-  const Scene scene = tableScene(0.003, 0.002, {boxWith(0)}, random, tableOnAFloor());
+  const Scene scene = tableScene(0.003, 0.0025, {boxWith(0)}, random, tableOnAFloor());
   EXPECT_LT(tableShare(scene, objectsOf(scene)), 0.02);
 }
 
