@@ -31,14 +31,15 @@ def fields_of(path):
     return {name: numpy.frombuffer(data, "<" + CODES[kinds[name]]) for name, data in columns.items()}
 
 
-def write_pcd(path, fields):
-    """Unorganized, binary: floats, and unsigned labels."""
+def write_pcd(path, fields, shape=None):
+    """Binary: floats, and unsigned labels. Unorganized without rows and columns."""
     kinds = {name: "F" if values.dtype.kind == "f" else "U" for name, values in fields.items()}
     rows = numpy.rec.fromarrays([values.astype("<f4" if kinds[name] == "F" else "<u4")
                                  for name, values in fields.items()])
     size = len(rows)
+    height, width = shape or (1, size)
     header = "\n".join(["VERSION 0.7", "FIELDS " + " ".join(fields), "SIZE" + " 4" * len(fields),
-                        "TYPE " + " ".join(kinds.values()), "COUNT" + " 1" * len(fields), f"WIDTH {size}", "HEIGHT 1",
+                        "TYPE " + " ".join(kinds.values()), "COUNT" + " 1" * len(fields), f"WIDTH {width}", f"HEIGHT {height}",
                         "VIEWPOINT 0 0 0 1 0 0 0", f"POINTS {size}", "DATA binary\n"])
     path.write_bytes(header.encode() + rows.tobytes())
 

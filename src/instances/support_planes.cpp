@@ -6,14 +6,12 @@
 
 #include "common/parallel.h"
 #include "common/quiet.h"
-#include "geometry/principal_axes.h"
-#include "instances/primitives.h"
 #include "instances/smooth_pieces.h"
+#include "instances/support_surroundings.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 
 namespace pcl::segmentation {
 namespace {
@@ -22,146 +20,93 @@ using detail::InstanceInput;
 using Eigen::Vector3f;
 using Nodes = std::vector<SurfaceNode>;
 
-constexpr int max_planes = 8;           // more are walls of something else
-constexpr double min_area_share = 0.25; // of the largest one's: supports are large
-constexpr std::size_t min_nodes = 50;   // some 10 x 10 spacings
-constexpr std::size_t max_fitted = 2000;
-// The ripple of a depth camera is 1 to 3 mm, a spacing or two, and turns normals by 22
-// degrees in the median: normals say little of one point.
-constexpr float max_offset = 2.0f, min_cosine = 0.7f;
-constexpr float sigmas = 3.0f, sigma_of_median = 1.4826f; // of normal errors
-constexpr int refits = 3;
-// Around the border of a plane, beyond the band of an edge.
-constexpr float around_spacings = 6.0f;
+// Of the largest part, by area or, as a near table is small before a far floor, by its
+// points: supports are large.
+constexpr double min_share = 0.25;
+constexpr double min_on_top = 0.2; // of what is around
+constexpr double max_behind = 0.2; // of what is around: noise, and the plane's own rim
+// Of its own area: the rim of a table; the sides of a box are larger.
+constexpr double max_sides = 0.25;
+constexpr float same_level = 0.94f; // cosine of 20 degrees
 constexpr float max_bend = 8.0f;    // of a plane at the corners of an image
 constexpr double patch_share = 0.8; // of a face's points, as some are at its borders
-constexpr double max_behind = 0.2;  // of what is around: noise, and the plane's own rim
 
-struct SupportPlane {
-  Plane<float> plane;  ///< the normal is towards the viewpoint
-  float offset = 0.0f; ///< how far its points are off, at most, in spacings
+struct Largest {
+  double area = 0.0, points = 0.0;
 };
 
-/** Signed, in spacings of the node. */
-float
-heightOf(const SurfaceNode& node, const Plane<float>& plane)
+bool
+isWide(const SupportPart& part, const Largest& largest)
 {
-  return plane.normal.dot(node.position - plane.center) / node.spacing;
+  return part.area >= min_share * largest.area;
+}
+
+/** In space, or in the sight of the camera. */
+bool
+isLarge(const SupportPart& part, const Largest& largest)
+{
+  return isWide(part, largest) || part.points >= min_share * largest.points;
 }
 
 bool
-isOn(const SurfaceNode& node, const SupportPlane& support)
+hasThingsOnTop(const Surroundings& around)
 {
-  return std::abs(heightOf(node, support.plane)) < support.offset &&
-         std::abs(node.normal.dot(support.plane.normal)) > min_cosine;
+  return around.on_top >= min_on_top * (around.before + around.behind);
 }
 
-Nodes
-nodesOn(const Nodes& nodes, const SupportPlane& support)
+bool
+hasNothingBehind(const Surroundings& around)
 {
-  Nodes on;
-  std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(on), [&](const auto& n) {
-    return isOn(n, support);
+  return around.behind <= max_behind * (around.before + around.behind);
+}
+
+/** Things lie before it and nothing behind, or things stand on it and it has a rim. */
+bool
+carries(const SupportPart& part, const Largest& largest, const Surroundings& around)
+{
+  if (!(around.before + around.behind > 0.0))
+    return part.area > around.others;
+  const bool has_rim = around.sides <= max_sides * part.area;
+  if (hasThingsOnTop(around))
+    return hasNothingBehind(around) || has_rim;
+  return hasNothingBehind(around) && isWide(part, largest);
+}
+
+/** Things lie before it and nothing behind. Around the lid of a box that is seen from
+ * above there is nothing at all. */
+bool
+isFoot(const Surroundings& around)
+{
+  return around.before > 0.0 && hasNothingBehind(around);
+}
+
+/** Behind a support, and parallel to it: what stands on it is above it. */
+bool
+isBelow(const SupportPart& part, const std::vector<Support>& supports)
+{
+  return std::any_of(supports.begin(), supports.end(), [&](const Support& support) {
+    const Plane<float>& plane = part.support.plane;
+    const Vector3f above = support.plane.center - plane.center;
+    return plane.normal.dot(support.plane.normal) > same_level &&
+           support.plane.normal.dot(above) > 0.0f && plane.normal.dot(above) > 0.0f;
   });
-  return on;
-}
-
-double
-areaOf(const Nodes& nodes)
-{
-  double area = 0.0;
-  for (const SurfaceNode& node : nodes)
-    area += static_cast<double>(node.spacing) * node.spacing;
-  return area;
-}
-
-/** The plane that most nodes are on; the normal is that of most of them. */
-std::optional<SupportPlane>
-largestPlane(const Nodes& nodes, float unit)
-{
-  PrimitiveSample sample;
-  const Vector3f origin = nodes.front().position;
-  const std::size_t step = (nodes.size() + max_fitted - 1) / max_fitted;
-  for (std::size_t k = 0; k < nodes.size(); k += step)
-    sample.add((nodes[k].position - origin) / unit, nodes[k].normal);
-  sample.tolerance = sample.first_tolerance = max_offset;
-  const ShapePrimitive fitted = fitTo(sample, PrimitiveType::Plane);
-  if (fitted.type == PrimitiveType::None)
-    return std::nullopt;
-  SupportPlane support;
-  support.offset = max_offset;
-  support.plane.normal = normalOf(fitted, Vector3f::Zero());
-  support.plane.center = origin + unit * footOn(fitted, Vector3f::Zero());
-  return support;
-}
-
-/** Fit the plane, and how far points are off, to the nodes on it. */
-bool
-refitTo(const Nodes& nodes, float min_offset, SupportPlane& support)
-{
-  for (int round = 0; round < refits; ++round) {
-    const Nodes on = nodesOn(nodes, support);
-    if (on.size() < min_nodes)
-      return false;
-    const Vector3f origin = on.front().position;
-    support.plane = fitPlane<float>([&](const auto& visit) {
-      for (const SurfaceNode& node : on)
-        visit(Vector3f(node.position - origin));
-    });
-    support.plane.center += origin;
-    Vector3f facing = Vector3f::Zero();
-    std::vector<float> offsets;
-    for (const SurfaceNode& node : on) {
-      facing += node.normal;
-      offsets.push_back(std::abs(heightOf(node, support.plane)));
-    }
-    if (facing.dot(support.plane.normal) < 0.0f)
-      support.plane.normal = -support.plane.normal;
-    support.offset = std::clamp(
-        sigmas * sigma_of_median * median(std::move(offsets)), min_offset, max_offset);
-  }
-  return true;
-}
-
-/** Things stand on a plane, or lie before it, and nothing behind goes on from it. */
-bool
-carries(const SupportPlane& support, const Nodes& nodes, const Nodes& on, float unit)
-{
-  const PointGrid grid(positionsOf(on), around_spacings * unit);
-  double before = 0.0, behind = 0.0, others = 0.0;
-  for (const SurfaceNode& node : nodes) {
-    if (isOn(node, support))
-      continue;
-    const double area = static_cast<double>(node.spacing) * node.spacing;
-    others += area;
-    const float height = heightOf(node, support.plane);
-    if (std::abs(height) < max_offset ||
-        !grid.anyWithin(node.position,
-                        around_spacings * node.spacing,
-                        [](std::uint32_t, const Vector3f&) { return true; }))
-      continue;
-    (height > 0.0f ? before : behind) += area;
-  }
-  return before + behind > 0.0 ? behind <= max_behind * (before + behind)
-                               : areaOf(on) > others;
 }
 
 /** The points near a support's nodes that are on its plane. */
 std::vector<std::uint32_t>
-pointsOn(const SupportPlane& support,
-         const Nodes& on,
+pointsOn(const SupportPart& part,
          const InstanceInput& input,
          float unit,
          std::vector<char>& is_free)
 {
-  const PointGrid grid(positionsOf(on), around_spacings * unit);
+  const PointGrid grid(positionsOf(part.nodes), around_spacings * unit);
   std::vector<char> is_on(is_free.size(), 0);
   kernels::parallelForEach(is_free.size(), input.threads, [&](std::size_t i) {
     if (!is_free[i])
       return;
     const Vector3f position = positionOf(input.points, i);
     const SurfaceNode node{position, normalOf(input, i), input.spacings[i]};
-    is_on[i] = isOn(node, support) &&
+    is_on[i] = isOn(node, part.support) &&
                grid.anyWithin(position,
                               around_spacings * node.spacing,
                               [](std::uint32_t, const Vector3f&) { return true; });
@@ -185,26 +130,31 @@ supportPlanes(const InstanceInput& input,
   const Nodes nodes = surfaceNodes(input, grid, members);
   const float unit = medianSpacing(input);
   const detail::Quiet quiet;
-  Nodes left = nodes;
-  double largest = 0.0;
+  std::vector<SupportPart> parts = supportParts(nodes, offsetLimit(input), unit);
+  Largest largest;
+  for (const SupportPart& part : parts) {
+    largest.area = std::max(largest.area, part.area);
+    largest.points = std::max(largest.points, part.points);
+  }
   std::vector<char> is_free = members;
   std::vector<Support> supports;
-  for (int k = 0; k < max_planes && left.size() >= min_nodes; ++k) {
-    std::optional<SupportPlane> support = largestPlane(left, unit);
-    if (!support || !refitTo(left, offsetLimit(input), *support))
-      break;
-    const Nodes on = nodesOn(left, *support);
-    largest = std::max(largest, areaOf(on));
-    if (areaOf(on) < min_area_share * largest)
-      break;
-    if (carries(*support, nodes, on, unit))
-      supports.push_back(
-          {support->plane, pointsOn(*support, on, input, unit, is_free)});
-    left.erase(std::remove_if(left.begin(),
-                              left.end(),
-                              [&](const auto& node) { return isOn(node, *support); }),
-               left.end());
-  }
+  const auto addThose = [&](const auto& may_be) {
+    for (SupportPart& part : parts) {
+      if (part.nodes.empty() || !may_be(part))
+        continue;
+      supports.push_back({part.support.plane,
+                          part.support.offset,
+                          pointsOn(part, input, unit, is_free)});
+      part.nodes.clear();
+    }
+  };
+  addThose([&](const SupportPart& part) {
+    return isLarge(part, largest) &&
+           carries(part, largest, surroundingsOf(part, nodes, unit));
+  });
+  addThose([&](const SupportPart& part) {
+    return isBelow(part, supports) && isFoot(surroundingsOf(part, nodes, unit));
+  });
   return supports;
 }
 
@@ -229,7 +179,7 @@ patchesOf(const std::vector<Support>& supports,
       const float height =
           support.plane.normal.dot(positionOf(input.points, i) - support.plane.center) /
           input.spacings[i];
-      if (height < max_offset && height > -max_bend)
+      if (height < std::max(max_ripple, support.offset) && height > -max_bend)
         ++low[static_cast<std::size_t>(faces[i])];
     }
     for (std::size_t f = 0; f < count; ++f)

@@ -16,6 +16,7 @@ namespace pcl::segmentation {
 /** \brief What things stand on. */
 struct Support {
   Plane<float> plane;                ///< the normal is towards the viewpoint
+  float offset = 0.0f;               ///< how far its points are off, in spacings
   std::vector<std::uint32_t> points; ///< on it, and on no other one
 };
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -23,7 +24,7 @@ using namespace pcl;
 using Eigen::Vector3d;
 
 constexpr double none = std::numeric_limits<double>::infinity();
-enum Label { table = 1, cup = 2, box = 3, second_box = 4 };
+enum Label { table = 1, cup = 2, box = 3, second_box = 4, floor_below = 11, rim = 12 };
 
 constexpr double radius = 0.045, wall = 0.004, height = 0.09; // of the cup
 
@@ -83,18 +84,42 @@ boxHit(const Box& of, const Vector3d& from, const Vector3d& ray)
   return closedHit(of, from, ray);
 }
 
+/** A table with an end, and what is seen beside it. */
+struct Slab {
+  Box body;
+  double floor; ///< height, negative
+};
+
+/** The nearer one of the table and the floor. */
+double
+slabHit(const Slab& of, const Vector3d& from, const Vector3d& ray)
+{
+  return std::min(closedHit(of.body, from, ray), (of.floor - from.z()) / ray.z());
+}
+
+int
+labelOn(const Slab& of, const Vector3d& point)
+{
+  constexpr double tolerance = 1e-6;
+  if (point.z() > of.body.high.z() - tolerance)
+    return table;
+  return point.z() < of.floor + tolerance ? floor_below : rim;
+}
+
 struct Scene {
   PointCloud<PointXYZ>::Ptr cloud = pcl::make_shared<PointCloud<PointXYZ>>();
   std::vector<int> labels;
 };
 
 /** A table with a cup and boxes on it, as a depth camera above sees them.
- * \param[in] ripple of the depth, meters, over 40 mm */
+ * \param[in] ripple of the depth, meters, over 40 mm
+ * \param[in] slab the table, if it ends in the view */
 Scene
 tableScene(double ripple,
            double spacing,
            const std::vector<Box>& boxes,
-           std::mt19937& random)
+           std::mt19937& random,
+           const std::optional<Slab>& slab = std::nullopt)
 {
   const Vector3d from(0.0, -0.45, 0.5);
   const Vector3d forward = (Vector3d(0.05, 0.0, 0.03) - from).normalized();
@@ -106,7 +131,7 @@ tableScene(double ripple,
   for (double u = -0.45; u < 0.45; u += step)
     for (double v = -0.35; v < 0.35; v += step) {
       const Vector3d ray = (forward + u * right + v * up).normalized();
-      std::vector<double> hits{-from.z() / ray.z(),
+      std::vector<double> hits{slab ? slabHit(*slab, from, ray) : -from.z() / ray.z(),
                                cylinderHit(from, ray, radius, false),
                                cylinderHit(from, ray, radius - wall, true)};
       for (const Box& of : boxes)
@@ -121,6 +146,7 @@ tableScene(double ripple,
         hits[2] = none;
       const auto nearest = std::min_element(hits.begin(), hits.end());
       const int which = static_cast<int>(nearest - hits.begin());
+      const int ground = slab ? labelOn(*slab, from + *nearest * ray) : table;
       Vector3d point = from + (*nearest + noise(random)) * ray;
       const bool in_cup = which == 0 && point.head<2>().norm() < radius;
       const double wave = std::sin(point.x() * 2.0 * M_PI / 0.04) *
@@ -134,7 +160,7 @@ tableScene(double ripple,
                                       static_cast<float>(seen.z())));
       scene.labels.push_back(which >= 3            ? box + which - 3
                              : which > 0 || in_cup ? cup
-                                                   : table);
+                                                   : ground);
     }
   return scene;
 }
@@ -157,16 +183,23 @@ bestOverlap(const Scene& scene, const std::vector<ShapeInstance>& instances, int
   return best;
 }
 
+/** Of the points with a label, those in an instance. */
 double
-tableShare(const Scene& scene, const std::vector<ShapeInstance>& instances)
+takenShare(const Scene& scene, const std::vector<ShapeInstance>& instances, int label)
 {
   std::size_t taken = 0;
   for (const ShapeInstance& instance : instances)
     for (const index_t i : instance.indices)
-      taken += scene.labels[static_cast<std::size_t>(i)] == table ? 1 : 0;
+      taken += scene.labels[static_cast<std::size_t>(i)] == label ? 1 : 0;
   return static_cast<double>(taken) /
          static_cast<double>(
-             std::count(scene.labels.begin(), scene.labels.end(), table));
+             std::count(scene.labels.begin(), scene.labels.end(), label));
+}
+
+double
+tableShare(const Scene& scene, const std::vector<ShapeInstance>& instances)
+{
+  return takenShare(scene, instances, table);
 }
 
 std::vector<ShapeInstance>
@@ -195,6 +228,43 @@ TEST_P(ObjectsOnSupports, TheTableIsNoneAndTheCupIsOne)
   EXPECT_LT(tableShare(scene, objects), 0.02);
   EXPECT_GT(bestOverlap(scene, objects, cup), 0.85);
   EXPECT_GT(bestOverlap(scene, objects, box), 0.85);
+}
+
+/** A table above a floor that is far larger; its rim is seen. */
+Slab
+tableOnAFloor()
+{
+  return {{{-0.22, -0.2, -0.03}, {0.26, 0.25, 0.0}}, -0.7};
+}
+
+TEST(Supports, ATableWithARimAboveALargerFloorIsNone)
+{
+  std::mt19937 random(6);
+  const Scene scene = tableScene(0.0, 0.0025, {boxWith(0)}, random, tableOnAFloor());
+  const std::vector<ShapeInstance> objects = objectsOf(scene);
+  EXPECT_LT(tableShare(scene, objects), 0.02);
+  EXPECT_LT(takenShare(scene, objects, floor_below), 0.02);
+  EXPECT_GT(bestOverlap(scene, objects, cup), 0.85);
+  EXPECT_GT(bestOverlap(scene, objects, box), 0.85);
+}
+
+TEST(Supports, AStrongRippleIsNotBehindATable)
+{
+  std::mt19937 random(7);
+  const Scene scene = tableScene(0.003, 0.0025, {boxWith(0)}, random, tableOnAFloor());
+  EXPECT_LT(tableShare(scene, objectsOf(scene)), 0.02);
+}
+
+TEST(Supports, ABoxThatCarriesABoxIsAnObject)
+{
+  std::mt19937 random(8);
+  const Box lower{{0.08, -0.12, 0.0}, {0.24, 0.06, 0.08}};
+  const Box upper{{0.11, -0.05, 0.08}, {0.18, 0.02, 0.14}};
+  const Scene scene = tableScene(0.0, 0.0015, {lower, upper}, random, tableOnAFloor());
+  const std::vector<ShapeInstance> objects = objectsOf(scene);
+  EXPECT_LT(tableShare(scene, objects), 0.02);
+  EXPECT_GT(bestOverlap(scene, objects, box), 0.85);
+  EXPECT_GT(bestOverlap(scene, objects, second_box), 0.85);
 }
 
 TEST(OpenBoxes, AreOneWithTheirInside)

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// The flat parts of a cloud that may be supports.
+
+#include "instances/support_parts.h"
+
+#include "common/disjoint_sets.h"
+#include "common/statistics.h"
+#include "geometry/point_grid.h"
+#include "instances/primitives.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+namespace pcl::segmentation {
+namespace {
+
+using Eigen::Vector3f;
+using Nodes = std::vector<SurfaceNode>;
+
+constexpr std::size_t max_parts = 12; // more are walls of something else
+constexpr double least_share = 0.02;  // of the largest: what stands there is larger
+constexpr std::size_t min_nodes = 50; // some 10 x 10 spacings
+constexpr std::size_t max_fitted = 2000, max_looked_at = 500;
+constexpr float max_gap = 0.25f; // of a part's width: that of a large object on it
+constexpr double area_per_point = 0.26; // 12 of 13 points are within one spacing
+// A ripple turns normals by 22 degrees in the median: normals say little of one point.
+constexpr float min_cosine = 0.7f;
+// A stereo camera makes a table twice as wavy as others do.
+constexpr float max_offset = 2.0f * max_ripple;
+constexpr float sigmas = 3.0f, sigma_of_median = 1.4826f; // of normal errors
+constexpr int fits = 2; // to what is on the plane, and to what is on that of these
+
+double
+areaOfPoint(const SurfaceNode& node)
+{
+  return area_per_point * node.spacing * node.spacing;
+}
+
+double
+areaOf(const Nodes& nodes, float unit)
+{
+  double area = 0.0;
+  for (const SurfaceNode& node : nodes)
+    area += areaOf(node, unit);
+  return area;
+}
+
+double
+pointsOf(const SurfaceNode& node, float unit)
+{
+  return areaOf(node, unit) / areaOfPoint(node);
+}
+
+double
+pointsOf(const Nodes& nodes, float unit)
+{
+  double points = 0.0;
+  for (const SurfaceNode& node : nodes)
+    points += pointsOf(node, unit);
+  return points;
+}
+
+Nodes
+nodesOn(const Nodes& nodes, const SupportPlane& support)
+{
+  Nodes on;
+  std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(on), [&](const auto& n) {
+    return isOn(n, support);
+  });
+  return on;
+}
+
+/** Of some nodes the most that are connected, weighed by their points. */
+Nodes
+largestPart(const Nodes& nodes, float unit)
+{
+  const PointGrid grid(positionsOf(nodes), linkReach() * unit);
+  DisjointSets sets(nodes.size());
+  for (std::uint32_t k = 0; k < nodes.size(); ++k)
+    grid.forEachWithin(nodes[k].position,
+                       linkReach() * nodes[k].spacing,
+                       [&](std::uint32_t other, float) { sets.unite(k, other); });
+  std::vector<double> points(nodes.size(), 0.0); // of the parts, at their first nodes
+  for (std::uint32_t k = 0; k < nodes.size(); ++k)
+    points[sets.find(k)] += pointsOf(nodes[k], unit);
+  const auto largest = static_cast<std::uint32_t>(
+      std::max_element(points.begin(), points.end()) - points.begin());
+  Nodes part;
+  for (std::uint32_t k = 0; k < nodes.size(); ++k)
+    if (sets.find(k) == largest)
+      part.push_back(nodes[k]);
+  return part;
+}
+
+/** The plane that most points are on; the normal is that of most of its nodes. */
+std::optional<SupportPlane>
+largestPlane(const Nodes& nodes, float unit)
+{
+  PrimitiveSample sample;
+  const Vector3f origin = nodes.front().position;
+  const double step = pointsOf(nodes, unit) / max_fitted;
+  double points = 0.0;
+  for (const SurfaceNode& node : nodes) {
+    points += pointsOf(node, unit);
+    if (points < step)
+      continue;
+    sample.add((node.position - origin) / unit, node.normal);
+    points = std::fmod(points, step);
+  }
+  sample.tolerance = sample.first_tolerance = max_ripple;
+  const ShapePrimitive fitted = fitTo(sample, PrimitiveType::Plane);
+  if (fitted.type == PrimitiveType::None)
+    return std::nullopt;
+  SupportPlane support;
+  support.offset = max_ripple;
+  support.plane.normal = normalOf(fitted, Vector3f::Zero());
+  support.plane.center = origin + unit * footOn(fitted, Vector3f::Zero());
+  return support;
+}
+
+/** Fit the plane, and how far points are off, to the nodes on it. */
+void
+fitTo(const Nodes& on, float min_offset, SupportPlane& support)
+{
+  const Vector3f origin = on.front().position;
+  support.plane = fitPlane<float>([&](const auto& visit) {
+    for (const SurfaceNode& node : on)
+      visit(Vector3f(node.position - origin));
+  });
+  support.plane.center += origin;
+  Vector3f facing = Vector3f::Zero();
+  std::vector<float> offsets;
+  for (const SurfaceNode& node : on) {
+    facing += node.normal;
+    offsets.push_back(std::abs(heightOf(node, support.plane)));
+  }
+  if (facing.dot(support.plane.normal) < 0.0f)
+    support.plane.normal = -support.plane.normal;
+  support.offset = std::clamp(
+      sigmas * sigma_of_median * median(std::move(offsets)), min_offset, max_offset);
+}
+
+/** A part, and what else is on its plane near it: behind a gap that an object makes. */
+Nodes
+withNear(const Nodes& part, const Nodes& on, float reach)
+{
+  const std::size_t step = (part.size() + max_looked_at - 1) / max_looked_at;
+  const auto is_near = [&](const SurfaceNode& node) {
+    for (std::size_t k = 0; k < part.size(); k += step)
+      if ((part[k].position - node.position).squaredNorm() < reach * reach)
+        return true;
+    return false;
+  };
+  Nodes result;
+  auto next = part.begin();
+  for (const SurfaceNode& node : on) {
+    const bool is_in = next != part.end() && next->point == node.point;
+    next += is_in ? 1 : 0;
+    if (is_in || is_near(node))
+      result.push_back(node);
+  }
+  return result;
+}
+
+/** The largest part of the plane that most points are on. */
+std::optional<SupportPart>
+nextPart(const Nodes& nodes, float min_offset, float unit)
+{
+  std::optional<SupportPlane> support = largestPlane(nodes, unit);
+  if (!support)
+    return std::nullopt;
+  Nodes on;
+  for (int round = 0; round < fits; ++round) {
+    on = nodesOn(nodes, *support);
+    if (on.size() < min_nodes)
+      return std::nullopt;
+    on = largestPart(on, unit);
+    fitTo(on, min_offset, *support);
+  }
+  on = nodesOn(on, *support);
+  if (on.size() < min_nodes)
+    return std::nullopt;
+  const auto width = static_cast<float>(std::sqrt(areaOf(on, unit)));
+  on = withNear(on, nodesOn(nodes, *support), max_gap * width);
+  const double area = areaOf(on, unit), points = pointsOf(on, unit);
+  return SupportPart{*support, std::move(on), area, points};
+}
+
+/** The nodes that are not among some; both are in the same order. */
+Nodes
+without(const Nodes& some, const Nodes& nodes)
+{
+  Nodes others;
+  auto next = some.begin();
+  for (const SurfaceNode& node : nodes)
+    if (next != some.end() && next->point == node.point)
+      ++next;
+    else
+      others.push_back(node);
+  return others;
+}
+
+} // namespace
+
+float
+heightOf(const SurfaceNode& node, const Plane<float>& plane)
+{
+  return plane.normal.dot(node.position - plane.center) / node.spacing;
+}
+
+bool
+isOn(const SurfaceNode& node, const SupportPlane& support)
+{
+  return std::abs(heightOf(node, support.plane)) < support.offset &&
+         std::abs(node.normal.dot(support.plane.normal)) > min_cosine;
+}
+
+double
+areaOf(const SurfaceNode& node, float unit)
+{
+  const double cell = static_cast<double>(node_spacings) * unit;
+  return std::max(cell * cell, areaOfPoint(node));
+}
+
+std::vector<SupportPart>
+supportParts(const Nodes& nodes, float min_offset, float unit)
+{
+  Nodes left = nodes;
+  std::vector<SupportPart> parts;
+  double area = 0.0, points = 0.0; // the largest
+  while (parts.size() < max_parts && left.size() >= min_nodes) {
+    std::optional<SupportPart> part = nextPart(left, min_offset, unit);
+    if (!part)
+      break;
+    area = std::max(area, part->area);
+    points = std::max(points, part->points);
+    if (part->area < least_share * area && part->points < least_share * points)
+      break;
+    left = without(part->nodes, left);
+    parts.push_back(std::move(*part));
+  }
+  return parts;
+}
+
+} // namespace pcl::segmentation

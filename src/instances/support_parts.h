@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// The flat parts of a cloud that may be supports.
+
+#pragma once
+
+#include "geometry/principal_axes.h"
+#include "instances/smooth_pieces.h"
+
+#include <vector>
+
+namespace pcl::segmentation {
+
+constexpr float max_ripple = 2.0f; // of a depth camera, in spacings
+
+/** \brief A plane with ripple. */
+struct SupportPlane {
+  Plane<float> plane;  ///< the normal is towards the viewpoint
+  float offset = 0.0f; ///< how far its points are off, at most, in spacings
+};
+
+/** \brief Before the plane (above 0) or behind it, in spacings of the node. */
+float heightOf(const SurfaceNode& node, const Plane<float>& plane);
+
+bool isOn(const SurfaceNode& node, const SupportPlane& support);
+
+/** \brief How much surface a node stands for. \param[in] unit the median spacing */
+double areaOf(const SurfaceNode& node, float unit);
+
+/** \brief A part of a plane without gaps that are wider than an edge's band. */
+struct SupportPart {
+  SupportPlane support; ///< fitted to it
+  std::vector<SurfaceNode> nodes;
+  double area = 0.0;   ///< square meters
+  double points = 0.0; ///< how many the nodes stand for: its size in the image
+};
+
+/** \brief The flat parts one after another, each the largest of the plane that most of
+ * the remaining points are on.
+ * \param[in] min_offset of the planes \param[in] unit the median spacing, meters */
+std::vector<SupportPart>
+supportParts(const std::vector<SurfaceNode>& nodes, float min_offset, float unit);
+
+} // namespace pcl::segmentation
