@@ -5,7 +5,7 @@
 Usage: scripts/evaluate_public.py BUILD_DIR CLONES_DIR
 CLONES_DIR has clones of some of these public repositories, by their names; those that are missing are left out:
   pytorch_6dof-graspnet    github.com/jsll/pytorch_6dof-graspnet, demo/data/*.npy (a RealSense, with the points of an object)
-  PoseCNN-PyTorch          github.com/NVlabs/PoseCNN-PyTorch, data/demo/*-depth.png (an Xtion)
+  PoseCNN-PyTorch          github.com/NVlabs/PoseCNN-PyTorch, data/demo/*-depth.png
   UnseenObjectClustering   github.com/NVlabs/UnseenObjectClustering, data/demo/*-depth.png (a RealSense)
   graspnet-baseline        github.com/graspnet/graspnet-baseline, doc/example_data/depth.png
   data                     github.com/PointCloudLibrary/data, segmentation/mOSD (a Kinect, with labels of parts)
