@@ -13,7 +13,6 @@ namespace pcl::tiling {
 namespace {
 
 constexpr int least_exponent = -20;          // a micrometer
-constexpr std::size_t max_cells = 1 << 18;   // some 30 MB, as far as they are used
 constexpr std::uint64_t points_of_cell = 64; // enough to know how dense they are
 constexpr double neighbors = 12.0, pi = 3.14159265358979;
 
@@ -201,14 +200,17 @@ CellCounts::sorted() const
 CellCounts
 CellCounts::coarser() const
 {
-  CellCounts result;
+  CellCounts result(slots_.size());
   for (const auto& [key, count] : slots_)
     if (count > 0)
       result.add({half(key[0]), half(key[1]), half(key[2])}, count);
   return result;
 }
 
-DensityCells::DensityCells() : grid_{least_exponent} {}
+DensityCells::DensityCells(std::size_t max_cells)
+: max_cells_(max_cells)
+, grid_{least_exponent}
+{}
 
 void
 DensityCells::add(const float* point)
@@ -231,7 +233,7 @@ DensityCells::add(const CellGrid& grid, const std::vector<Cell>& cells)
 void
 DensityCells::bound()
 {
-  for (; counts_.size() > max_cells; ++grid_.exponent)
+  for (; counts_.size() > max_cells_; ++grid_.exponent)
     counts_ = counts_.coarser();
 }
 

@@ -563,7 +563,7 @@ private:
   survey()
   {
     compute(survey_name, sections(), [&](std::size_t section) {
-      Survey survey;
+      Survey survey = Survey::ofSection();
       readSection(section, [&](const Position& point) { survey.add(point, offset_); });
       return written(survey_name, section, survey.toBytes());
     });
