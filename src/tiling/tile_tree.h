@@ -48,8 +48,8 @@ public:
   /** \brief The cells, in the order of their keys. */
   std::vector<Cell> sorted() const;
 
-  /** \brief The counts of cells of twice the size. */
-  CellCounts coarser() const;
+  /** \brief The counts of larger cells. \param[in] doublings of their size */
+  CellCounts coarser(int doublings) const;
 
 private:
   void grow();
@@ -92,6 +92,7 @@ private:
   void bound();
 
   std::size_t max_cells_;
+  int doublings_ = 8; ///< at a time: from a micrometer to meters there are twenty
   CellGrid grid_;
   CellCounts counts_;
 };
