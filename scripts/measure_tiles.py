@@ -1,32 +1,43 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 # SPDX-FileCopyrightText: 2026 pcl_shape contributors
-"""The measured rows of doc/tiles.md: memory and cost, scaling, identity.
+"""The measured rows of doc/tiles.md: memory and cost, scaling, identity, faults.
 
-Usage: scripts/measure_tiles.py BUILD_DIR [-points N] [-files N] [-tile L]
-           [-options="-edges -types"] [-memory M] [-what memory,scaling,identity] [-mpi]
+Usage: scripts/measure_tiles.py BUILD_DIR [-what memory,scaling,identity,faults]
+           [-scene landscape|room|street|sheet] [-points N] [-files N] [-tile L]
+           [-options="-edges -types"] [-memory M] [-mpi] [-runs N] [-kills N] [-whole N]
 A generated landscape (benchmarks/landscape) of about N points is written into strips in a
-temporary directory, where there must be room for some 120 bytes a point. Tables in
-Markdown go to standard output. Times are of the processor, so that other programs on the
-machine count little.
+temporary directory, where there must be room for some 120 bytes a point; or another scene
+(scripts/tile_scenes.py, needs NumPy). Tables in Markdown go to standard output. Times are
+of the processor, so that other programs on the machine count little.
 
-memory    runs one process, and the same options on one strip in memory
+memory    runs one process, and the same options in memory: on one strip, or with
+          -whole N on a landscape of about N points
 scaling   runs one and two processes with the same tiles. What the first process does
           while there are two is serial; with this share, and the rest divided evenly, n
           processes are as much faster as the table says
 identity  five sizes of tiles, three orders of the files and 1, 2 and 4 processes, with
           -mpi ranks of Open MPI: each output is compared with that of the whole
-          cloud in memory, byte by byte. Some points are not finite, equal or far away
+          cloud in memory, byte by byte. Some points are not finite, equal or far away.
+          With -runs 15 only these: each pair of size, order and processes is among
+          them, with -runs 5 each of the values
+faults    runs two processes, or ranks, and kills one or all of them at a random time, -kills
+          times (30); each is run again, and must give the bytes of a run that was
+          not killed, without computing again what was complete
 """
 import argparse
+import collections
 import json
 import os
 import pathlib
+import random
 import shutil
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 
 STEPS = ("partition", "numbers", "fields", "join")
 CLOCK = os.sysconf("SC_CLK_TCK")
@@ -62,36 +73,59 @@ def run(*words):
     return usage
 
 
-class Landscape:
-    """Strips of a landscape, and runs on them."""
+class Scene:
+    """Files of a scene, and runs on them."""
 
     def __init__(self, arguments, directory):
         self.arguments, self.directory = arguments, pathlib.Path(directory)
         self.options = arguments.options.split()
-        run(f"{arguments.build}/benchmarks/landscape", self.directory / "in",
-            arguments.points, arguments.files)
-        self.files = sorted((self.directory / "in").iterdir())
+        inputs = self.directory / "in"
+        if arguments.scene == "landscape":
+            self.landscape(inputs, arguments.points, arguments.files)
+            self.edge = arguments.points ** 0.5 / 4.0  # 16 points a square meter
+        else:
+            import tile_scenes
+            self.edge = tile_scenes.write(arguments.scene, inputs, arguments.points,
+                                          arguments.files)
+        self.files = sorted(inputs.iterdir())
         self.points = sum(size_of(f) for f in self.files)
 
-    def tiles(self, processes, tile, files=None, launcher=()):
-        """Run pcl_shape_tiles. Returns what it took, and its report."""
-        out = self.directory / "out"
-        shutil.rmtree(out, ignore_errors=True)
-        words = [*launcher, f"{self.arguments.build}/apps/pcl_shape_tiles",
-                 *(files or self.files), "-output_dir", out, "-threads", 1,
+    def landscape(self, directory, points, files):
+        run(f"{self.arguments.build}/benchmarks/landscape", directory, points, files)
+
+    def words(self, processes, tile, files=None):
+        """The command line of pcl_shape_tiles, with as many processes or ranks."""
+        words = [f"{self.arguments.build}/apps/pcl_shape_tiles", *(files or self.files),
+                 "-output_dir", self.directory / "out", "-threads", 1,
                  "-memory", self.arguments.memory, *self.options,
                  "-json", self.directory / "report.json"]
         if tile:
             words += ["-tile", tile]
-        if not launcher:
-            words += ["-processes", processes]
-        usage = run(*words)
+        if self.arguments.mpi:
+            return ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", processes,
+                    *words]
+        return [*words, "-processes", processes]
+
+    @property
+    def workers(self):
+        return "ranks" if self.arguments.mpi else "processes"
+
+    def remove_outputs(self):
+        shutil.rmtree(self.directory / "out", ignore_errors=True)
+
+    def tiles(self, processes, tile, files=None):
+        """Run pcl_shape_tiles. Returns what it took, and its report."""
+        self.remove_outputs()
+        usage = run(*self.words(processes, tile, files))
         return usage, json.loads((self.directory / "report.json").read_text())
 
     def whole(self, cloud):
-        """Run pcl_shape_detect in memory."""
-        return run(f"{self.arguments.build}/apps/pcl_shape_detect", cloud,
-                   self.directory / "whole.pcd", "-threads", 1, "-format", "binary",
+        """Run the same in memory, with pcl_shape_detect or pcl_inad_estimation."""
+        common = [cloud, self.directory / "whole.pcd", "-threads", 1, "-format", "binary"]
+        if self.options[0] == "-inad":
+            return run(f"{self.arguments.build}/apps/pcl_inad_estimation", *common,
+                       "-radius", *self.options[1:])
+        return run(f"{self.arguments.build}/apps/pcl_shape_detect", *common,
                    *self.options)
 
 
@@ -115,29 +149,39 @@ def micro(seconds, points):
     return f"{seconds:.1f} s, {1e6 * seconds / points:.1f} µs a point"
 
 
+def shares(report):
+    """What each step took of the clock's time."""
+    times = report["times_ms"]
+    return ", ".join(f"{step} {times[step] / sum(times[s] for s in STEPS):.0%}"
+                     for step in STEPS)
+
+
 def print_memory(scene):
-    whole = scene.whole(scene.files[0])
-    strip = size_of(scene.files[0])
+    cloud = scene.files[0]
+    if scene.arguments.whole:
+        scene.landscape(scene.directory / "whole", scene.arguments.whole, 1)
+        cloud = next((scene.directory / "whole").iterdir())
+    whole = scene.whole(cloud)
+    strip = size_of(cloud)
+    (scene.directory / "whole.pcd").unlink()
     usage, report = scene.tiles(1, scene.arguments.tile)
     print(f"`{' '.join(scene.options)}`, `-memory {scene.arguments.memory}`:\n")
     print("| | points | tiles | processor time | peak memory |\n|---|---|---|---|---|")
-    print(f"| `pcl_shape_detect -threads 1`, one strip in memory | {strip:,} | | "
+    print(f"| `pcl_shape_detect -threads 1`, in memory | {strip:,} | | "
           f"{micro(whole.cpu, strip)} | {whole.peak / 1e6:.0f} MB |")
     print(f"| `pcl_shape_tiles -threads 1` | {scene.points:,} | "
           f"{report['counts']['tiles']} | {micro(usage.cpu, scene.points)} | "
           f"{usage.peak / 1e6:.0f} MB |\n")
     ratio = whole.cpu / strip / (usage.cpu / scene.points)
-    print(f"Throughput is {ratio:.2f} times that in memory.\n")
+    print(f"Throughput is {ratio:.2f} times that in memory ({shares(report)} of the "
+          "clock's time).\n")
 
 
 def print_scaling(scene):
     one, report = scene.tiles(1, scene.arguments.tile)
     two, _ = scene.tiles(2, scene.arguments.tile)
-    times = report["times_ms"]
-    shares = ", ".join(f"{step} {times[step] / sum(times[s] for s in STEPS):.0%}"
-                       for step in STEPS)
     print(f"{scene.points:,} points, {report['counts']['tiles']} tiles, "
-          f"`{' '.join(scene.options)}`: {one.cpu:.1f} s with one process ({shares} of "
+          f"`{' '.join(scene.options)}`: {one.cpu:.1f} s with one process ({shares(report)} of "
           f"the clock's time),\n{two.cpu:.1f} s with two, of which the first process "
           f"alone takes {two.first:.2f} s.\n")
     print("| processes | times as fast as one |\n|---|---|")
@@ -171,8 +215,22 @@ def join(files, path):
     path.write_bytes(header + b"".join(split(f)[1] for f in files))
 
 
-def print_identity(scene):
-    trouble(scene.files)
+SHARES = (1.1, 0.9, 0.6, 0.4, 0.25)  # of the scene: edges of tiles
+PROCESSES = (1, 2, 4)
+
+
+def combinations(files):
+    """All of sizes of tiles, orders of files and numbers of processes: each value is
+    among the first five, each pair of values among the first fifteen."""
+    orders = (files, files[::-1], files[1::2] + files[::2])
+    for i in range(len(SHARES) * len(orders) * len(PROCESSES)):
+        share, order = i % len(SHARES), i % len(orders)
+        count = (share + order + i // (len(SHARES) * len(orders))) % len(PROCESSES)
+        yield SHARES[share], orders[order], PROCESSES[count]
+
+
+def expected_points(scene):
+    """Of each output, from the whole cloud."""
     join(scene.files, scene.directory / "all.pcd")
     scene.whole(scene.directory / "all.pcd")
     body = split(scene.directory / "whole.pcd")[1]
@@ -181,35 +239,121 @@ def print_identity(scene):
     for file in scene.files:
         expected[file.name] = body[at:at + size_of(file) * step]
         at += size_of(file) * step
-    edge = scene.points ** 0.5 / 4.0  # of the landscape, in meters
-    mpirun = shutil.which("mpirun") if scene.arguments.mpi else None
-    if scene.arguments.mpi and not mpirun:
-        sys.exit("-mpi: there is no mpirun; expected Open MPI")
-    orders = (scene.files, scene.files[::-1], scene.files[1::2] + scene.files[::2])
+    return expected
+
+
+def print_identity(scene):
+    if scene.arguments.scene == "landscape":
+        trouble(scene.files)
+    expected = expected_points(scene)
     same = compared = 0
-    for share in (1.1, 0.9, 0.6, 0.4, 0.25):
-        for order in orders:
-            for count in (1, 2, 4):
-                launcher = (mpirun, "--allow-run-as-root", "--oversubscribe", "-n",
-                            count) if mpirun else ()
-                scene.tiles(count, f"{share * edge:.1f}", order, launcher)
-                found = all(split(scene.directory / "out" / name)[1] == points
-                            for name, points in expected.items())
-                compared, same = compared + 1, same + found
-                if not found:
-                    print(f"other bytes: tiles of {share * edge:.1f} m, {count} of "
-                          f"{[f.name for f in order]}", file=sys.stderr)
-    print(f"{scene.points:,} points with NaN, equal and far ones, "
-          f"`{' '.join(scene.options)}`: {same} of {compared} runs (5 sizes of tiles, "
-          f"3 orders of {len(scene.files)} files,\n1, 2 and 4 "
-          f"{'ranks' if mpirun else 'processes'}) have the bytes of the whole cloud.\n")
+    tiles = set()
+    for share, order, count in list(combinations(scene.files))[:scene.arguments.runs]:
+        _, report = scene.tiles(count, f"{share * scene.edge:.2f}", order)
+        tiles.add(report["counts"]["tiles"])
+        found = all(split(scene.directory / "out" / name)[1] == points
+                    for name, points in expected.items())
+        compared, same = compared + 1, same + found
+        if not found:
+            print(f"other bytes: tiles of {share * scene.edge:.2f} m, {count} of "
+                  f"{[f.name for f in order]}", file=sys.stderr)
+    print(f"{scene.arguments.scene}, {scene.points:,} points with NaN, equal and far ones, "
+          f"`{' '.join(scene.options)}`: {same} of {compared} runs\n"
+          f"({len(tiles)} numbers of tiles, {min(tiles)} to {max(tiles)}; 3 orders of "
+          f"{len(scene.files)} files; 1, 2 and 4 {scene.workers}) have the bytes of the "
+          "whole cloud.\n")
     return same == compared
+
+
+def processes_below(pid):
+    """The processes that one has started, and those that they have."""
+    children = collections.defaultdict(list)
+    for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            name, _, rest = stat.read_text().rpartition(")")
+        except OSError: # it has ended
+            continue
+        children[int(rest.split()[1])].append((int(stat.parent.name), name))
+    found = []
+    for child, name in children[pid]:
+        found += [(child, name), *processes_below(child)]
+    return found
+
+
+def killed(words, seconds, kills_all, choice):
+    """Run a command, and kill one of its processes, or all of them. Returns whether it
+    was still running."""
+    process = subprocess.Popen([str(w) for w in words], stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL, start_new_session=True)
+    time.sleep(seconds)
+    was_running = process.poll() is None
+    if was_running:
+        workers = [child for child, name in [(process.pid, words[0]),
+                                             *processes_below(process.pid)]
+                   if "mpirun" not in str(name)]
+        for worker in workers if kills_all else [choice.choice(workers)]:
+            try:
+                os.kill(worker, signal.SIGKILL)
+            except ProcessLookupError:
+                pass  # it has ended meanwhile
+    process.wait()
+    return was_running
+
+
+def complete_results(scene):
+    """When the results of tiles and sections were written that are complete, by path."""
+    tiles = scene.directory / "out" / "tiles"
+    manifest = tiles / "manifest.jsonl"
+    lines = manifest.read_text().split("\n")[:-1] if manifest.exists() else []
+    records = [json.loads(line)["record"] for line in lines]
+    paths = [tiles / r["name"] / f"{r['number']:06}.bin" for r in records
+             if r["event"] == "result"]
+    return {path: path.stat().st_mtime_ns for path in paths if path.exists()}
+
+
+def print_faults(scene):
+    words = [*scene.words(2, scene.arguments.tile), "-keep_tiles"]
+    outputs = [scene.directory / "out" / f.name for f in scene.files]
+    scene.remove_outputs()
+    begin = time.monotonic()
+    run(*words)
+    seconds = time.monotonic() - begin
+    expected = [output.read_bytes() for output in outputs]
+    tiles = json.loads((scene.directory / "report.json").read_text())["counts"]["tiles"]
+    choice = random.Random(1)
+    same = ended = kills = 0
+    results = set()
+    while kills < scene.arguments.kills:
+        scene.remove_outputs()
+        if not killed(words, choice.uniform(0.0, seconds), kills % 2, choice):
+            ended += 1
+            continue
+        kills += 1
+        before = complete_results(scene)
+        results.add(len(before))
+        run(*words)
+        after = complete_results(scene)
+        again = [str(path) for path, written in before.items()
+                 if after.get(path, written) != written]
+        found = not again and [output.read_bytes() for output in outputs] == expected
+        same += found
+        if not found:
+            print(f"after a kill at {len(before)} results: other bytes, or computed again: "
+                  f"{again}", file=sys.stderr)
+    print(f"{scene.arguments.scene}, {scene.points:,} points, {tiles} tiles, "
+          f"`{' '.join(scene.options)}`: of {kills} runs of two {scene.workers},\nof which one or "
+          f"all were killed when {min(results)} to {max(results)} results were complete, {same} "
+          f"had the same bytes after\nthe same command, without computing one of them again "
+          f"({ended} more had ended before).\n")
+    return same == kills
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, prefix_chars="-",
                                      formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("build")
+    parser.add_argument("-scene", default="landscape",
+                        choices=("landscape", "room", "street", "sheet"))
     parser.add_argument("-points", type=int, default=3000000)
     parser.add_argument("-files", type=int, default=4)
     parser.add_argument("-tile")
@@ -217,17 +361,24 @@ def main():
     parser.add_argument("-memory", default="2G")
     parser.add_argument("-what", default="memory,scaling,identity")
     parser.add_argument("-mpi", action="store_true")
+    parser.add_argument("-runs", type=int, default=45)
+    parser.add_argument("-kills", type=int, default=30)
+    parser.add_argument("-whole", type=int)
     arguments = parser.parse_args()
     what = arguments.what.split(",")
-    if unknown := set(what) - {"memory", "scaling", "identity"}:
-        parser.error(f"-what is {','.join(sorted(unknown))}; expected memory, scaling or "
-                     "identity")
+    if unknown := set(what) - {"memory", "scaling", "identity", "faults"}:
+        parser.error(f"-what is {','.join(sorted(unknown))}; expected memory, scaling, "
+                     "identity or faults")
+    if arguments.mpi and not shutil.which("mpirun"):
+        parser.error("-mpi: there is no mpirun; expected Open MPI")
     with tempfile.TemporaryDirectory(prefix="pcl_shape_tiles_") as directory:
-        scene = Landscape(arguments, directory)
+        scene = Scene(arguments, directory)
         if "memory" in what:
             print_memory(scene)
         if "scaling" in what:
             print_scaling(scene)
+        if "faults" in what and not print_faults(scene):
+            sys.exit("some runs that were killed gave other bytes")
         if "identity" in what and not print_identity(scene):
             sys.exit("some runs have other bytes")
 

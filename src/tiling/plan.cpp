@@ -35,6 +35,16 @@ isFinite(const std::array<float, 3>& p)
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
+Survey
+Survey::ofSection()
+{
+  // Cells grow from a micrometer, and each time all are counted anew: these do not
+  // leave the cache. A million points are 32 in a cell then, and tiles have thousands.
+  // Eight sections have as many cells as there may be of all.
+  constexpr std::size_t max_cells = DensityCells::most_cells / 8;
+  return Survey(max_cells);
+}
+
 void
 Survey::add(const Position& point, const Position& offset)
 {

@@ -26,6 +26,12 @@ bool isFinite(const std::array<float, 3>& point);
 /** \brief How many points are where. Those of sections can be added in any order. */
 class Survey {
 public:
+  /** \brief Of all sections. */
+  Survey() = default;
+
+  /** \brief Of one section, in fewer cells. */
+  static Survey ofSection();
+
   void add(const Position& point, const Position& offset);
 
   /** \brief Those of a survey whose bytes these are. */
@@ -52,6 +58,8 @@ public:
   }
 
 private:
+  explicit Survey(std::size_t max_cells) : cells_(max_cells) {}
+
   DensityCells cells_;
   std::uint64_t finite_ = 0, not_finite_ = 0;
 };

@@ -13,7 +13,6 @@ namespace pcl::tiling {
 namespace {
 
 constexpr int least_exponent = -20;          // a micrometer
-constexpr std::size_t max_cells = 1 << 18;   // some 30 MB, as far as they are used
 constexpr std::uint64_t points_of_cell = 64; // enough to know how dense they are
 constexpr double neighbors = 12.0, pi = 3.14159265358979;
 
@@ -29,12 +28,6 @@ hashOf(const CellKey& key)
     hash ^= hash >> 27;
   }
   return hash;
-}
-
-double
-half(double key)
-{
-  return std::floor(0.5 * key) + 0.0; // 0 has one sign
 }
 
 using Cells = std::vector<Cell>;
@@ -199,16 +192,23 @@ CellCounts::sorted() const
 }
 
 CellCounts
-CellCounts::coarser() const
+CellCounts::coarser(int doublings) const
 {
-  CellCounts result;
+  const double share = std::ldexp(1.0, -doublings);
+  const auto larger = [&](double key) {
+    return std::floor(share * key) + 0.0; // 0 has one sign
+  };
+  CellCounts result(slots_.size());
   for (const auto& [key, count] : slots_)
     if (count > 0)
-      result.add({half(key[0]), half(key[1]), half(key[2])}, count);
+      result.add({larger(key[0]), larger(key[1]), larger(key[2])}, count);
   return result;
 }
 
-DensityCells::DensityCells() : grid_{least_exponent} {}
+DensityCells::DensityCells(std::size_t max_cells)
+: max_cells_(max_cells)
+, grid_{least_exponent}
+{}
 
 void
 DensityCells::add(const float* point)
@@ -220,8 +220,10 @@ DensityCells::add(const float* point)
 void
 DensityCells::add(const CellGrid& grid, const std::vector<Cell>& cells)
 {
-  for (; grid_.exponent < grid.exponent; ++grid_.exponent)
-    counts_ = counts_.coarser();
+  if (grid_.exponent < grid.exponent) {
+    counts_ = counts_.coarser(grid.exponent - grid_.exponent);
+    grid_ = grid;
+  }
   for (const Cell& cell : cells) {
     counts_.add(grid_.keyOf(grid, cell.key), cell.count);
     bound();
@@ -231,8 +233,15 @@ DensityCells::add(const CellGrid& grid, const std::vector<Cell>& cells)
 void
 DensityCells::bound()
 {
-  for (; counts_.size() > max_cells; ++grid_.exponent)
-    counts_ = counts_.coarser();
+  while (counts_.size() > max_cells_) {
+    CellCounts larger = counts_.coarser(doublings_);
+    if (doublings_ > 1 && larger.size() <= max_cells_) {
+      doublings_ /= 2; // smaller cells may be few enough, too
+      continue;
+    }
+    counts_ = std::move(larger);
+    grid_.exponent += doublings_;
+  }
 }
 
 double
@@ -248,7 +257,7 @@ DensityCells::typicalDistance() const
     return counts.size() * points_of_cell <= all || counts.size() < 2 * points_of_cell;
   };
   for (; !isCoarse(); ++grid.exponent)
-    counts = counts.coarser();
+    counts = counts.coarser(1);
   std::vector<std::uint64_t> sorted;
   for (const Cell& cell : counts.sorted())
     sorted.push_back(cell.count);

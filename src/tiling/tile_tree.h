@@ -34,7 +34,8 @@ struct Cell {
 /** \brief How many points are in each cell: a hash table that holds cells in place. */
 class CellCounts {
 public:
-  CellCounts() : slots_(64) {}
+  /** \param[in] slots a power of two; they become more when they are needed */
+  explicit CellCounts(std::size_t slots = 64) : slots_(slots) {}
 
   void add(const CellKey& key, std::uint64_t count);
 
@@ -47,8 +48,8 @@ public:
   /** \brief The cells, in the order of their keys. */
   std::vector<Cell> sorted() const;
 
-  /** \brief The counts of cells of twice the size. */
-  CellCounts coarser() const;
+  /** \brief The counts of larger cells. \param[in] doublings of their size */
+  CellCounts coarser(int doublings) const;
 
 private:
   void grow();
@@ -61,7 +62,9 @@ private:
  * the memory is bounded, and the order of points does not matter. */
 class DensityCells {
 public:
-  DensityCells();
+  static constexpr std::size_t most_cells = 1 << 18; ///< some 30 MB, if all are used
+
+  explicit DensityCells(std::size_t max_cells = most_cells);
 
   /** \param[in] point finite */
   void add(const float* point);
@@ -88,6 +91,8 @@ public:
 private:
   void bound();
 
+  std::size_t max_cells_;
+  int doublings_ = 8; ///< at a time: from a micrometer to meters there are twenty
   CellGrid grid_;
   CellCounts counts_;
 };

@@ -120,7 +120,7 @@ struct TiledCloud::State {
   survey()
   {
     results.compute(survey_name, sectionTasks(), [&](std::size_t section) {
-      Survey survey;
+      Survey survey = Survey::ofSection();
       readSection(section,
                   [&](const Position& point) { survey.add(point, given_offset); });
       return results.write(survey_name, section, survey.toBytes());

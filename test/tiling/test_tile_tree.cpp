@@ -3,6 +3,7 @@
 // Cells of density, and the tiles that space is cut into.
 
 #include "memory_source.h"
+#include "tiling/plan.h"
 #include "tiling/tile_tree.h"
 
 #include <gtest/gtest.h>
@@ -99,6 +100,26 @@ TEST(TileTree, DoesNotDependOnTheOrderOfPoints)
   const TileTree again(after, 50000, 0.0);
   for (const Position& p : points)
     ASSERT_EQ(tree.tileOf(floatsOf(p).data()), again.tileOf(floatsOf(p).data()));
+}
+
+TEST(Survey, SectionsHaveFewCellsAndTilesFewPointsAllTheSame)
+{
+  const auto points = unevenPoints(400000, 6);
+  Survey all;
+  for (const auto& [begin, end] : {std::pair(0, 150000), std::pair(150000, 400000)}) {
+    Survey section = Survey::ofSection();
+    for (auto p = points.begin() + begin; p != points.begin() + end; ++p)
+      section.add(*p, {});
+    EXPECT_GT(section.cells().counts().size(), DensityCells::most_cells / 64);
+    EXPECT_LE(section.cells().counts().size(), DensityCells::most_cells / 8);
+    all.add(section.toBytes());
+  }
+  EXPECT_EQ(all.finite(), points.size());
+  const Plan plan = planOf(all, {}, 20000, 0.0);
+  for (const auto& [tile, count] : countsOf(plan.tree, points)) {
+    EXPECT_LE(count, 20000U);
+    EXPECT_EQ(count, plan.points[tile]);
+  }
 }
 
 TEST(TileTree, KnowsTheDistanceBetweenNeighbors)
