@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 # SPDX-FileCopyrightText: 2026 pcl_shape contributors
-"""Make the tables of scenes of other people in doc/evaluation.md: no options. Markdown goes to standard output.
+"""Make the tables of scenes of other people in doc/evaluation.md. The applications run without options. Markdown goes to
+standard output.
 Usage: scripts/evaluate_public.py BUILD_DIR CLONES_DIR
 CLONES_DIR has clones of some of these public repositories, by their names; those that are missing are left out:
-  pytorch_6dof-graspnet    github.com/jsll/pytorch_6dof-graspnet, demo/data/*.npy (a RealSense, with the points of an object)
+  pytorch_6dof-graspnet    github.com/jsll/pytorch_6dof-graspnet, demo/data/*.npy (a RealSense; points of an object)
   PoseCNN-PyTorch          github.com/NVlabs/PoseCNN-PyTorch, data/demo/*-depth.png
   UnseenObjectClustering   github.com/NVlabs/UnseenObjectClustering, data/demo/*-depth.png (a RealSense)
   graspnet-baseline        github.com/graspnet/graspnet-baseline, doc/example_data/depth.png
@@ -127,7 +128,7 @@ def image_table(apps, clones):
 
 
 def kinect_table(apps, folder):
-    """Scenes with even numbers were looked at when rules were made; the others were not."""
+    """Rules were chosen on scenes with even numbers."""
     print("### All scenes of the modified Object Segmentation Database\n")
     print("| scenes | overlap P | R | F | found at IoU .7 | table in an object, at most |")
     print("|---|---|---|---|---|---|")

@@ -96,14 +96,14 @@ SCENES = {"room": room, "street": street, "sheet": sheet}
 
 
 def with_trouble(cloud):
-    """One point in 50 is that of another, one in 200 not finite, and eight are far away."""
+    """One point in 50 is that of another, one in 200 not finite, and nine are far away."""
     random = numpy.random.default_rng(10)
     size = len(cloud)
     cloud[random.integers(size, size=size // 50)] = cloud[random.integers(size, size=size // 50)]
     cloud[random.integers(size, size=size // 200), random.integers(3, size=size // 200)] = numpy.nan
     far = random.uniform((-50, -60, -30), (90, 60, 40), (8, 3))
     cloud[random.integers(size, size=8)] = far
-    cloud[random.integers(size, size=2), 1:] = ((numpy.inf, 2.0), (2.0, 1e38))
+    cloud[random.integers(size, size=2), 1:] = ((numpy.inf, 2.0), (2.0, 1e9))
     return cloud
 
 

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // PCD files: the header, the three kinds of data, and LZF compression.
 //
-// Why not pcl::PCDReader and PCDWriter: libpcl_io loads all of VTK, which takes 97 ms
-// of processor time for `--version` instead of 41, and some malformed files make the
-// reader crash. It is the reference of the tests instead.
+// Why not pcl::PCDReader and PCDWriter: libpcl_io loads all of VTK, which more than
+// doubles the processor time of `--version`, and some malformed files make the reader
+// crash. It is the reference of the tests instead.
 
 #include "io/pcd.h"
 

@@ -16,8 +16,8 @@ struct NoiseLevel {
   double level = 0.0;       ///< spacings, 0 to max_noise
   double correlation = 0.0; ///< how sure it is that neighbors share noise, 0 to 1
 
-  /** \brief Neighbors share noise that is beyond what radii can grow for: what normals
-   * show is the sensor's steps. */
+  /** \brief Neighbors share noise that is beyond what radii can grow for: normals show
+   * the sensor's steps, or agree at no radius. */
   bool
   isBeyondRadii() const
   {
@@ -30,7 +30,8 @@ struct NoiseLevel {
  * What the thickness of neighborhoods says, if neighbors share their noise as those of
  * depth cameras do. White noise averages out within few points, and where creases are
  * crowded the thickness is that of the shape; then it is the least noise for whose
- * radii normals agree on the flattest tenth of the cloud. See doc/method.md.
+ * radii normals agree on the flattest tenth of the cloud, or the one for whose radii they
+ * differ least. See doc/method.md.
  * \param[in] neighborhoods of all points of a cloud among themselves
  * \param[in] spacings one for each point
  * \param[in] noise see noiseOf()

@@ -27,7 +27,8 @@ bool isOn(const SurfaceNode& node, const SupportPlane& support);
 /** \brief How much surface a node stands for. \param[in] unit the median spacing */
 double areaOf(const SurfaceNode& node, float unit);
 
-/** \brief A part of a plane without gaps that are wider than an edge's band. */
+/** \brief A connected part of a plane, and what is on the plane behind a gap of up to a
+ * quarter of its width. */
 struct SupportPart {
   SupportPlane support; ///< fitted to it
   std::vector<SurfaceNode> nodes;

@@ -19,6 +19,8 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 // A window holds some 35 nodes, six times the coefficients of a quadric.
 constexpr float window_cells = 3.3f;
+// Parts of a cloud know the windows whose middles are within a cell of noise.
+static_assert(window_cells < noise_cells_per_node);
 constexpr float same_window = 0.5f; // cosine of 60 degrees: beyond, a quadric is steep
 // Rounding and the sampling of exact data, in spacings: less is never noise.
 constexpr float least_noise = 0.03f;
@@ -61,9 +63,16 @@ constexpr float flat_turn = 0.5f * least_turn;
 
 struct LevelFits {
   FaceFits fits;
-  std::vector<const FaceFit*> flat; ///< the flat window that each node is in, or none
+  std::vector<const FaceFit*> flat; ///< of each node in large cells, or none
   std::vector<float> noise,
       evidence; ///< of each node; NaN where its window is not used
+
+  /** The flat window that a node is in, or none. */
+  const FaceFit*
+  flatAt(std::uint32_t node) const
+  {
+    return flat.empty() ? nullptr : flat[node];
+  }
 };
 
 bool
@@ -96,19 +105,48 @@ isFlat(const FaceFit& fit)
          fit.turn() <= flat_turn;
 }
 
+const std::vector<std::uint32_t>&
+windowAt(const FaceLevel& level, std::size_t node, FaceWindow& window)
+{
+  return window.around(
+      static_cast<std::uint32_t>(node),
+      static_cast<float>(windowRadius(level.cell, level.nodes[node].spacing)),
+      same_window);
+}
+
+/** The nodes on each flat window of a level; none for others. */
+std::vector<std::vector<std::uint32_t>>
+nodesOfFlatWindows(const FaceLevel& level, const FaceFits& fits, unsigned threads)
+{
+  std::vector<std::vector<std::uint32_t>> nodes(fits.size());
+  kernels::parallelForRanges(
+      fits.size(), threads, [&](std::size_t begin, std::size_t end) {
+        FaceWindow window(level);
+        FaceFitter fitter(level);
+        for (std::size_t i = begin; i < end; ++i)
+          if (fits[i] && isFlat(*fits[i])) {
+            const std::vector<std::uint32_t>& around = windowAt(level, i, window);
+            fitter.fit(around);
+            nodes[i] = fitter.nodesOn(around);
+          }
+      });
+  return nodes;
+}
+
 /** Finds the flat window that each node is in: of several the roughest. */
 void
-findFlatWindows(LevelFits& level)
+findFlatWindows(const FaceLevel& level, LevelFits& of_level, unsigned threads)
 {
-  level.flat.assign(level.fits.size(), nullptr);
-  for (const std::optional<FaceFit>& fit : level.fits)
-    if (fit)
-      for (const std::uint32_t i : fit->nodes) {
-        const FaceFit*& flat = level.flat[i];
-        const bool is_noise = fit->residual <= most_residual * level.noise[i];
-        if (is_noise && (!flat || fit->residual > flat->residual))
-          flat = &*fit;
-      }
+  const auto nodes = nodesOfFlatWindows(level, of_level.fits, threads);
+  of_level.flat.assign(nodes.size(), nullptr);
+  for (std::size_t window = 0; window < nodes.size(); ++window)
+    for (const std::uint32_t i : nodes[window]) {
+      const FaceFit& fit = *of_level.fits[window];
+      const FaceFit*& flat = of_level.flat[i];
+      const bool is_noise = fit.residual <= most_residual * of_level.noise[i];
+      if (is_noise && (!flat || fit.residual > flat->residual))
+        flat = &fit;
+    }
 }
 
 /** By how much nodes are off the flat windows that a node is in, at the levels above
@@ -122,10 +160,19 @@ flatResidual(const FacePyramid& pyramid,
   float most = 0.0f;
   while (level + 1 < levels.size()) {
     node = pyramid.levels[level++].parents[node];
-    if (const FaceFit* const flat = levels[level].flat[node]; flat)
+    if (const FaceFit* const flat = levels[level].flatAt(node); flat)
       most = std::max(most, flat->residual);
   }
   return most;
+}
+
+/** \param[in] node of the first level */
+bool
+isInFlatWindow(const FacePyramid& pyramid,
+               const std::vector<LevelFits>& levels,
+               std::uint32_t node)
+{
+  return flatResidual(pyramid, levels, 0, node) > 0.0f; // a residual is never 0
 }
 
 /** The largest noise at the levels above a node. */
@@ -186,8 +233,8 @@ mostAt(const FacePyramid& pyramid,
   for (std::size_t l = 0; l < levels.size(); ++l) {
     const LevelFits& level = levels[l];
     const float least = std::max(level.noise[node], least_noise * spacing);
-    if (level.flat[node])
-      smaller.emplace_back(level.flat[node], least);
+    if (const FaceFit* const flat = level.flatAt(node); flat)
+      smaller.emplace_back(flat, least);
     if (const float evidence = level.evidence[node]; !std::isnan(evidence)) {
       const FaceFit& fit = *level.fits[node];
       const bool agrees =
@@ -273,17 +320,9 @@ fitsOf(const FacePyramid& pyramid,
       fits.size(), threads, [&](std::size_t begin, std::size_t end) {
         FaceWindow window(level);
         FaceFitter fitter(level);
-        for (std::size_t i = begin; i < end; ++i) {
-          const auto radius =
-              static_cast<float>(windowRadius(level.cell, level.nodes[i].spacing));
-          if (!wanted[i])
-            continue;
-          const std::vector<std::uint32_t>& nodes =
-              window.around(static_cast<std::uint32_t>(i), radius, same_window);
-          fits[i] = fitter.fit(nodes);
-          if (fits[i] && of_level >= flat_level && isFlat(*fits[i]))
-            fitter.addNodes(nodes, *fits[i]);
-        }
+        for (std::size_t i = begin; i < end; ++i)
+          if (wanted[i])
+            fits[i] = fitter.fit(windowAt(level, i, window));
       });
   return fits;
 }
@@ -310,11 +349,13 @@ faceEvidence(const FacePyramid& pyramid,
              unsigned threads)
 {
   std::vector<LevelFits> levels;
+  levels.reserve(fits.size());
   for (std::size_t l = 0; l < fits.size(); ++l) {
     levels.push_back({std::move(fits[l]), {}, {}, {}});
     levels.back().noise =
         faceNoise(pyramid.levels[l], levels.back().fits, spacing, noise_of_cloud[l]);
-    findFlatWindows(levels.back());
+    if (l >= flat_level)
+      findFlatWindows(pyramid.levels[l], levels.back(), threads);
   }
   findEvidence(pyramid, levels, spacing);
   const FaceLevel& first = pyramid.levels.front();
@@ -327,7 +368,7 @@ faceEvidence(const FacePyramid& pyramid,
     if (!is_middle[i])
       return;
     evidence.curved[i] = mostAt(pyramid, levels, node, spacing);
-    evidence.flat[i] = flatResidual(pyramid, levels, 0, node) > 0.0f ? 1.0f : 0.0f;
+    evidence.flat[i] = isInFlatWindow(pyramid, levels, node) ? 1.0f : 0.0f;
   });
   for (int round = 0; round < averaging_rounds; ++round) {
     evidence.curved = averaged(first, evidence.curved, threads);

@@ -34,7 +34,8 @@ struct FaceEvidence {
   /** For curved against planar: the logarithm of a ratio, from -4 to 4; NaN where no
    * window tells. */
   std::vector<float> curved;
-  /** How much of what is around is in a large flat window, from 0 to 1. */
+  /** How much of what is around is in a large flat window, from 0 to 1; NaN where
+   * curved is, too. */
   std::vector<float> flat;
 };
 

@@ -24,7 +24,7 @@ constexpr double coefficients = 6.0;     // of a quadric
 constexpr int rounds = 3;                // of weights: a fourth moves little
 constexpr float biweight_reach = 4.685f; // 95 % efficient for normal noise
 constexpr float deviation_of_median = 1.4826f;
-constexpr float least_weight = 0.1f; // of a node that counts
+constexpr float min_weight = 0.1f; // of a node that counts
 // Least pivot of the normal equations, in cells: below it nodes are nearly on a curve.
 constexpr double least_pivot = 1e-4;
 // In cells: rounding of coordinates.
@@ -180,7 +180,7 @@ FaceFitter::describe() const
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     weight += weights_[k];
     squares += static_cast<double>(weights_[k]) * residuals_[k] * residuals_[k];
-    inliers += weights_[k] > least_weight ? 1 : 0;
+    inliers += weights_[k] > min_weight ? 1 : 0;
   }
   const Vector6d& c = solution_;
   const double residual =
@@ -232,12 +232,14 @@ FaceFitter::fit(const std::vector<std::uint32_t>& window)
   return describe();
 }
 
-void
-FaceFitter::addNodes(const std::vector<std::uint32_t>& window, FaceFit& fit) const
+std::vector<std::uint32_t>
+FaceFitter::nodesOn(const std::vector<std::uint32_t>& window) const
 {
+  std::vector<std::uint32_t> nodes;
   for (std::size_t k = 0; k < window.size(); ++k)
-    if (weights_[k] > least_weight)
-      fit.nodes.push_back(window[k]);
+    if (weights_[k] > min_weight)
+      nodes.push_back(window[k]);
+  return nodes;
 }
 
 } // namespace pcl::segmentation

@@ -24,7 +24,6 @@ struct FaceFit {
   float inliers = 0.0f;       ///< share of nodes that count
   float center_offset = 0.0f; ///< of the window's first node from the quadric
   float center_cosine = 0.0f; ///< of the angle between their normals
-  std::vector<std::uint32_t> nodes; ///< on the quadric; see FaceFitter::addNodes()
 
   /** \brief By which the normal turns across the window. */
   float
@@ -44,8 +43,8 @@ public:
   /** \return nothing where nodes are too few, or nearly on a curve */
   std::optional<FaceFit> fit(const std::vector<std::uint32_t>& window);
 
-  /** \brief Add to a fit those nodes of its window that count, after fit(). */
-  void addNodes(const std::vector<std::uint32_t>& window, FaceFit& fit) const;
+  /** \brief Those nodes of the window of the last fit that are on its quadric. */
+  std::vector<std::uint32_t> nodesOn(const std::vector<std::uint32_t>& window) const;
 
 private:
   void place(const std::vector<std::uint32_t>& window);

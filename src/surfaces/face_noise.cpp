@@ -15,10 +15,6 @@
 namespace pcl::segmentation {
 namespace {
 
-// Cells this large are wider than most objects' faces, and 27 of them hold several; a
-// depth camera's noise differs little across them. Larger windows need larger cells.
-constexpr float cell_spacings = 24.0f;
-constexpr float cells_per_node = 4.0f;
 constexpr std::size_t min_residuals = 20; // of which a quartile is worth something
 constexpr double share = 0.25;
 // Where all faces are rough, or all are parts of one solid, the cloud's noise bounds
@@ -71,7 +67,7 @@ noiseAt(const Place& place, const Residuals& residuals, float of_cloud)
 double
 noiseCell(double cell, double spacing)
 {
-  return std::max(cell_spacings * spacing, cells_per_node * cell);
+  return std::max(noise_cell_spacings * spacing, noise_cells_per_node * cell);
 }
 
 std::uint64_t

@@ -15,6 +15,12 @@ namespace pcl::segmentation {
 /** \brief Of each node's window; nothing where it does not determine a quadric. */
 using FaceFits = std::vector<std::optional<FaceFit>>;
 
+// In nodes' cells and in spacings: these are wider than most objects' faces, and 27 of
+// them hold several; a depth camera's noise differs little across them. They are also
+// larger than a window's radius, which flat windows rely on.
+constexpr float noise_cells_per_node = 4.0f;
+constexpr float noise_cell_spacings = 24.0f;
+
 /** \brief The size of the cells that noise is measured in. \param[in] cell of a level
  */
 double noiseCell(double cell, double spacing);
@@ -26,8 +32,9 @@ float noiseOfCloud(const FaceFits& fits);
 /** \brief How many residuals are below it, of so many, at least one. */
 std::uint64_t rankOfNoise(std::uint64_t residuals);
 
-/** \brief The nodes whose residuals the noise at some nodes is made of. \param[in]
- * chosen of each node \param[in] spacing of the cloud, median */
+/** \brief The nodes whose residuals the noise at some nodes is made of. Among them are
+ * the middles of all windows that these are in. \param[in] chosen of each node
+ * \param[in] spacing of the cloud, median */
 std::vector<bool>
 nodesAround(const FaceLevel& level, const std::vector<bool>& chosen, float spacing);
 
