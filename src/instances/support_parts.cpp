@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -27,7 +28,7 @@ constexpr double least_share = 0.02;  // of the largest: what stands there is la
 constexpr std::size_t min_nodes = 50; // some 10 x 10 spacings
 constexpr std::size_t max_fitted = 2000, max_looked_at = 500;
 constexpr float max_gap = 0.25f; // of a part's width: that of a large object on it
-constexpr double area_per_point = 0.26; // 12 of 13 points are within one spacing
+constexpr double area_per_point = 0.26; // pi / 12: a disc of one spacing has 12 points
 // A ripple turns normals by 22 degrees in the median: normals say little of one point.
 constexpr float min_cosine = 0.7f;
 // A stereo camera makes a table twice as wavy as others do.
@@ -42,27 +43,29 @@ areaOfPoint(const SurfaceNode& node)
 }
 
 double
-areaOf(const Nodes& nodes, float unit)
-{
-  double area = 0.0;
-  for (const SurfaceNode& node : nodes)
-    area += areaOf(node, unit);
-  return area;
-}
-
-double
 pointsOf(const SurfaceNode& node, float unit)
 {
   return areaOf(node, unit) / areaOfPoint(node);
 }
 
+template <typename Value>
+double
+sumOf(const Nodes& nodes, const Value& valueOf)
+{
+  const auto add = [&](double sum, const auto& node) { return sum + valueOf(node); };
+  return std::accumulate(nodes.begin(), nodes.end(), 0.0, add);
+}
+
+double
+areaOf(const Nodes& nodes, float unit)
+{
+  return sumOf(nodes, [unit](const auto& node) { return areaOf(node, unit); });
+}
+
 double
 pointsOf(const Nodes& nodes, float unit)
 {
-  double points = 0.0;
-  for (const SurfaceNode& node : nodes)
-    points += pointsOf(node, unit);
-  return points;
+  return sumOf(nodes, [unit](const auto& node) { return pointsOf(node, unit); });
 }
 
 Nodes
