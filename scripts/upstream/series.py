@@ -53,7 +53,7 @@ SERIES = [
     ("`ShapeInstanceSegmentation`", [
         "src/instances/*", SEGMENTATION + "*instance*", SEGMENTATION + "impl/*instance*", "src/segmentation/*instance*",
         *named("test/segmentation/*{}*", "instance", "objects", "_face", "primitive", "small_surfaces", "surface_graph",
-               "surface_p", "point_grid"),
+               "surface_p", "point_grid", "cell_order"),
         "tools/upstream/shape_instance_segmentation.cpp", "doc/tutorials/content/shape_instances.rst"]),
 ]
 

@@ -131,7 +131,7 @@ creasesOfNextLevel(const FieldInput& input,
   numbers.spacing = measured.spacing;
   numbers.noise = noise;
   const NextLevel level = nextLevel(numbers);
-  const std::vector<float> means = voxelMeans(input.points, level.size);
+  const std::vector<float> means = voxelMeans(input.points, level.size, input.threads);
   const XYZView points{means.data(), 3, means.size() / 3};
   pcl::Indices all(points.size);
   std::iota(all.begin(), all.end(), 0);
@@ -188,7 +188,7 @@ measureCloud(const FieldInput& input, ShapeField& field)
   const float spacing = spacingOfCloud(input, field.spacings);
   MeasuredCloud measured{bounds,
                          spacing,
-                         PointGrid(input.points, 2.0f * spacing, bounds),
+                         PointGrid(input.points, 2.0f * spacing, bounds, input.threads),
                          {},
                          countFinite(input.points)};
   field.noise =

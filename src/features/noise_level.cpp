@@ -96,21 +96,22 @@ public:
     const pcl::Indices near = neighborsOf(chosen_, points, radii, grid_);
     const std::vector<float> normal_radii =
         radiiOf(near, normal_radius + normal_radius_noise * noise);
-    std::vector<float> of_near(4 * near.size());
+    std::vector<float> normals(4 * near.size());
     neighborhoods_.among(near).computeNormals(
         NeighborhoodSize::ofRadii(normal_radii.data()),
-        of_near.data(),
-        of_near.data() + 3,
+        normals.data(),
+        normals.data() + 3,
         4);
-    std::vector<float> normals(3 * points.size,
-                               std::numeric_limits<float>::quiet_NaN());
-    for (std::size_t k = 0; k < near.size(); ++k)
-      std::copy_n(&of_near[4 * k], 3, &normals[3 * static_cast<std::size_t>(near[k])]);
     std::vector<float> mu_sigma(2 * chosen_.size());
-    neighborhoods_.among(chosen_).computeINAD(NeighborhoodSize::ofRadii(radii.data()),
-                                              {normals.data(), 3, points.size},
-                                              0.0,
-                                              mu_sigma.data());
+    const std::vector<Eigen::Vector3f> places = placesOf(near);
+    const XYZView cloud{places.data()->data(), 3, places.size()};
+    const pcl::Indices chosen = positionsAmong(near);
+    constexpr unsigned threads = 1; // for few points
+    Neighborhoods(cloud, cloud, chosen, threads)
+        .computeINAD(NeighborhoodSize::ofRadii(radii.data()),
+                     {normals.data(), 4, near.size()},
+                     0.0,
+                     mu_sigma.data());
     std::vector<float> mu;
     for (std::size_t k = 0; k < chosen_.size(); ++k)
       mu.push_back(mu_sigma[2 * k]);
@@ -118,6 +119,28 @@ public:
   }
 
 private:
+  std::vector<Eigen::Vector3f>
+  placesOf(const pcl::Indices& points) const
+  {
+    std::vector<Eigen::Vector3f> places;
+    places.reserve(points.size());
+    for (const pcl::index_t i : points)
+      places.push_back(positionOf(neighborhoods_.input(), static_cast<std::size_t>(i)));
+    return places;
+  }
+
+  /** Where the chosen points are among others that hold them, in ascending order. */
+  pcl::Indices
+  positionsAmong(const pcl::Indices& points) const
+  {
+    pcl::Indices positions;
+    positions.reserve(chosen_.size());
+    for (const pcl::index_t i : chosen_)
+      positions.push_back(static_cast<pcl::index_t>(
+          std::lower_bound(points.begin(), points.end(), i) - points.begin()));
+    return positions;
+  }
+
   std::vector<float>
   radiiOf(const pcl::Indices& indices, double count) const
   {

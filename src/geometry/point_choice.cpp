@@ -4,6 +4,7 @@
 
 #include "geometry/point_choice.h"
 
+#include "geometry/cell_order.h"
 #include "geometry/point_grid.h"
 
 #include <algorithm>
@@ -11,6 +12,13 @@
 #include <tuple>
 
 namespace pcl::segmentation {
+
+bool
+isBefore(const XYZView& points, std::uint32_t a, std::uint32_t b)
+{
+  const float *p = points[a], *q = points[b];
+  return std::tie(p[0], p[1], p[2], a) < std::tie(q[0], q[1], q[2], b);
+}
 
 void
 sortByPosition(const XYZView& points, std::vector<std::uint32_t>& indices)
@@ -25,11 +33,7 @@ sortByPosition(const XYZView& points, std::vector<std::uint32_t>& indices)
   for (const std::uint32_t i : indices)
     entries.push_back({points[i][0], i});
   std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
-    if (a.x != b.x)
-      return a.x < b.x;
-    const float* p = points[a.index];
-    const float* q = points[b.index];
-    return std::tie(p[1], p[2], a.index) < std::tie(q[1], q[2], b.index);
+    return a.x != b.x ? a.x < b.x : isBefore(points, a.index, b.index);
   });
   for (std::size_t k = 0; k < indices.size(); ++k)
     indices[k] = entries[k].index;
@@ -45,28 +49,35 @@ cellAt(const float* place, float cell)
 std::vector<std::uint32_t>
 centralPoints(const XYZView& points,
               const std::vector<std::uint32_t>& candidates,
-              float cell)
+              float cell,
+              unsigned threads)
 {
-  struct Entry {
-    std::array<float, 3> cell;
-    float off_center;
-    std::size_t rank; ///< among the candidates
+  constexpr float far = 1 << 30; // what lies farther shares the outermost cells
+  const auto inCells = [&](std::uint32_t i) -> Eigen::Array3f {
+    return positionOf(points, i).array() / cell;
   };
-  std::vector<Entry> entries;
-  entries.reserve(candidates.size());
+  std::vector<CellPoint> sorted;
+  sorted.reserve(candidates.size());
   for (const std::uint32_t i : candidates) {
-    const Eigen::Array3f p = positionOf(points, i).array() / cell;
-    const float off_center = (p - p.floor() - 0.5f).matrix().squaredNorm();
-    entries.push_back({cellAt(points[i], cell), off_center, entries.size()});
+    const Eigen::Array3i c = inCells(i).floor().max(-far).min(far).cast<int>();
+    sorted.push_back({{c.x(), c.y(), c.z()}, i});
   }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return std::tie(a.cell, a.off_center, a.rank) <
-           std::tie(b.cell, b.off_center, b.rank);
-  });
+  sortByCell(sorted, threads);
+  const auto offCenter = [&](std::uint32_t i) {
+    const Eigen::Array3f p = inCells(i);
+    return (p - p.floor() - 0.5f).matrix().squaredNorm();
+  };
   std::vector<std::uint32_t> chosen;
-  for (std::size_t k = 0; k < entries.size(); ++k)
-    if (k == 0 || entries[k].cell != entries[k - 1].cell)
-      chosen.push_back(candidates[entries[k].rank]);
+  forEachCell(sorted, [&](const auto begin, const auto end) {
+    std::uint32_t nearest = begin->point;
+    float least = offCenter(nearest);
+    for (auto at = begin + 1; at != end; ++at)
+      if (const float off_center = offCenter(at->point); off_center < least) {
+        least = off_center;
+        nearest = at->point;
+      }
+    chosen.push_back(nearest);
+  });
   return chosen;
 }
 

@@ -12,6 +12,9 @@
 
 namespace pcl::segmentation {
 
+/** \brief Whether a point comes before another one: by x, y and z, then by index. */
+bool isBefore(const XYZView& points, std::uint32_t a, std::uint32_t b);
+
 /** \brief Sort indices by the x, y and z of their points; points at the same place by
  * their indices. */
 void sortByPosition(const XYZView& points, std::vector<std::uint32_t>& indices);
@@ -23,6 +26,7 @@ std::array<float, 3> cellAt(const float* place, float cell);
  * cell, the first of several as near. Cells are in the order of their coordinates. */
 std::vector<std::uint32_t> centralPoints(const XYZView& points,
                                          const std::vector<std::uint32_t>& candidates,
-                                         float cell);
+                                         float cell,
+                                         unsigned threads = 1);
 
 } // namespace pcl::segmentation

@@ -5,21 +5,17 @@
 #include "geometry/point_grid.h"
 
 #include "common/finite.h"
+#include "geometry/cell_order.h"
+#include "geometry/point_choice.h"
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 
 namespace pcl::segmentation {
 namespace {
 
 constexpr float max_cells = 1 << 20;      // in each direction: a key has 21 bits for it
 constexpr std::size_t max_rows = 1 << 16; // and one for each point: little memory
-
-struct Entry {
-  std::uint64_t key;
-  std::uint32_t index;
-};
 
 } // namespace
 
@@ -37,11 +33,14 @@ Bounds::of(const XYZView& points)
   return {low, high};
 }
 
-PointGrid::PointGrid(const XYZView& points, float cell)
-: PointGrid(points, cell, Bounds::of(points))
+PointGrid::PointGrid(const XYZView& points, float cell, unsigned threads)
+: PointGrid(points, cell, Bounds::of(points), threads)
 {}
 
-PointGrid::PointGrid(const XYZView& points, float cell, const Bounds& bounds)
+PointGrid::PointGrid(const XYZView& points,
+                     float cell,
+                     const Bounds& bounds,
+                     unsigned threads)
 : cell_(cell)
 {
   const auto& [low, high] = bounds;
@@ -54,31 +53,27 @@ PointGrid::PointGrid(const XYZView& points, float cell, const Bounds& bounds)
   cell_ = std::max(cell_, half_extent.maxCoeff() / (0.5f * max_cells));
   last_ = (half_extent / (0.5f * cell_)).floor();
 
-  std::vector<Entry> entries;
-  entries.reserve(points.size);
-  for (std::size_t i = 0; i < points.size; ++i) {
+  std::vector<CellPoint> sorted;
+  sorted.reserve(points.size);
+  for (std::size_t i = 0; i < points.size; ++i)
     if (kernels::isFinite(points[i])) {
       const Eigen::Array3i c = cellOf(positionOf(points, i).array());
-      entries.push_back({keyOf(c.x(), c.y(), c.z()), static_cast<std::uint32_t>(i)});
+      sorted.push_back({{c.z(), c.y(), c.x()}, static_cast<std::uint32_t>(i)});
     }
-  }
-  std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
-    const float* p = points[a.index];
-    const float* q = points[b.index];
-    return std::tie(a.key, p[0], p[1], p[2], a.index) <
-           std::tie(b.key, q[0], q[1], q[2], b.index);
+  sortByCell(sorted, threads);
+  indices_.reserve(sorted.size());
+  positions_.reserve(sorted.size());
+  forEachCell(sorted, [&](const auto begin, const auto end) {
+    std::sort(begin, end, [&](const CellPoint& a, const CellPoint& b) {
+      return isBefore(points, a.point, b.point);
+    });
+    keys_.push_back(keyOf(begin->cell[2], begin->cell[1], begin->cell[0]));
+    for (auto at = begin; at != end; ++at) {
+      indices_.push_back(at->point);
+      positions_.push_back(positionOf(points, at->point));
+    }
+    begins_.push_back(static_cast<std::uint32_t>(indices_.size()));
   });
-  indices_.reserve(entries.size());
-  positions_.reserve(entries.size());
-  for (const Entry& entry : entries) {
-    if (keys_.empty() || keys_.back() != entry.key) {
-      keys_.push_back(entry.key);
-      begins_.push_back(0);
-    }
-    indices_.push_back(entry.index);
-    positions_.push_back(positionOf(points, entry.index));
-    begins_.back() = static_cast<std::uint32_t>(indices_.size());
-  }
   findRows();
 }
 

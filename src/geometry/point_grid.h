@@ -30,12 +30,15 @@ class PointGrid {
 public:
   /** \param[in] points those that are not finite are left out
    * \param[in] cell the size of a cell, about the radius of the queries */
-  PointGrid(const XYZView& points, float cell);
+  PointGrid(const XYZView& points, float cell, unsigned threads = 1);
 
   /** \param[in] bounds cells are placed in this box: parts of a cloud with its bounds
    * visit points in the same order as the whole; what is outside is in the nearest cell
    */
-  PointGrid(const XYZView& points, float cell, const Bounds& bounds);
+  PointGrid(const XYZView& points,
+            float cell,
+            const Bounds& bounds,
+            unsigned threads = 1);
 
   /** \brief visit(index, squared distance) for the points nearer than the radius. */
   template <typename Visit>

@@ -9,13 +9,14 @@
 #include "common/number_text.h"
 #include "common/parallel.h"
 #include "common/statistics.h"
+#include "geometry/cell_order.h"
+#include "geometry/point_choice.h"
 #include "geometry/point_grid.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace pcl::detail {
 namespace {
@@ -25,13 +26,9 @@ using namespace segmentation;
 constexpr double max_cell = 1 << 30;
 constexpr double float_digits = 1 << std::numeric_limits<float>::digits;
 
-struct CellPoint {
-  std::array<std::int32_t, 3> cell; ///< z, y, x
-  std::uint32_t index;
-};
-
+/** The finite points, by cells whose numbers are of z, y and x. */
 std::vector<CellPoint>
-sortedByCell(const XYZView& points, double size)
+sortedByCell(const XYZView& points, double size, unsigned threads)
 {
   std::vector<CellPoint> sorted;
   sorted.reserve(points.size);
@@ -45,30 +42,8 @@ sortedByCell(const XYZView& points, double size)
       sorted.push_back(
           {{cellOf(p[2]), cellOf(p[1]), cellOf(p[0])}, static_cast<std::uint32_t>(i)});
   }
-  std::sort(sorted.begin(), sorted.end(), [](const CellPoint& a, const CellPoint& b) {
-    return a.cell < b.cell;
-  });
+  sortByCell(sorted, threads);
   return sorted;
-}
-
-/** use(begin, end) for the points of each voxel. */
-template <typename Use>
-void
-forEachVoxel(const std::vector<CellPoint>& sorted, const Use& use)
-{
-  for (auto begin = sorted.begin(), end = begin; begin != sorted.end(); begin = end) {
-    end = std::find_if(begin, sorted.end(), [&](const CellPoint& point) {
-      return point.cell != begin->cell;
-    });
-    use(begin, end);
-  }
-}
-
-bool
-isBefore(const XYZView& points, std::uint32_t a, std::uint32_t b)
-{
-  const float *p = points[a], *q = points[b];
-  return std::tie(p[0], p[1], p[2], a) < std::tie(q[0], q[1], q[2], b);
 }
 
 struct Size {
@@ -113,17 +88,18 @@ problemOfResolution(double resolution, const XYZView& points)
 }
 
 std::vector<float>
-voxelMeans(const XYZView& points, double size)
+voxelMeans(const XYZView& points, double size, unsigned threads)
 {
   // Offsets within a cell are added up as integers: whatever the order of the points.
   constexpr double steps = 1 << 24;
   std::vector<float> means;
-  forEachVoxel(sortedByCell(points, size), [&](const auto begin, const auto end) {
+  std::vector<CellPoint> sorted = sortedByCell(points, size, threads);
+  forEachCell(sorted, [&](const auto begin, const auto end) {
     const auto& cell = begin->cell;
     std::array<std::int64_t, 3> sums{};
     for (auto at = begin; at != end; ++at)
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double cells = points[at->index][axis] / size;
+        const double cells = points[at->point][axis] / size;
         sums[axis] += std::llround((cells - cell[2 - axis]) * steps);
       }
     const auto count = static_cast<double>(end - begin);
@@ -136,15 +112,16 @@ voxelMeans(const XYZView& points, double size)
 }
 
 std::vector<std::uint32_t>
-firstInVoxels(const XYZView& points, double size)
+firstInVoxels(const XYZView& points, double size, unsigned threads)
 {
   std::vector<std::uint32_t> first;
-  forEachVoxel(sortedByCell(points, size), [&](const auto begin, const auto end) {
+  std::vector<CellPoint> sorted = sortedByCell(points, size, threads);
+  forEachCell(sorted, [&](const auto begin, const auto end) {
     const auto least =
         std::min_element(begin, end, [&](const CellPoint& a, const CellPoint& b) {
-          return isBefore(points, a.index, b.index);
+          return isBefore(points, a.point, b.point);
         });
-    first.push_back(least->index);
+    first.push_back(least->point);
   });
   return first;
 }
@@ -160,7 +137,7 @@ representatives(const XYZView& queries,
     return result;
   const float usual = median(spacings);
   const float most = *std::max_element(spacings.begin(), spacings.end());
-  const PointGrid grid(surface, usual);
+  const PointGrid grid(surface, usual, threads);
   const auto nearestWithin = [&](const Eigen::Vector3f& query, float radius) {
     std::int32_t nearest = -1;
     float least = std::numeric_limits<float>::infinity();

@@ -105,16 +105,16 @@ fieldOf(const FieldRequest& request,
   return field;
 }
 
-/** How many of the finite points are unknown that a field's points stand for. */
+/** How many finite points are unknown. \param[in] stands_for the point of the field
+ * that stands for each */
 std::size_t
-countUnknown(const XYZView& points, const ShapeField& field, unsigned threads)
+countUnknown(const XYZView& points,
+             const ShapeField& field,
+             const std::vector<std::int32_t>& stands_for)
 {
-  std::vector<std::int32_t> stands_for;
-  if (points.first != field.points.first)
-    stands_for = representatives(points, field.points, field.spacings, threads);
   std::size_t unknown = 0;
   for (std::size_t i = 0; i < points.size; ++i) {
-    const auto at = stands_for.empty() ? static_cast<std::int32_t>(i) : stands_for[i];
+    const std::int32_t at = stands_for[i];
     const bool is_unknown =
         at < 0 || std::isnan(field.edge_likelihood[static_cast<std::size_t>(at)]);
     unknown += is_unknown && kernels::isFinite(points[i]) ? 1 : 0;
@@ -152,7 +152,7 @@ baseOfMeans(const FieldRequest& request,
             const std::function<bool(const MeasuredCloud& means)>& toEdges)
 {
   const auto means = std::make_shared<const std::vector<float>>(
-      voxelMeans(request.surface, request.resolution));
+      voxelMeans(request.surface, request.resolution, request.threads));
   Conditions conditions;
   conditions.to_edges = toEdges;
   return {fieldOf(request,
@@ -182,7 +182,9 @@ baseOfPoints(const FieldRequest& request,
   Conditions conditions;
   conditions.to_edges = toEdges;
   conditions.to_surfaces = [&](const ShapeField& edges) {
-    unknown = countUnknown(request.surface, edges, request.threads);
+    std::vector<std::int32_t> themselves(request.surface.size);
+    std::iota(themselves.begin(), themselves.end(), 0);
+    unknown = countUnknown(request.surface, edges, themselves);
     is_fine = static_cast<double>(unknown) <=
                   max_unknown * static_cast<double>(countFinite(request.surface)) ||
               request.has_normals || request.of_cloud;
@@ -198,13 +200,15 @@ baseOfPoints(const FieldRequest& request,
                                    {even.data(), 3, even.size() / 3},
                                    finderAmong(request, even),
                                    true);
-  const bool helps = countUnknown(request.surface, means, request.threads) < unknown;
+  const std::vector<std::int32_t> stands_for =
+      representatives(request.surface, means.points, means.spacings, request.threads);
+  const bool helps = countUnknown(request.surface, means, stands_for) < unknown;
   conditions = {};
   if (helps)
     conditions.to_surfaces = [](const ShapeField& /*edges*/) { return false; };
   field = fieldOfSurface(helps, conditions);
   if (helps)
-    takeFromMeans(means, spacings, request.threads, field);
+    takeFromMeans(means, stands_for, spacings, field);
   return {std::move(field), false};
 }
 

@@ -7,7 +7,6 @@
 #include "common/statistics.h"
 #include "edges/edge_band.h"
 #include "geometry/point_grid.h"
-#include "geometry/voxel_means.h"
 
 #include <cmath>
 #include <cstdint>
@@ -36,11 +35,13 @@ takeValues(const ShapeField& from, std::size_t at, std::size_t i, ShapeField& fi
 /** Joins a field and that of means which stand for its points. */
 class Joined {
 public:
-  Joined(const ShapeField& means, unsigned threads, ShapeField& field)
+  Joined(const ShapeField& means,
+         const std::vector<std::int32_t>& stands_for,
+         ShapeField& field)
   : means_(means)
   , field_(field)
   , grid_(field.points, 2.0f * medianSpacing(field.spacings))
-  , stands_for_(representatives(field.points, means.points, means.spacings, threads))
+  , stands_for_(stands_for)
   , is_own_(field.points.size, 1)
   , is_taken_(means.points.size, 0)
   {}
@@ -138,7 +139,7 @@ private:
   const ShapeField& means_;
   ShapeField& field_;
   PointGrid grid_; ///< of the field's points
-  std::vector<std::int32_t> stands_for_;
+  const std::vector<std::int32_t>& stands_for_;
   std::vector<char> is_own_;   ///< of each point: it keeps its values
   std::vector<char> is_taken_; ///< of each mean: a point takes its values
 };
@@ -147,11 +148,11 @@ private:
 
 void
 takeFromMeans(const ShapeField& means,
+              const std::vector<std::int32_t>& stands_for,
               const std::vector<float>& spacings,
-              unsigned threads,
               ShapeField& field)
 {
-  Joined joined(means, threads, field);
+  Joined joined(means, stands_for, field);
   joined.takeValuesOfMeans(spacings);
   joined.takeClassesOfMeans();
   joined.takeCreasesOfMeans();

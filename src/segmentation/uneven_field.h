@@ -6,17 +6,19 @@
 
 #include <pcl/segmentation/shape_field.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace pcl::detail {
 
 /** \brief Take the values of means that stand for a field's points, and their creases,
  * except where the means are coarser than the points: there they serve the sparser
- * points beside, and only the classes of surfaces are taken. \param[in] spacings of the
- * points, as they are, meters \param[in,out] field with edges, without classes */
+ * points beside, and only the classes of surfaces are taken. \param[in] stands_for the
+ * mean of each point, or -1 \param[in] spacings of the points, as they are, meters
+ * \param[in,out] field with edges, without classes */
 void takeFromMeans(const ShapeField& means,
+                   const std::vector<std::int32_t>& stands_for,
                    const std::vector<float>& spacings,
-                   unsigned threads,
                    ShapeField& field);
 
 } // namespace pcl::detail

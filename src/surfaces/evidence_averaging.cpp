@@ -196,8 +196,11 @@ evidencePoints(const FieldInput& input,
                const ShapeField& edges,
                const std::vector<std::uint32_t>& known)
 {
-  const std::vector<std::uint32_t> points = centralPoints(
-      input.points, known, node_spacings * spacingOfCloud(input, edges.spacings));
+  const std::vector<std::uint32_t> points =
+      centralPoints(input.points,
+                    known,
+                    node_spacings * spacingOfCloud(input, edges.spacings),
+                    input.threads);
   pcl::Indices indices(points.begin(), points.end());
   for (std::uint32_t i = 0; i < input.points.size; ++i)
     if (kernels::isFinite(input.points[i]) &&

@@ -7,6 +7,8 @@
 #include "common/disjoint_sets.h"
 #include "common/finite.h"
 #include "common/parallel.h"
+#include "geometry/cell_order.h"
+#include "geometry/point_choice.h"
 #include "geometry/point_grid.h"
 #include "geometry/principal_axes.h"
 
@@ -34,7 +36,6 @@ constexpr float same_face = 0.7071f; // cosine of 45 degrees: of two normals
 // Sine of 37 degrees, from the tangent plane: above it is another sheet.
 constexpr float most_rise = 0.6f;
 
-using Cell = std::array<std::int32_t, 3>;
 using Link = FaceLink;
 
 Cell
@@ -55,46 +56,17 @@ aligned(const Vector3f& first, const Vector3f& second)
   return second.dot(first) < 0.0f ? Vector3f(-second) : second;
 }
 
-/** A point on a face, and its cell: as numbers in the order of cells. */
-struct CellPoint {
-  std::uint64_t xy;
-  std::uint32_t z, point;
-
-  static std::uint32_t
-  rankOf(std::int32_t coordinate)
-  {
-    return static_cast<std::uint32_t>(coordinate) ^ (1U << 31);
-  }
-
-  CellPoint(const Cell& cell, std::uint32_t of_point)
-  : xy(static_cast<std::uint64_t>(rankOf(cell[0])) << 32 | rankOf(cell[1]))
-  , z(rankOf(cell[2]))
-  , point(of_point)
-  {}
-
-  bool
-  isInCellOf(const CellPoint& other) const
-  {
-    return xy == other.xy && z == other.z;
-  }
-};
-
-/** The points on faces, cell by cell, in an order given by their coordinates alone. */
+/** The points on faces, cell by cell. */
 std::vector<CellPoint>
-facePoints(const XYZView& points, const ShapeField& field, float size)
+facePoints(const XYZView& points, const ShapeField& field, float size, unsigned threads)
 {
   std::vector<CellPoint> chosen;
   chosen.reserve(points.size);
   for (std::uint32_t i = 0; i < points.size; ++i)
     if (kernels::isFinite(points[i]) && kernels::isFinite(field.normals[i].data()) &&
         field.edge_likelihood[i] <= 0.5f)
-      chosen.emplace_back(cellOf(positionOf(points, i), size), i);
-  std::sort(chosen.begin(), chosen.end(), [&](const CellPoint& a, const CellPoint& b) {
-    if (!a.isInCellOf(b))
-      return std::tie(a.xy, a.z) < std::tie(b.xy, b.z);
-    const float *p = points[a.point], *q = points[b.point];
-    return std::tie(p[0], p[1], p[2], a.point) < std::tie(q[0], q[1], q[2], b.point);
-  });
+      chosen.push_back({cellOf(positionOf(points, i), size), i});
+  sortByCell(chosen, threads);
   return chosen;
 }
 
@@ -127,14 +99,18 @@ addNode(const XYZView& points,
 
 /** Nodes of the first level: of the points in a cell, those with similar normals. */
 void
-collectNodes(const XYZView& points, const ShapeField& field, FacePyramid& pyramid)
+collectNodes(const XYZView& points,
+             const ShapeField& field,
+             unsigned threads,
+             FacePyramid& pyramid)
 {
   FaceLevel& level = pyramid.levels.front();
-  std::vector<CellPoint> left = facePoints(points, field, level.cell);
+  std::vector<CellPoint> left = facePoints(points, field, level.cell, threads);
   std::vector<std::uint32_t> members;
-  for (auto begin = left.begin(), end = begin; begin != left.end(); begin = end) {
-    end = std::find_if(
-        begin, left.end(), [&](const CellPoint& p) { return !p.isInCellOf(*begin); });
+  forEachCell(left, [&](const auto begin, const auto end) {
+    std::sort(begin, end, [&](const CellPoint& a, const CellPoint& b) {
+      return isBefore(points, a.point, b.point);
+    });
     for (auto rest = begin; rest != end;) {
       const Vector3f& normal = field.normals[rest->point];
       members.clear();
@@ -154,7 +130,7 @@ collectNodes(const XYZView& points, const ShapeField& field, FacePyramid& pyrami
       pyramid.point_of_node.push_back(members.front());
       addNode(points, field, members, level);
     }
-  }
+  });
 }
 
 /** Whether one node may follow the other on a face. */
@@ -379,7 +355,7 @@ firstFaces(const XYZView& points,
   first.cell = firstCell(field.noise, spacing);
   if (!(first.cell > 0.0f)) // half of the points share a place with 12 others
     return {};
-  collectNodes(points, field, pyramid);
+  collectNodes(points, field, threads, pyramid);
   linkFirst(first, threads);
   refineNormals(first, threads);
   cutLinks(first);

@@ -4,7 +4,7 @@
 
 #include "support/kernel_targets.h"
 #include "support/random.h"
-#include "sweep/index/radix_sort.h"
+#include "common/radix_sort.h"
 #include "sweep/index/row_index.h"
 #include "sweep/portable/targets.h"
 

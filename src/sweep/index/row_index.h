@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "sweep/index/radix_sort.h"
+#include "common/radix_sort.h"
 #include "sweep/sweep_block.h"
 
 #include <pcl/features/neighborhood_sweep.h>
