@@ -5,6 +5,7 @@
 #include "features/even_sampling.h"
 
 #include "common/finite.h"
+#include "common/parallel.h"
 #include "geometry/point_grid.h"
 #include "geometry/voxel_means.h"
 
@@ -82,7 +83,7 @@ private:
  * points near it; a step above points that are denser still, as far as these are near.
  */
 std::vector<int>
-wantedLevels(const XYZView& points, const std::vector<int>& levels)
+wantedLevels(const XYZView& points, const std::vector<int>& levels, unsigned threads)
 {
   std::map<int, std::vector<std::size_t>, std::greater<>> members;
   for (std::size_t i = 0; i < levels.size(); ++i)
@@ -99,8 +100,13 @@ wantedLevels(const XYZView& points, const std::vector<int>& levels)
       continue;
     const int below = level - max_level_step;
     const Level sparse(points, of_level, spacingOf(level));
+    std::vector<char> is_near_sparse(wanted.size());
+    kernels::parallelForEach(wanted.size(), threads, [&](std::size_t i) {
+      is_near_sparse[i] =
+          wanted[i] != no_level && wanted[i] < below && sparse.isNear(points[i]);
+    });
     for (std::size_t i = 0; i < wanted.size(); ++i)
-      if (wanted[i] != no_level && wanted[i] < below && sparse.isNear(points[i])) {
+      if (is_near_sparse[i]) {
         wanted[i] = below;
         members[below].push_back(i);
       }
@@ -111,12 +117,14 @@ wantedLevels(const XYZView& points, const std::vector<int>& levels)
 } // namespace
 
 std::vector<float>
-evenSampling(const XYZView& points, const std::vector<float>& spacings)
+evenSampling(const XYZView& points,
+             const std::vector<float>& spacings,
+             unsigned threads)
 {
   std::vector<int> levels(points.size);
   for (std::size_t i = 0; i < points.size; ++i)
     levels[i] = kernels::isFinite(points[i]) ? levelOf(spacings[i]) : no_level;
-  const std::vector<int> wanted = wantedLevels(points, levels);
+  const std::vector<int> wanted = wantedLevels(points, levels, threads);
   std::vector<float> even;
   std::map<int, std::vector<float>> too_dense;
   for (std::size_t i = 0; i < points.size; ++i) {
@@ -128,8 +136,9 @@ evenSampling(const XYZView& points, const std::vector<float>& spacings)
   for (const auto& [level, positions] : too_dense) {
     const XYZView view{positions.data(), 3, positions.size() / 3};
     const double size = voxel_spacings * spacingOf(level);
-    const std::vector<float> means =
-        problemOfResolution(size, view).empty() ? voxelMeans(view, size) : positions;
+    const std::vector<float> means = problemOfResolution(size, view).empty()
+                                         ? voxelMeans(view, size, threads)
+                                         : positions;
     even.insert(even.end(), means.begin(), means.end());
   }
   return even;

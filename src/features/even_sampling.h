@@ -16,6 +16,7 @@ namespace pcl::detail {
  * \param[in] spacings one for each point, meters. Points that are not finite are left
  * out */
 std::vector<float> evenSampling(const XYZView& points,
-                                const std::vector<float>& spacings);
+                                const std::vector<float>& spacings,
+                                unsigned threads = 1);
 
 } // namespace pcl::detail

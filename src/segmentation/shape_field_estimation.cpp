@@ -194,7 +194,8 @@ baseOfPoints(const FieldRequest& request,
   if (is_fine)
     return {std::move(field), false};
   const std::vector<float> spacings = plainSpacings(request, finderAmong(request, {}));
-  const std::vector<float> even = evenSampling(request.surface, spacings);
+  const std::vector<float> even =
+      evenSampling(request.surface, spacings, request.threads);
   const ShapeField means = fieldOf(request,
                                    nullptr,
                                    {even.data(), 3, even.size() / 3},

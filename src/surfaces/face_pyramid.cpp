@@ -173,7 +173,7 @@ linkFirst(FaceLevel& level, unsigned threads)
         });
   };
   const auto count = static_cast<std::uint32_t>(level.nodes.size());
-  setLinks(kernels::collectForEach<Link>(count, threads, addLinks), level);
+  setLinks(kernels::collectForEach<Link>(count, threads, addLinks), level, threads);
 }
 
 /** The normal of the points of a node and of those that follow it. */
@@ -260,7 +260,7 @@ findParents(FaceLevel& level)
 }
 
 FaceLevel
-nextLevel(FaceLevel& level)
+nextLevel(FaceLevel& level, unsigned threads)
 {
   FaceLevel next;
   next.cell = 2.0f * level.cell;
@@ -293,14 +293,14 @@ nextLevel(FaceLevel& level)
     if (level.parents[i] != level.parents[j])
       links.emplace_back(level.parents[i], level.parents[j]);
   });
-  setLinks(links, next);
+  setLinks(links, next, threads);
   return next;
 }
 
 } // namespace
 
 void
-setLinks(const std::vector<FaceLink>& links, FaceLevel& level)
+setLinks(const std::vector<FaceLink>& links, FaceLevel& level, unsigned threads)
 {
   std::vector<std::uint32_t> ends(level.nodes.size() + 1, 0);
   for (const FaceLink& link : links)
@@ -309,16 +309,24 @@ setLinks(const std::vector<FaceLink>& links, FaceLevel& level)
   std::vector<std::uint32_t> of_nodes(links.size());
   for (const FaceLink& link : links)
     of_nodes[ends[link.first]++] = link.second;
-  level.link_begins.assign(1, 0);
-  level.links.clear();
-  auto begin = of_nodes.begin();
-  for (std::size_t i = 0; i < level.nodes.size(); ++i) {
-    const auto end = of_nodes.begin() + ends[i];
+  const auto beginOf = [&](std::size_t i) {
+    return of_nodes.begin() + (i > 0 ? ends[i - 1] : 0);
+  };
+  level.link_begins.assign(level.nodes.size() + 1, 0);
+  kernels::parallelForEach(level.nodes.size(), threads, [&](std::size_t i) {
+    const auto begin = beginOf(i), end = of_nodes.begin() + ends[i];
     std::sort(begin, end);
-    level.links.insert(level.links.end(), begin, std::unique(begin, end));
-    level.link_begins.push_back(static_cast<std::uint32_t>(level.links.size()));
-    begin = end;
-  }
+    level.link_begins[i + 1] =
+        static_cast<std::uint32_t>(std::unique(begin, end) - begin);
+  });
+  std::partial_sum(
+      level.link_begins.begin(), level.link_begins.end(), level.link_begins.begin());
+  level.links.resize(level.link_begins.back());
+  kernels::parallelForEach(level.nodes.size(), threads, [&](std::size_t i) {
+    const std::uint32_t begin = level.link_begins[i];
+    std::copy_n(
+        beginOf(i), level.link_begins[i + 1] - begin, level.links.begin() + begin);
+  });
 }
 
 float
@@ -367,7 +375,7 @@ void
 addLevels(std::size_t levels, FacePyramid& pyramid, unsigned threads)
 {
   while (pyramid.levels.size() < levels) {
-    FaceLevel next = nextLevel(pyramid.levels.back());
+    FaceLevel next = nextLevel(pyramid.levels.back(), threads);
     refineNormals(next, threads);
     cutLinks(next);
     pyramid.levels.push_back(std::move(next));

@@ -35,7 +35,8 @@ struct FaceLevel {
 using FaceLink = std::pair<std::uint32_t, std::uint32_t>;
 
 /** \brief Set the links of a level, in the order of nodes and once each. */
-void setLinks(const std::vector<FaceLink>& links, FaceLevel& level);
+void
+setLinks(const std::vector<FaceLink>& links, FaceLevel& level, unsigned threads = 1);
 
 /** \brief Levels from small cells to large ones, each twice the size of the last. */
 struct FacePyramid {
