@@ -6,7 +6,6 @@
 
 #include "cli/errors.h"
 #include "io/any_cloud.h"
-#include "io/pcl_names.h"
 #include "io/ply.h"
 #include "io/text.h"
 

@@ -7,7 +7,6 @@
 #include "geometry/point_grid.h"
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 
 namespace pcl::segmentation {

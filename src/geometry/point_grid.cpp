@@ -6,7 +6,6 @@
 
 #include "common/finite.h"
 
-#include <algorithm>
 #include <limits>
 #include <tuple>
 
