@@ -2,11 +2,10 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // pcl_inad_estimation: adds mu and sigma of the angles between normals.
 
-#include "cli/app.h"
+#include "cli/command_line.h"
 #include "cli/errors.h"
 #include "cli/filter_app.h"
-#include "detection/inad_options.h"
-#include "detection/inad_stages.h"
+#include "detection/inad.h"
 
 #include <cmath>
 

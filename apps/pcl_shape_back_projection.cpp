@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // pcl_shape_back_projection: planar and curved points, or surfaces of a model.
 
-#include "cli/app.h"
+#include "cli/command_line.h"
 #include "cli/errors.h"
 #include "cli/filter_app.h"
-#include "detection/surfaces.h"
+#include "detection/results.h"
 
 namespace {
 
@@ -18,7 +18,7 @@ classify(CloudFile& file,
          Report& report)
 {
   SurfaceDetector detector;
-  const PointsPtr points = setInput(detector, file, settings, arguments, report);
+  const PointsPtr points = prepare(detector, file, settings, arguments, report);
   report.time("back_projection", [&] {
     if (!settings.paper)
       detector.setShapeField(fieldOf(file, points, settings, false, arguments, report));

@@ -2,12 +2,9 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // pcl_shape_detect: edges, their kinds, surfaces and instances from one field.
 
-#include "cli/app.h"
-#include "detection/edges.h"
-#include "detection/instances.h"
-#include "detection/lines_app.h"
-#include "detection/resolution.h"
-#include "detection/surfaces.h"
+#include "cli/command_line.h"
+#include "detection/detection.h"
+#include "detection/results.h"
 
 namespace {
 

@@ -2,10 +2,9 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // pcl_shape_edge_detection: creases, their kinds and lines.
 
-#include "cli/app.h"
+#include "cli/command_line.h"
 #include "cli/errors.h"
-#include "detection/edges.h"
-#include "detection/lines_app.h"
+#include "detection/results.h"
 
 namespace {
 
@@ -18,8 +17,7 @@ detect(CloudFile& file,
        Report& report)
 {
   EdgeDetector detector;
-  const PointsPtr points = setInput(detector, file, settings, arguments, report);
-  detector.setThreshold(settings.threshold);
+  const PointsPtr points = prepare(detector, file, settings, arguments, report);
   const EdgeResults results{true, arguments.has("types"), arguments.has("lines")};
   return report.time("edge_detection", [&] {
     if (!settings.paper)

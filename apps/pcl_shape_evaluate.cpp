@@ -2,16 +2,15 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // pcl_shape_evaluate: compares a predicted cloud with the truth.
 
-#include "cli/app.h"
-#include "cli/atomic_file.h"
+#include "cli/command_line.h"
 #include "cli/errors.h"
+#include "cli/files.h"
 #include "cli/filter_app.h"
 #include "cli/report.h"
 #include "evaluation/evaluation_tasks.h"
 #include "evaluation/objects.h"
 #include "io/any_cloud.h"
 
-#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <optional>

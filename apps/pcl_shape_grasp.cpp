@@ -2,15 +2,16 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // pcl_shape_grasp: finds places for a suction cup.
 
-#include "cli/app.h"
-#include "cli/atomic_file.h"
+#include "cli/command_line.h"
+#include "cli/errors.h"
+#include "cli/files.h"
 #include "cli/filter_app.h"
 #include "cli/pcl_errors.h"
-#include "detection/resolution.h"
-#include "detection/surface_field.h"
+#include "detection/detection.h"
 #include "results/result_files.h"
-#include "results/selection.h"
 
+#include <pcl/common/point_tests.h>
+#include <pcl/pcl_base.h>
 #include <pcl/segmentation/suction_grasp_estimation.h>
 
 #include <array>
@@ -27,6 +28,96 @@ using Grasps = std::vector<pcl::SuctionGrasp>;
 constexpr std::uint64_t default_grasps = 10;
 constexpr std::uint64_t grasp_limit = 1000000; // more than any list is read for
 const char* const three_numbers = "three numbers of meters, X,Y,Z";
+
+constexpr std::uint64_t max_label = 0xffffffff;
+
+struct Box {
+  std::array<double, 3> low{}, high{};
+
+  bool
+  contains(const pcl::PointXYZ& point) const
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+      if (!(point.data[c] >= low[c] && point.data[c] <= high[c]))
+        return false;
+    return true;
+  }
+};
+
+std::optional<Box>
+boxOf(const Arguments& arguments)
+{
+  const std::string expected =
+      "six numbers of meters, X1,Y1,Z1,X2,Y2,Z2, the first three below the others";
+  const auto numbers = arguments.numbers("box", 6, expected);
+  if (!numbers)
+    return std::nullopt;
+  Box box;
+  for (std::size_t c = 0; c < 3; ++c) {
+    box.low[c] = (*numbers)[c];
+    box.high[c] = (*numbers)[c + 3];
+    if (!(box.low[c] < box.high[c]))
+      arguments.fail("box", expected);
+  }
+  return box;
+}
+
+/** -field, -value and -box, which select some points of a cloud. */
+void
+addSelectionOptions(CommandLine& command_line)
+{
+  command_line.option("field", "F", "only the points where the field F ...")
+      .option("value", "V", "... has the value V")
+      .option("box", "X1,Y1,Z1,X2,Y2,Z2", "only the points in this box, meters");
+}
+
+void
+checkSelection(const Arguments& arguments)
+{
+  arguments.hasBoth("field", "value");
+  arguments.integer("value", 0, max_label);
+  boxOf(arguments);
+}
+
+void
+reportSelection(const Arguments& arguments, Report& report)
+{
+  if (arguments.has("field")) {
+    report.setText("parameters", "field", arguments.text("field"));
+    report.setCount("parameters", "value", *arguments.integer("value", 0, max_label));
+  }
+  if (arguments.has("box"))
+    report.setText("parameters", "box", arguments.text("box"));
+}
+
+/** The finite points that are selected: all of them without these options. */
+pcl::IndicesPtr
+selectedPoints(const CloudFile& file,
+               const pcl::PointCloud<pcl::PointXYZ>& points,
+               const Arguments& arguments)
+{
+  std::vector<std::uint32_t> labels;
+  std::uint64_t label = 0;
+  if (arguments.has("field")) {
+    labels = labelsOf(file, arguments.text("field"));
+    label = *arguments.integer("value", 0, max_label);
+  }
+  std::optional<Box> box = boxOf(arguments);
+  for (std::size_t c = 0; box && c < 3; ++c) { // of the file's coordinates
+    box->low[c] -= file.offset[c];
+    box->high[c] -= file.offset[c];
+  }
+  auto selected = pcl::make_shared<pcl::Indices>();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (pcl::isFinite(points[i]) && (labels.empty() || labels[i] == label) &&
+        (!box || box->contains(points[i])))
+      selected->push_back(static_cast<pcl::index_t>(i));
+  if (selected->empty())
+    throw InputError(file.path + ": no finite point is selected by -field '" +
+                     arguments.text("field") + "' -value '" + arguments.text("value") +
+                     "' -box '" + arguments.text("box") + "'; expected at least one");
+  return selected;
+}
 
 Estimation
 makeEstimation(const Arguments& arguments, Report& report)

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // pcl_shape_ground: marks the ground in a vehicle's laser scan.
 
-#include "cli/app.h"
+#include "cli/command_line.h"
 #include "cli/filter_app.h"
 #include "cli/pcl_errors.h"
 

@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // pcl_shape_histogram: makes a model file from samples of surfaces.
 
-#include "cli/app.h"
-#include "cli/atomic_file.h"
+#include "cli/command_line.h"
 #include "cli/errors.h"
+#include "cli/files.h"
 #include "cli/filter_app.h"
-#include "detection/inad_options.h"
+#include "detection/inad.h"
 #include "detection/model_file.h"
 #include "io/any_cloud.h"
 

@@ -2,13 +2,12 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // pcl_shape_instances: adds the field instance, and primitives to the JSON.
 
-#include "cli/app.h"
+#include "cli/command_line.h"
 #include "cli/errors.h"
 #include "cli/filter_app.h"
-#include "detection/instances.h"
+#include "detection/detection.h"
 #include "detection/model_file.h"
-#include "detection/resolution.h"
-#include "detection/surface_field.h"
+#include "detection/results.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // pcl_shape_label: labels clouds for training.
 
-#include "cli/app.h"
+#include "cli/command_line.h"
 #include "cli/errors.h"
 #include "cli/filter_app.h"
-#include "detection/resolution.h"
+#include "detection/detection.h"
 #include "io/any_cloud.h"
 #include "labels/label_directory.h"
 #include "labels/labeled_cloud.h"

@@ -2,15 +2,13 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // pcl_shape_scene: makes scenes whose surfaces, edges and objects are known.
 
-#include "cli/app.h"
-#include "cli/atomic_file.h"
+#include "cli/command_line.h"
+#include "cli/files.h"
 #include "cli/filter_app.h"
 #include "io/pcd.h"
 #include "scene/lidar_scene.h"
-#include "scene/part_scene.h"
-#include "scene/room_scene.h"
+#include "scene/scene_cloud.h"
 #include "scene/scene_kind.h"
-#include "scene/table_scene.h"
 
 #include <functional>
 

@@ -3,10 +3,10 @@
 // pcl_shape_tiles: normals, edges, surfaces, instances and INAD of clouds larger than
 // memory, tile by tile.
 
-#include "cli/app.h"
+#include "cli/command_line.h"
 #include "cli/errors.h"
 #include "cli/filter_app.h"
-#include "detection/resolution.h"
+#include "detection/detection.h"
 #include "io/any_cloud.h"
 #include "tiles/cloud_source.h"
 #include "tiles/mpi_team.h"

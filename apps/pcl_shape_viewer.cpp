@@ -2,12 +2,11 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // pcl_shape_viewer: shows a cloud in a window, or draws a picture of it.
 
-#include "cli/app.h"
-#include "cli/atomic_file.h"
+#include "cli/command_line.h"
 #include "cli/errors.h"
+#include "cli/files.h"
 #include "cli/filter_app.h"
 #include "viewer/page.h"
-#include "viewer/page_points.h"
 #include "viewer/window.h"
 
 #include <iostream>
@@ -199,7 +198,7 @@ writePage(const Arguments& arguments,
           Report& report)
 {
   AtomicFile page(arguments.text("html"));
-  const Eigen::Vector3f origin = centerOf(*seen.points);
+  const Eigen::Vector3f origin = boxOf(*seen.points).center();
   const Scene scene = moved(std::move(seen), -origin);
   const PageContents contents{
       cloud,

@@ -47,7 +47,7 @@ def main():
     axes[-1, 0].set_xlabel("x (m), forward")
     marks = [pyplot.Line2D([], [], marker="o", linestyle="", color=COLORS[label], label=text)
              for label, text in ((1, "ground"), (0, "not ground"))]
-    figure.legend(handles=marks, loc="upper center", ncols=2)
+    axes[0, 0].legend(handles=marks, loc="lower center", bbox_to_anchor=(0.5, 1.04), borderaxespad=0, ncols=2)
     figure.savefig(sys.argv[-1], dpi=110)
 
 

@@ -13,4 +13,4 @@ for beams in 64 16; do
   "$build"/apps/pcl_shape_scene "$work/street.pcd" -sensor lidar -beams $beams -seed "$seed"
   "$build"/apps/pcl_shape_ground "$work/street.pcd" "$work/$beams.pcd" -format ascii
 done
-python3 "$scripts/draw_ground.py" "$work/64.pcd" "$work/16.pcd" "$picture"
+"${PYTHON:-python3}" "$scripts/draw_ground.py" "$work/64.pcd" "$work/16.pcd" "$picture"

@@ -45,9 +45,12 @@ def matrix(fx, fy, x, y):
 
 
 def table_of(points):
-    """The pixels of the plane that most points are on, away from all others."""
+    """The pixels of the plane that most points are on, away from all others; none without a plane."""
     is_near = numpy.isfinite(points[..., 2]) & (points[..., 2] < NEAREST_TABLES)
     near = points[is_near]
+    nowhere = numpy.zeros(is_near.shape, bool)
+    if len(near) < 3:
+        return nowhere
     random = numpy.random.default_rng(1)
     sample = near[random.integers(len(near), size=20000)]
     most, normal, center = 0, None, None
@@ -60,6 +63,8 @@ def table_of(points):
         count = numpy.count_nonzero(abs((sample - a) @ (cross / length)) < PLANE)
         if count > most:
             most, normal, center = count, cross / length, a
+    if normal is None:  # all points are at one place, or on a line
+        return nowhere
     for _ in range(5):
         on = near[abs((near - center) @ normal) < PLANE]
         center = on.mean(0)
@@ -106,6 +111,9 @@ IMAGES = {"pytorch_6dof-graspnet": graspnet_6dof, "PoseCNN-PyTorch": posecnn, "U
 
 def image_row(apps, name, points, truth):
     is_table = table_of(points).ravel()
+    if not is_table.any():
+        print(f"| {name} | no table was found | | | |", flush=True)
+        return
     with tempfile.TemporaryDirectory() as directory:
         cloud = pathlib.Path(directory) / "cloud.pcd"
         write_pcd(cloud, {axis: points[..., k].ravel() for k, axis in enumerate("xyz")}, points.shape[:2])

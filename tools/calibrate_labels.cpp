@@ -19,7 +19,6 @@
 #include <iostream>
 #include <iterator>
 #include <string>
-#include <tuple>
 #include <vector>
 
 // Logistic regression. The weights go to standard output, how well the confidence then

@@ -4,7 +4,6 @@
 
 #include "cli/input.h"
 
-#include "cli/app.h"
 #include "io/any_cloud.h"
 
 #include <pcl/features/coordinate_offset.h>

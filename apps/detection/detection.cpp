@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Which of the two methods detects, and with which settings, by the command line.
+// Which method detects with which settings, the field it makes, and points left
+// unknown.
 
 #include "detection/detection.h"
 
@@ -8,13 +9,66 @@
 #include "cli/filter_app.h"
 #include "cli/pcl_errors.h"
 #include "detection/model_file.h"
-#include "detection/resolution.h"
-#include "detection/unknown.h"
 
 #include <pcl/segmentation/shape_field_estimation.h>
+#include <pcl/segmentation/unknown_points.h>
+#include <pcl/features/impl/neighborhoods.hpp>
+
+#include <cmath>
+#include <sstream>
+#include <vector>
 
 namespace pcl::app {
+
+void
+addResolutionOption(CommandLine& command_line)
+{
+  command_line.option(
+      "resolution", "L", "look no finer than L meters, in clouds with many points");
+}
+
+double
+resolutionOf(const Arguments& arguments)
+{
+  return arguments.number("resolution", positive_length).value_or(0.0);
+}
+
 namespace {
+
+using FieldEstimation = pcl::ShapeFieldEstimation<pcl::PointXYZ>;
+
+/** Note the resolution of a field, and say why if it is not the one that was set. */
+void
+reportResolution(const std::string& path, double of_field, double given, Report& report)
+{
+  report.setNumber("parameters", "resolution", of_field);
+  if (of_field == given)
+    return;
+  std::ostringstream text;
+  text << path
+       << ": note: neighbors share noise that is larger than the distances between "
+          "points: the result is that of -resolution "
+       << of_field;
+  logLine(text.str());
+}
+
+pcl::ShapeField::ConstPtr
+compute(FieldEstimation& estimation,
+        const std::string& path,
+        const PointsPtr& points,
+        double resolution,
+        unsigned threads,
+        Report& report)
+{
+  estimation.setInputCloud(points);
+  estimation.setResolution(resolution);
+  estimation.setNumberOfThreads(threads);
+  const auto field = pcl::make_shared<pcl::ShapeField>();
+  withPclErrors(path, [&] { return estimation.compute(*field); });
+  reportResolution(path, field->resolution, resolution, report);
+  reportUnknown(path, *field, threads, report);
+  return field;
+}
 
 struct PaperOption {
   const char* name;
@@ -127,19 +181,14 @@ fieldOf(CloudFile& file,
   report.setNumber("parameters", "threshold", settings.threshold);
   report.setText("parameters", "model", arguments.text("model", "default"));
   report.setCount("parameters", "threads", arguments.threads());
-  pcl::ShapeFieldEstimation<pcl::PointXYZ> estimation;
-  estimation.setInputCloud(points);
-  estimation.setResolution(settings.resolution);
+  FieldEstimation estimation;
   estimation.setEdgesOnly(edges_only);
   if (settings.has_model && edges_only)
     estimation.setEdgeModel(settings.model);
   else if (settings.has_model)
     estimation.setSurfaceModel(settings.model);
-  estimation.setNumberOfThreads(arguments.threads());
-  const auto field = pcl::make_shared<pcl::ShapeField>();
-  withPclErrors(file.path, [&] { return estimation.compute(*field); });
-  reportResolution(file.path, field->resolution, settings.resolution, report);
-  reportUnknown(file.path, *field, arguments.threads(), report);
+  const auto field = compute(
+      estimation, file.path, points, settings.resolution, arguments.threads(), report);
   if (arguments.has("normals")) {
     const pcl::ShapeModel& model =
         edges_only ? estimation.getEdgeModel() : estimation.getSurfaceModel();
@@ -148,19 +197,33 @@ fieldOf(CloudFile& file,
   return field;
 }
 
-InadCloud
-inadOf(CloudFile& file,
-       const DetectionSettings& settings,
-       const Arguments& arguments,
-       Report& report)
+PointsPtr
+prepare(Detector& detector,
+        CloudFile& file,
+        const DetectionSettings& settings,
+        const Arguments& arguments,
+        Report& report)
 {
-  InadCloud cloud = estimateInad(file, arguments, settings.parameters, report);
+  detector.setNumberOfThreads(arguments.threads());
+  detector.setMode(settings.paper ? Detector::PAPER : Detector::DEFAULT);
+  detector.setThreshold(settings.threshold);
+  if (!settings.paper) {
+    const PointsPtr points = pointsOf(file);
+    detector.setInputCloud(points);
+    return points;
+  }
+  const InadCloud cloud = estimateInad(file, arguments, settings.parameters, report);
   report.setText("parameters", "mode", "paper");
   report.setNumber("parameters", "threshold", settings.threshold);
   report.setText("parameters", "model", arguments.text("model", "ideal plane"));
   report.setCount(
       "parameters", "bins", settings.model.classes().front().histogram.muBins());
-  return cloud;
+  detector.setInputCloud(cloud.points);
+  detector.setInputNormals(cloud.normals);
+  detector.setInputINAD(cloud.inad);
+  detector.setModel(settings.model);
+  detector.setIgnoreModelParameters(arguments.has("ignore_model_parameters"));
+  return cloud.points;
 }
 
 void
@@ -174,6 +237,121 @@ reportClasses(const std::vector<std::string>& names,
     unknown -= members[c].indices.size();
   }
   report.setCount("counts", "unknown", unknown);
+}
+
+pcl::ShapeField::ConstPtr
+surfaceFieldOf(const CloudFile& file,
+               const PointsPtr& points,
+               const std::optional<pcl::ShapeModel>& model,
+               double resolution,
+               unsigned threads,
+               Report& report)
+{
+  FieldEstimation estimation;
+  if (model)
+    estimation.setSurfaceModel(*model);
+  return compute(estimation, file.path, points, resolution, threads, report);
+}
+
+namespace {
+
+constexpr std::size_t one_of = 20; // 5 %: scans have as many strays and border points
+
+std::string
+meters(float length)
+{
+  std::ostringstream text;
+  text.precision(2);
+  text << length << " m";
+  return text.str();
+}
+
+/** The reasons that hold, each with how many points it explains. */
+std::string
+reasonsOf(const pcl::UnknownPoints& points)
+{
+  std::string text;
+  const auto add = [&](std::size_t count, const std::string& reason) {
+    if (count > 0)
+      text += (text.empty() ? "" : "; ") + std::to_string(count) + ' ' + reason;
+  };
+  const std::string spacing = meters(points.spacing);
+  add(points.rounded,
+      "have coordinates too large for float, whose spacing is " +
+          meters(points.float_spacing) + " there and the cloud's " + spacing +
+          ": subtract an offset before they become floats");
+  add(points.at_one_place, "are at one place with others, and nothing around it");
+  add(points.few_neighbors,
+      "have fewer than 5 neighbors within their radius" +
+          (points.radius > 0.0f ? ", " + meters(points.radius) : "") + " (median)" +
+          (points.spacing > 0.0f ? ", where the cloud's spacing is " + spacing : ""));
+  add(points.on_a_line, "have all neighbors on a line");
+  add(points.unknown_neighbors, "have too few neighbors that are known");
+  return text;
+}
+
+/** Whether to say why: before the reasons are looked for, which takes longer. */
+bool
+areMany(const pcl::XYZView& points, const std::vector<float>& values)
+{
+  std::size_t finite = 0, unknown = 0;
+  for (std::size_t i = 0; i < points.size; ++i) {
+    const float* const p = points[i];
+    const bool is_finite =
+        std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+    finite += is_finite ? 1 : 0;
+    unknown += is_finite && std::isnan(values[i]) ? 1 : 0;
+  }
+  return unknown * one_of > finite;
+}
+
+void
+addReasons(const std::string& path, const pcl::UnknownPoints& points, Report& report)
+{
+  if (points.rounded < points.unknown) // else chooseOffset() has said it
+    logLine(path + ": warning: " + std::to_string(points.unknown) + " of " +
+            std::to_string(points.finite) +
+            " points got no answer: " + reasonsOf(points));
+  const std::string section = "unknown";
+  report.setCount(section, "float_rounding", points.rounded);
+  report.setCount(section, "at_one_place", points.at_one_place);
+  report.setCount(section, "few_neighbors", points.few_neighbors);
+  report.setCount(section, "on_a_line", points.on_a_line);
+  report.setCount(section, "unknown_neighbors", points.unknown_neighbors);
+  report.setNumber(section, "spacing", points.spacing);
+  report.setNumber(section, "float_spacing", points.float_spacing);
+  report.setNumber(section, "radius", points.radius);
+}
+
+} // namespace
+
+void
+reportUnknown(const std::string& path,
+              const pcl::ShapeField& field,
+              unsigned threads,
+              Report& report)
+{
+  const bool has_classes = !field.likelihoods.empty();
+  if (areMany(field.points,
+              has_classes ? field.likelihoods.front() : field.edge_likelihood))
+    addReasons(path, pcl::unknownPoints(field, threads), report);
+}
+
+void
+reportUnknown(const std::string& path,
+              const pcl::PointCloud<pcl::PointXYZ>& points,
+              const pcl::PointCloud<pcl::INAD>& inad,
+              const pcl::INADParameters& parameters,
+              unsigned threads,
+              Report& report)
+{
+  std::vector<float> mu;
+  mu.reserve(inad.size());
+  for (const pcl::INAD& point : inad)
+    mu.push_back(point.mu);
+  const pcl::XYZView view = pcl::detail::xyzOf(points);
+  if (areMany(view, mu))
+    addReasons(path, pcl::unknownPoints(view, mu, parameters, threads), report);
 }
 
 } // namespace pcl::app

@@ -1,21 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Which of the two methods detects, and with which settings, by the command line.
+// Which method detects with which settings, the field it makes, and points left
+// unknown.
 
 #pragma once
 
-#include "cli/arguments.h"
 #include "cli/command_line.h"
 #include "cli/report.h"
-#include "detection/inad_options.h"
-#include "detection/inad_stages.h"
+#include "detection/inad.h"
 #include "io/cloud_file.h"
 
+#include <pcl/features/inad_point.h>
 #include <pcl/features/shape_model.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
 #include <pcl/segmentation/shape_detection.h>
 #include <pcl/segmentation/shape_field.h>
 
+#include <optional>
+#include <string>
+
 namespace pcl::app {
+
+void addResolutionOption(CommandLine& command_line);
+
+/** \brief Meters, 0 if it is not given, for setResolution(). */
+double resolutionOf(const Arguments& arguments);
 
 using PointsPtr = pcl::PointCloud<pcl::PointXYZ>::ConstPtr;
 
@@ -50,42 +60,46 @@ pcl::ShapeField::ConstPtr fieldOf(CloudFile& file,
                                   const Arguments& arguments,
                                   Report& report);
 
-/** \brief The points of a cloud, and INAD for the paper's method, noted likewise. */
-InadCloud inadOf(CloudFile& file,
-                 const DetectionSettings& settings,
-                 const Arguments& arguments,
-                 Report& report);
+/** \brief What ShapeBackProjection and ShapeEdgeDetection share. */
+using Detector = pcl::ShapeDetection<pcl::PointXYZ, pcl::Normal>;
 
-/** \brief Give a detector the points of a cloud, and for the paper's method all that it
- * needs besides; the default method's field is set by the caller. \return the points */
-template <typename Detector>
-PointsPtr
-setInput(Detector& detector,
-         CloudFile& file,
-         const DetectionSettings& settings,
-         const Arguments& arguments,
-         Report& report)
-{
-  detector.setNumberOfThreads(arguments.threads());
-  if (!settings.paper) {
-    const PointsPtr points = pointsOf(file);
-    detector.setInputCloud(points);
-    return points;
-  }
-  const InadCloud cloud = inadOf(file, settings, arguments, report);
-  detector.setMode(Detector::PAPER);
-  detector.setInputCloud(cloud.points);
-  detector.setInputNormals(cloud.normals);
-  detector.setInputINAD(cloud.inad);
-  detector.setModel(settings.model);
-  detector.setThreshold(settings.threshold);
-  detector.setIgnoreModelParameters(arguments.has("ignore_model_parameters"));
-  return cloud.points;
-}
+/** \brief Give a detector its mode, threshold and points, and for the paper's method
+ * all that it needs besides; the default method's field is set by the caller. \return
+ * the points */
+PointsPtr prepare(Detector& detector,
+                  CloudFile& file,
+                  const DetectionSettings& settings,
+                  const Arguments& arguments,
+                  Report& report);
 
 /** \brief Note how many points are of each class, and how many of none. */
 void reportClasses(const std::vector<std::string>& names,
                    const std::vector<pcl::PointIndices>& members,
+                   Report& report);
+
+/** \brief What the default method finds in a cloud. If many points are unknown, or
+ * means stand for them that were not asked for, it is said why. \throws InputError with
+ * the reason if the cloud is refused */
+pcl::ShapeField::ConstPtr surfaceFieldOf(const CloudFile& file,
+                                         const PointsPtr& points,
+                                         const std::optional<pcl::ShapeModel>& model,
+                                         double resolution,
+                                         unsigned threads,
+                                         Report& report);
+
+/** \brief If more than 5 % of the finite points are unknown, a line on standard error
+ * that says why, and the counts by reason in the section "unknown". */
+void reportUnknown(const std::string& path,
+                   const pcl::ShapeField& field,
+                   unsigned threads,
+                   Report& report);
+
+/** \brief The same for INAD of a cloud. */
+void reportUnknown(const std::string& path,
+                   const pcl::PointCloud<pcl::PointXYZ>& points,
+                   const pcl::PointCloud<pcl::INAD>& inad,
+                   const pcl::INADParameters& parameters,
+                   unsigned threads,
                    Report& report);
 
 } // namespace pcl::app

@@ -4,9 +4,8 @@
 
 #include "io/any_cloud.h"
 
-#include "cli/read_file.h"
+#include "cli/files.h"
 #include "io/kitti_file.h"
-#include "io/pcd.h"
 #include "io/ply.h"
 #include "io/text.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// A cloud with all the fields of its file, and its fields as vectors.
+// A cloud with all the fields of its file, under PCL's names.
 
 #pragma once
 
@@ -134,5 +134,14 @@ void setField(CloudFile& cloud,
 
 /** \brief Set normal_x, normal_y, normal_z and curvature. */
 void setNormals(CloudFile& cloud, const pcl::PointCloud<pcl::Normal>& normals);
+
+/** \brief Coordinates, normals, colors and intensity in capitals get PCL's names,
+ * unless a field has the name already. */
+void usePclNames(CloudFile& cloud);
+
+/** \brief The same for the properties of PLY: nx ny nz are normal_x normal_y normal_z;
+ * red green blue (or diffuse_red and so on), bytes, become the one field rgb, with
+ * alpha rgba, as pcl::PLYReader makes them. */
+void usePclNamesOfPly(CloudFile& cloud);
 
 } // namespace pcl::app

@@ -6,7 +6,6 @@
 
 #include "cli/errors.h"
 #include "io/any_cloud.h"
-#include "io/pcl_names.h"
 #include "io/ply.h"
 #include "io/text.h"
 
@@ -23,7 +22,7 @@ namespace {
 
 constexpr std::size_t part_points = 1 << 17; // some megabytes
 // Points of a section: small ones can be shared evenly, large ones make few files.
-constexpr std::uint64_t least_section = part_points, most_section = 1 << 20,
+constexpr std::uint64_t min_section = part_points, max_section = 1 << 20,
                         wanted_sections = 8;
 constexpr std::size_t head_bytes = 1 << 20; // of a header: PCL's have some hundred
 constexpr std::size_t text_bytes = 1 << 22; // of text at a time
@@ -235,7 +234,7 @@ CloudStream::countSections() const
   if (!rows_ || rows_->is_text)
     return 1;
   const std::uint64_t of_section =
-      std::clamp(size() / wanted_sections, least_section, most_section);
+      std::clamp(size() / wanted_sections, min_section, max_section);
   return static_cast<std::size_t>(
       std::max<std::uint64_t>(1, (size() + of_section - 1) / of_section));
 }

@@ -9,8 +9,7 @@
 #include "io/pcd.h"
 
 #include "cli/errors.h"
-#include "cli/read_file.h"
-#include "io/pcl_names.h"
+#include "cli/files.h"
 #include "io/text.h"
 
 #include <pcl/common/io.h>
@@ -242,16 +241,8 @@ HeaderLines::HeaderLines(const std::string& path, std::string_view file) : path_
 void
 HeaderLines::add(std::string_view line, std::size_t number)
 {
-  constexpr std::array<std::string_view, 10> keywords{"VERSION",
-                                                      "FIELDS",
-                                                      "SIZE",
-                                                      "TYPE",
-                                                      "COUNT",
-                                                      "WIDTH",
-                                                      "HEIGHT",
-                                                      "VIEWPOINT",
-                                                      "POINTS",
-                                                      "DATA"};
+  static const Words keywords =
+      splitWords("VERSION FIELDS SIZE TYPE COUNT WIDTH HEIGHT VIEWPOINT POINTS DATA");
   Words words = splitWords(line);
   if (words.empty() || words.front().front() == '#')
     return;
@@ -641,29 +632,6 @@ writtenType(const pcl::PCLPointField& field, PCDFormat format)
              : field.datatype;
 }
 
-std::string
-encodeHeader(const CloudFile& cloud, PCDFormat format)
-{
-  std::string names = "FIELDS";
-  std::string sizes = "SIZE";
-  std::string types = "TYPE";
-  std::string counts = "COUNT";
-  for (const auto& field : cloud.blob.fields) {
-    names += ' ' + field.name;
-    sizes += ' ' + std::to_string(valueSize(field.datatype));
-    types += std::string(" ") + pcl::getFieldType(writtenType(field, format));
-    counts += ' ' + std::to_string(field.count);
-  }
-  std::string viewpoint = "VIEWPOINT";
-  for (const float value : cloud.viewpoint)
-    appendNumber(value, viewpoint += ' ');
-  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n" + names + '\n' +
-         sizes + '\n' + types + '\n' + counts + "\nWIDTH " +
-         std::to_string(cloud.blob.width) + "\nHEIGHT " +
-         std::to_string(cloud.blob.height) + '\n' + viewpoint + "\nPOINTS " +
-         std::to_string(cloud.size()) + "\nDATA " + nameOf(format) + '\n';
-}
-
 void
 appendAscii(const CloudFile& cloud, std::string& text)
 {
@@ -709,22 +677,47 @@ appendCompressed(const CloudFile& cloud, std::string& text)
   text += data;
 }
 
+void
+appendPoints(const CloudFile& cloud, PCDFormat format, std::string& text)
+{
+  if (format == PCDFormat::ascii)
+    appendAscii(cloud, text);
+  else if (format == PCDFormat::binary)
+    text.append(cloud.blob.data.begin(), cloud.blob.data.end());
+  else
+    appendCompressed(cloud, text);
+}
+
 } // namespace
 
 std::string
 encodePcdHeader(const CloudFile& cloud, PCDFormat format)
 {
-  return encodeHeader(cloud, format);
+  std::string names = "FIELDS";
+  std::string sizes = "SIZE";
+  std::string types = "TYPE";
+  std::string counts = "COUNT";
+  for (const auto& field : cloud.blob.fields) {
+    names += ' ' + field.name;
+    sizes += ' ' + std::to_string(valueSize(field.datatype));
+    types += std::string(" ") + pcl::getFieldType(writtenType(field, format));
+    counts += ' ' + std::to_string(field.count);
+  }
+  std::string viewpoint = "VIEWPOINT";
+  for (const float value : cloud.viewpoint)
+    appendNumber(value, viewpoint += ' ');
+  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n" + names + '\n' +
+         sizes + '\n' + types + '\n' + counts + "\nWIDTH " +
+         std::to_string(cloud.blob.width) + "\nHEIGHT " +
+         std::to_string(cloud.blob.height) + '\n' + viewpoint + "\nPOINTS " +
+         std::to_string(cloud.size()) + "\nDATA " + nameOf(format) + '\n';
 }
 
 std::string
 encodePcdPoints(const CloudFile& cloud, PCDFormat format)
 {
   std::string text;
-  if (format == PCDFormat::ascii)
-    appendAscii(cloud, text);
-  else
-    text.assign(cloud.blob.data.begin(), cloud.blob.data.end());
+  appendPoints(cloud, format, text);
   return text;
 }
 
@@ -734,13 +727,8 @@ encodeCloud(const CloudFile& cloud, PCDFormat format)
   if (cloud.blob.data.size() > max_bytes)
     throw InputError(cloud.path + ": " + std::to_string(cloud.blob.data.size()) +
                      " bytes with the new fields; must be less than 4 GiB");
-  std::string text = encodeHeader(cloud, format);
-  if (format == PCDFormat::ascii)
-    appendAscii(cloud, text);
-  else if (format == PCDFormat::binary)
-    text.append(cloud.blob.data.begin(), cloud.blob.data.end());
-  else
-    appendCompressed(cloud, text);
+  std::string text = encodePcdHeader(cloud, format);
+  appendPoints(cloud, format, text);
   return text;
 }
 

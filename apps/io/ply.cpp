@@ -5,8 +5,6 @@
 #include "io/ply.h"
 
 #include "cli/errors.h"
-#include "io/pcd.h"
-#include "io/pcl_names.h"
 #include "io/text.h"
 
 #include <Eigen/Geometry>
@@ -437,7 +435,7 @@ void
 takeElement(const CloudFile& cloud, const Element& element, Body& body, const Use& use)
 {
   if (element.properties.empty())
-    return; // nothing of it is in the file
+    return; // the file has no data of it
   std::size_t least = 0;
   for (const InProperty& property : element.properties)
     least += body.minBytes(property.count_type.value_or(property.datatype));
@@ -474,18 +472,9 @@ public:
   void
   set(const InProperty& property, const std::uint8_t* bytes)
   {
-    constexpr std::array<const char*, 12> names{"x_axisx",
-                                                "x_axisy",
-                                                "x_axisz",
-                                                "y_axisx",
-                                                "y_axisy",
-                                                "y_axisz",
-                                                "z_axisx",
-                                                "z_axisy",
-                                                "z_axisz",
-                                                "view_px",
-                                                "view_py",
-                                                "view_pz"};
+    static const Words names =
+        splitWords("x_axisx x_axisy x_axisz y_axisx y_axisy y_axisz "
+                   "z_axisx z_axisy z_axisz view_px view_py view_pz");
     const auto place = std::find(names.begin(), names.end(), property.name);
     if (place == names.end())
       return;
@@ -662,10 +651,38 @@ propertiesOf(const CloudFile& cloud)
   return properties;
 }
 
+void
+appendPoints(const CloudFile& cloud, bool is_text, std::string& text)
+{
+  const std::vector<Property> properties = propertiesOf(cloud);
+  std::size_t step = 0;
+  for (const Property& property : properties)
+    step += property.size;
+  if (!is_text)
+    text.reserve(text.size() + step * cloud.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    for (const Property& property : properties) {
+      const std::uint8_t* const from =
+          cloud.blob.data.data() + i * cloud.blob.point_step + property.offset;
+      if (!is_text) {
+        text.append(reinterpret_cast<const char*>(from), property.size);
+        continue;
+      }
+      visitType(*datatypeOf(property.type), [&](auto value) {
+        std::memcpy(&value, from, sizeof(value));
+        appendFileNumber(value, text);
+        text += ' ';
+      });
+    }
+    if (is_text)
+      text.back() = '\n';
+  }
+}
+
+} // namespace
+
 std::string
-encodeHeader(const CloudFile& cloud,
-             const std::vector<Property>& properties,
-             bool is_text)
+encodePlyHeader(const CloudFile& cloud, bool is_text)
 {
   std::string text = std::string("ply\nformat ") +
                      (is_text ? "ascii" : "binary_little_endian") +
@@ -676,77 +693,24 @@ encodeHeader(const CloudFile& cloud,
     text += "\nobj_info num_cols " + std::to_string(cloud.blob.width) +
             "\nobj_info num_rows " + std::to_string(cloud.blob.height);
   text += "\nelement vertex " + std::to_string(cloud.size()) + '\n';
-  for (const Property& property : properties)
+  for (const Property& property : propertiesOf(cloud))
     text += std::string("property ") + property.type + ' ' + property.name + '\n';
   return text + "end_header\n";
-}
-
-void
-appendText(const CloudFile& cloud,
-           const std::vector<Property>& properties,
-           std::string& text)
-{
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    for (const Property& property : properties)
-      visitType(*datatypeOf(property.type), [&](auto value) {
-        std::memcpy(&value,
-                    cloud.blob.data.data() + i * cloud.blob.point_step +
-                        property.offset,
-                    sizeof(value));
-        appendFileNumber(value, text);
-        text += ' ';
-      });
-    text.back() = '\n';
-  }
-}
-
-void
-appendBinary(const CloudFile& cloud,
-             const std::vector<Property>& properties,
-             std::string& text)
-{
-  std::size_t step = 0;
-  for (const Property& property : properties)
-    step += property.size;
-  const std::size_t begin = text.size();
-  text.resize(begin + step * cloud.size());
-  char* to = text.data() + begin;
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    for (const Property& property : properties) {
-      const std::size_t from = i * cloud.blob.point_step + property.offset;
-      std::memcpy(to, cloud.blob.data.data() + from, property.size);
-      to += property.size;
-    }
-}
-
-} // namespace
-
-std::string
-encodePlyHeader(const CloudFile& cloud, bool is_text)
-{
-  return encodeHeader(cloud, propertiesOf(cloud), is_text);
 }
 
 std::string
 encodePlyPoints(const CloudFile& cloud, bool is_text)
 {
   std::string text;
-  if (is_text)
-    appendText(cloud, propertiesOf(cloud), text);
-  else
-    appendBinary(cloud, propertiesOf(cloud), text);
+  appendPoints(cloud, is_text, text);
   return text;
 }
 
 std::string
 encodePly(const CloudFile& cloud, bool is_text)
 {
-  const std::vector<Property> properties = propertiesOf(cloud);
-  std::string text = encodeHeader(cloud, properties, is_text);
-  if (is_text)
-    appendText(cloud, properties, text);
-  else
-    appendBinary(cloud, properties, text);
+  std::string text = encodePlyHeader(cloud, is_text);
+  appendPoints(cloud, is_text, text);
   return text;
 }
 

@@ -79,7 +79,7 @@ std::string inQuotes(std::string_view word);
 /** \brief The words of a line. */
 std::vector<std::string_view> splitWords(std::string_view line);
 
-/** \brief The same for text of points: nothing of a line that begins with #. */
+/** \brief The same for rows of points: none of a line that begins with #. */
 std::vector<std::string_view> splitPoint(std::string_view line);
 
 /** \brief Take the first line, without its end, off the text. */

@@ -4,10 +4,9 @@
 
 #include "labels/label_directory.h"
 
-#include "cli/atomic_file.h"
 #include "cli/errors.h"
+#include "cli/files.h"
 #include "cli/filter_app.h"
-#include "cli/read_file.h"
 #include "io/any_cloud.h"
 #include "io/kitti_file.h"
 #include "io/ply.h"

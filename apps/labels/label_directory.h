@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "cli/arguments.h"
+#include "cli/command_line.h"
 
 #include <string>
 

@@ -7,15 +7,12 @@
 #include "cli/errors.h"
 #include "cli/filter_app.h"
 #include "cli/pcl_errors.h"
-#include "detection/inad_options.h"
+#include "detection/detection.h"
+#include "detection/inad.h"
 #include "detection/model_file.h"
-#include "detection/resolution.h"
-#include "detection/surface_field.h"
 #include "io/kitti_file.h"
 #include "io/pcd.h"
 #include "io/ply.h"
-
-#include <pcl/segmentation/shape_labeling.h>
 
 #include <algorithm>
 #include <numeric>

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "cli/arguments.h"
+#include "cli/command_line.h"
 #include "cli/report.h"
 #include "io/cloud_file.h"
 

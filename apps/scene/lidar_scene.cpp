@@ -7,11 +7,11 @@
 #include "cli/errors.h"
 #include "cli/filter_app.h"
 #include "scene/lidar.h"
+#include "scene/scene_cloud.h"
 #include "scene/scene_kind.h"
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace pcl::app {
 namespace {
@@ -61,8 +61,7 @@ LidarOptions
 lidarOptions(const Arguments& arguments)
 {
   LidarOptions options;
-  options.seed = arguments.integer("seed", 0, std::numeric_limits<std::uint64_t>::max())
-                     .value_or(options.seed);
+  options.seed = seedOf(arguments);
   options.beams = static_cast<unsigned>(
       std::stoul(arguments.choice("beams", {"64", "16", "32", "128"})));
   options.place = chosen(arguments, "place", places);
@@ -82,28 +81,10 @@ lidarOptions(const Arguments& arguments)
   return options;
 }
 
-std::vector<float>
-channel(const std::vector<float>& values, std::size_t first)
-{
-  std::vector<float> one;
-  one.reserve(values.size() / 3);
-  for (std::size_t i = first; i < values.size(); i += 3)
-    one.push_back(values[i]);
-  return one;
-}
-
 CloudFile
-toCloud(const LidarScan& scan, bool with_normals)
+toCloud(const LidarScan& scan, const Arguments& arguments)
 {
-  CloudFile cloud;
-  cloud.path = "the generated street";
-  cloud.blob.width = static_cast<std::uint32_t>(scan.size());
-  cloud.blob.height = 1;
-  const char* const names[] = {"x", "y", "z", "normal_x", "normal_y", "normal_z"};
-  for (std::size_t c = 0; c < 3; ++c)
-    setField(cloud, names[c], channel(scan.xyz, c));
-  for (std::size_t c = 0; c < 3 && with_normals; ++c)
-    setField(cloud, names[3 + c], channel(scan.normals, c));
+  CloudFile cloud = cloudOf("the generated street", scan.xyz, scan.normals, arguments);
   setField(cloud, "ground", scan.ground);
   setField(cloud, "surface", scan.surface);
   setField(cloud, "instance", scan.instance);
@@ -137,7 +118,7 @@ lidarCloud(const Arguments& arguments, Report& report)
   const LidarOptions options = lidarOptions(arguments);
   const LidarScan scan =
       report.time("generate", [&] { return pcl::scene::scanStreet(options); });
-  CloudFile cloud = toCloud(scan, arguments.has("normals"));
+  CloudFile cloud = toCloud(scan, arguments);
   reportPoints(*pointsOf(cloud), report);
   const auto count = [&](std::uint32_t label) {
     return static_cast<std::uint64_t>(

@@ -7,6 +7,7 @@
 #include "cli/errors.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace pcl::app {
 namespace {
@@ -196,6 +197,13 @@ sceneKind(const Arguments& arguments)
   return arguments.text("place") == "part" ? SceneKind::Part : SceneKind::Table;
 }
 
+std::uint64_t
+seedOf(const Arguments& arguments)
+{
+  return arguments.integer("seed", 0, std::numeric_limits<std::uint64_t>::max())
+      .value_or(1);
+}
+
 bool
 isSampled(const Arguments& arguments)
 {
@@ -213,7 +221,7 @@ isDepthCamera(const Arguments& arguments)
 std::optional<double>
 noiseSigma(const Arguments& arguments, const std::string& usual)
 {
-  constexpr double max_noise = 0.1; // meters: objects, stairs and kerbs drown in more
+  constexpr double max_noise = 0.1; // meters: objects, stairs and curbs drown in more
   const std::string noise = arguments.text("noise", usual);
   if (noise == usual)
     return std::nullopt;

@@ -6,6 +6,7 @@
 
 #include "cli/command_line.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -18,6 +19,9 @@ enum class SceneKind { Table, Part, Room, Street };
 void addKindOptions(CommandLine& command_line);
 
 SceneKind sceneKind(const Arguments& arguments);
+
+/** \brief -seed, 1 by default. */
+std::uint64_t seedOf(const Arguments& arguments);
 
 /** \brief Whether points are spread over all surfaces: there is no camera. */
 bool isSampled(const Arguments& arguments);

@@ -6,7 +6,7 @@
 
 #include "cli/errors.h"
 #include "cli/pcl_errors.h"
-#include "detection/edges.h"
+#include "detection/results.h"
 #include "tiles/bytes.h"
 #include "tiles/tile_instances.h"
 #include "tiles/tile_places.h"

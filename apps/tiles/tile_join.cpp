@@ -4,8 +4,8 @@
 
 #include "tiles/tile_join.h"
 
-#include "cli/atomic_file.h"
 #include "cli/errors.h"
+#include "cli/files.h"
 #include "io/any_cloud.h"
 #include "io/ply.h"
 

@@ -5,7 +5,7 @@
 #include "tiles/tile_surfaces.h"
 
 #include "cli/pcl_errors.h"
-#include "detection/surfaces.h"
+#include "detection/results.h"
 #include "tiles/selection.h"
 #include "tiles/tile_places.h"
 

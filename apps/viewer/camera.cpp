@@ -4,7 +4,7 @@
 
 #include "viewer/camera.h"
 
-#include "cli/arguments.h"
+#include "cli/command_line.h"
 #include "cli/errors.h"
 #include "io/text.h"
 
@@ -25,16 +25,6 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 constexpr float usual_angle = 30.0f; // degrees
 constexpr float degrees_per_radian = 57.2957795f;
 constexpr float margin = 1.04f;
-
-Eigen::AlignedBox3f
-boxOf(const Cloud& points)
-{
-  Eigen::AlignedBox3f box;
-  for (const pcl::PointXYZ& point : points)
-    if (pcl::isXYZFinite(point))
-      box.extend(point.getVector3fMap());
-  return box;
-}
 
 float
 quantile(std::vector<float> values, double share)
@@ -102,6 +92,16 @@ isInFront(const Cloud& points, const Eigen::AlignedBox3f& box)
 }
 
 } // namespace
+
+Eigen::AlignedBox3f
+boxOf(const Cloud& points)
+{
+  Eigen::AlignedBox3f box;
+  for (const pcl::PointXYZ& point : points)
+    if (pcl::isXYZFinite(point))
+      box.extend(point.getVector3fMap());
+  return box;
+}
 
 std::size_t
 hideStrays(Cloud& points)

@@ -19,6 +19,9 @@ struct Camera {
   float angle; ///< of view from bottom to top, degrees
 };
 
+/** \brief The box around the finite points. */
+Eigen::AlignedBox3f boxOf(const pcl::PointCloud<pcl::PointXYZ>& points);
+
 /** \brief The sensor's view, if the points are in front of it, else from above the
  * cloud's corner with z up; the angle of view is such that all points are seen.
  * \param[in] points at least one is finite

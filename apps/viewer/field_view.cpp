@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Colors points by numbers, by labels, or by their own colors.
+// The colors of the points by one field, with their legend or scale.
 
 #include "viewer/field_view.h"
 
 #include "cli/errors.h"
 #include "io/text.h"
 
+#include <pcl/common/colors.h>
 #include <pcl/common/point_tests.h>
 
 #include <algorithm>
@@ -16,6 +17,41 @@
 #include <sstream>
 
 namespace pcl::app {
+namespace {
+
+std::vector<Color>
+colorsSeenOnWhite()
+{
+  constexpr int lightest = 3 * 200, darkest = 3 * 30; // sums of the channels
+  std::vector<Color> seen;
+  for (std::size_t i = 0; i < pcl::GlasbeyLUT::size(); ++i) {
+    const pcl::RGB color = pcl::GlasbeyLUT::at(i);
+    const int sum = color.r + color.g + color.b;
+    if (sum >= darkest && sum <= lightest)
+      seen.push_back({color.r, color.g, color.b});
+  }
+  return seen;
+}
+
+} // namespace
+
+Color
+viridis(double share)
+{
+  const auto last = static_cast<double>(pcl::ViridisLUT::size() - 1);
+  const double position = std::clamp(share, 0.0, 1.0) * last;
+  const pcl::RGB color =
+      pcl::ViridisLUT::at(static_cast<std::size_t>(std::lround(position)));
+  return {color.r, color.g, color.b};
+}
+
+Color
+distinctColor(std::size_t position)
+{
+  static const std::vector<Color> seen = colorsSeenOnWhite();
+  return seen[position % seen.size()];
+}
+
 namespace {
 
 constexpr double degrees_per_radian = 180.0 / 3.14159265358979323846;
@@ -332,21 +368,11 @@ parseLabelNames(const std::string& text)
 std::string
 defaultField(const CloudFile& cloud)
 {
-  for (const char* const field : {"outcome",
-                                  "surface",
-                                  "edge_type",
-                                  "edge",
-                                  "ground",
-                                  "label",
-                                  "instance",
-                                  "rgb",
-                                  "rgba",
-                                  "likelihood",
-                                  "edge_likelihood",
-                                  "mu",
-                                  "intensity"})
-    if (findField(cloud, field))
-      return field;
+  for (const std::string_view field :
+       splitWords("outcome surface edge_type edge ground label instance rgb rgba "
+                  "likelihood edge_likelihood mu intensity"))
+    if (findField(cloud, std::string(field)))
+      return std::string(field);
   return "z";
 }
 

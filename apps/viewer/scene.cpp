@@ -44,16 +44,6 @@ move(Vector& place, const Eigen::Vector3f& offset)
 
 } // namespace
 
-Eigen::Vector3f
-centerOf(const pcl::PointCloud<pcl::PointXYZ>& points)
-{
-  Eigen::AlignedBox3f box;
-  for (const pcl::PointXYZ& point : points)
-    if (pcl::isXYZFinite(point))
-      box.extend(point.getVector3fMap());
-  return box.center();
-}
-
 Scene
 moved(Scene scene, const Eigen::Vector3f& offset)
 {

@@ -39,9 +39,6 @@ struct Scene {
   bool keys = false;           ///< show what the keys do
 };
 
-/** \brief The middle of the box around the points. */
-Eigen::Vector3f centerOf(const pcl::PointCloud<pcl::PointXYZ>& points);
-
 /** \brief The scene with all places moved by so much. */
 Scene moved(Scene scene, const Eigen::Vector3f& offset);
 

@@ -5,7 +5,7 @@
 #include "viewer/scene_files.h"
 
 #include "cli/errors.h"
-#include "cli/read_file.h"
+#include "cli/files.h"
 #include "io/text.h"
 
 #include <Eigen/Core>

@@ -9,7 +9,6 @@
 #include <pcl/filters/filter.h>
 #include <pcl/io/pcd_io.h>
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>

@@ -69,7 +69,7 @@ parse(int argc, char** argv, const po::options_description& description, Options
   if (o.repeat == 0 || o.threads == 0)
     throw std::invalid_argument("at least 1 thread and 1 run are needed");
   if (!o.cloud.empty() && !o.generate.empty())
-    throw std::invalid_argument("a file or -generate is allowed, not both");
+    throw std::invalid_argument("expected a file or -generate, not both");
   pcl::kernels::chooseTarget(o.target);
   if (o.target.empty())
     o.target = pcl::kernels::availableTargets().front();

@@ -10,7 +10,6 @@
 #include <pcl/segmentation/sac_segmentation.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <sstream>

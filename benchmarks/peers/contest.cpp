@@ -6,13 +6,14 @@
 
 #include <exception>
 #include <iostream>
+#include <limits>
 #include <stdexcept>
-#include <utility>
 
 namespace peers {
 namespace {
 
 using Trials = std::vector<Trial>; ///< of one setting, a cloud each
+constexpr std::size_t no_cloud = std::numeric_limits<std::size_t>::max();
 
 struct Choice {
   std::size_t setting = 0;
@@ -56,16 +57,21 @@ trialsOfAll(const Peer& peer,
   return all;
 }
 
-/** The largest mean F1. */
+/** The largest mean F1 over all clouds, or all but one. */
 Choice
-bestChoice(const Peer& peer, const std::vector<Trials>& by_setting)
+bestChoice(const Peer& peer,
+           const std::vector<Trials>& by_setting,
+           std::size_t left_out = no_cloud)
 {
   Choice best;
   double best_f1 = -1.0;
   for (std::size_t s = 0; s < by_setting.size(); ++s) {
-    const float threshold =
-        peer.threshold ? *peer.threshold : bestThreshold(by_setting[s]);
-    const double f1 = meanF1(by_setting[s], threshold);
+    std::vector<const Trial*> trials;
+    for (std::size_t i = 0; i < by_setting[s].size(); ++i)
+      if (i != left_out)
+        trials.push_back(&by_setting[s][i]);
+    const float threshold = peer.threshold ? *peer.threshold : bestThreshold(trials);
+    const double f1 = meanF1(trials, threshold);
     std::cerr << peer.name << ", " << peer.settings[s].text << ": mean F1 " << f1
               << '\n';
     if (f1 > best_f1) {
@@ -74,22 +80,6 @@ bestChoice(const Peer& peer, const std::vector<Trials>& by_setting)
     }
   }
   return best;
-}
-
-/** The best for the other clouds; the trials are as they were afterwards. */
-Choice
-bestWithout(std::size_t cloud, const Peer& peer, std::vector<Trials>& by_setting)
-{
-  const auto at = static_cast<std::ptrdiff_t>(cloud);
-  Trials own;
-  for (Trials& trials : by_setting) {
-    own.push_back(std::move(trials[cloud]));
-    trials.erase(trials.begin() + at);
-  }
-  const Choice choice = bestChoice(peer, by_setting);
-  for (std::size_t s = 0; s < own.size(); ++s)
-    by_setting[s].insert(by_setting[s].begin() + at, std::move(own[s]));
-  return choice;
 }
 
 /** A cloud's trial with what was chosen for it. */
@@ -122,7 +112,7 @@ compete(const Peer& peer,
       add(peer, choice, trial, result);
     return result;
   }
-  std::vector<Trials> all = trialsOfAll(peer, clouds, task, jobs);
+  const std::vector<Trials> all = trialsOfAll(peer, clouds, task, jobs);
   if (!tuning.is_held_out) {
     const Choice choice = bestChoice(peer, all);
     for (const Trial& trial : all[choice.setting])
@@ -130,7 +120,7 @@ compete(const Peer& peer,
     return result;
   }
   for (std::size_t i = 0; i < clouds.size(); ++i) {
-    const Choice choice = bestWithout(i, peer, all);
+    const Choice choice = bestChoice(peer, all, i);
     add(peer, choice, all[choice.setting][i], result);
   }
   return result;

@@ -46,14 +46,14 @@ count(const Trial& trial, float threshold)
 }
 
 std::vector<float>
-thresholdsOf(const std::vector<Trial>& trials)
+thresholdsOf(const std::vector<const Trial*>& trials)
 {
   std::vector<float> scores;
-  for (const Trial& trial : trials) {
-    for (std::size_t i = 0; i < trial.scores.size(); ++i)
-      if (trial.truth->points[i].label == lookedFor(*trial.truth) &&
-          !std::isnan(trial.scores[i]))
-        scores.push_back(trial.scores[i]);
+  for (const Trial* trial : trials) {
+    for (std::size_t i = 0; i < trial->scores.size(); ++i)
+      if (trial->truth->points[i].label == lookedFor(*trial->truth) &&
+          !std::isnan(trial->scores[i]))
+        scores.push_back(trial->scores[i]);
   }
   std::sort(scores.begin(), scores.end());
   std::vector<float> thresholds;
@@ -97,13 +97,13 @@ evaluate(const Trial& trial, float threshold)
 }
 
 double
-meanF1(const std::vector<Trial>& trials, float threshold)
+meanF1(const std::vector<const Trial*>& trials, float threshold)
 {
   double sum = 0.0;
   std::size_t clouds = 0;
-  for (const Trial& trial : trials) {
-    if (trial.truth->hasAny()) {
-      sum += count(trial, threshold).f1();
+  for (const Trial* trial : trials) {
+    if (trial->truth->hasAny()) {
+      sum += count(*trial, threshold).f1();
       ++clouds;
     }
   }
@@ -111,7 +111,7 @@ meanF1(const std::vector<Trial>& trials, float threshold)
 }
 
 float
-bestThreshold(const std::vector<Trial>& trials)
+bestThreshold(const std::vector<const Trial*>& trials)
 {
   float best = 0.0f;
   double best_f1 = -1.0;

@@ -27,10 +27,10 @@ Trial run(const Setting& setting, const LabeledCloud& cloud, Task task);
 pcl::app::Evaluation evaluate(const Trial& trial, float threshold);
 
 /** \brief Mean F1 of the class looked for, over the clouds that have it. */
-double meanF1(const std::vector<Trial>& trials, float threshold);
+double meanF1(const std::vector<const Trial*>& trials, float threshold);
 
 /** \brief The threshold with the largest meanF1(), out of 200 quantiles of the scores
  * of that class. */
-float bestThreshold(const std::vector<Trial>& trials);
+float bestThreshold(const std::vector<const Trial*>& trials);
 
 } // namespace peers

@@ -15,7 +15,7 @@
 
 #include <iostream>
 
-// Planar and curved points the paper's way, with normals of one's own. Usage:
+// Planar and curved points the paper's way, with your own normals. Usage:
 // own_normals in.pcd
 int
 main(int argc, char** argv)

@@ -8,7 +8,6 @@
 #include "geometry/point_grid.h"
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 
 namespace pcl::segmentation {

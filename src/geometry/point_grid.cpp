@@ -8,7 +8,6 @@
 #include "geometry/cell_order.h"
 #include "geometry/point_choice.h"
 
-#include <algorithm>
 #include <limits>
 
 namespace pcl::segmentation {

@@ -5,9 +5,7 @@
 #include "grasps/cup_map.h"
 
 #include "geometry/distance_map.h"
-#include "grasps/surface_gaps.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

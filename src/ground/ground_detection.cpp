@@ -8,8 +8,7 @@
 #include "common/statistics.h"
 #include "ground/ground_growth.h"
 #include "ground/ground_level.h"
-#include "ground/obstacle_feet.h"
-#include "ground/overhangs.h"
+#include "ground/obstacles.h"
 
 #include <algorithm>
 #include <cmath>

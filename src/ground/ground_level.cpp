@@ -12,7 +12,6 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>

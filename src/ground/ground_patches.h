@@ -20,7 +20,7 @@ constexpr std::uint32_t no_patch = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t max_bins_apart = bins_per_octave;
 
 /** \brief In steps, how far from a surface its points are: above the noise, below a low
- * kerb. */
+ * curb. */
 constexpr float surface_steps = 0.25f;
 
 /** \brief Half a degree by which the planes of patches may be off, per meter. */

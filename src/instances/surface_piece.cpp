@@ -131,16 +131,19 @@ SurfacePiece::allNodes() const
 }
 
 ShapePrimitive
-SurfacePiece::fitted(const PrimitiveSample& sample,
-                     const NodeIndices& some,
-                     PrimitiveType type) const
+SurfacePiece::fitted(const NodeIndices& some,
+                     PrimitiveType type,
+                     std::optional<PrimitiveSample>& sample) const
 {
-  if (some.size() < nodes.size())
-    return fitTo(sample, type);
-  const auto known = fits_of_all_.find(type);
-  return known != fits_of_all_.end()
-             ? known->second
-             : fits_of_all_.emplace(type, fitTo(sample, type)).first->second;
+  const bool is_all = some.size() == nodes.size();
+  if (const auto known = fits_of_all_.find(type); is_all && known != fits_of_all_.end())
+    return known->second;
+  if (!sample)
+    sample = sampleOf(*this, some);
+  const ShapePrimitive fit = fitTo(*sample, type);
+  if (is_all)
+    fits_of_all_.emplace(type, fit);
+  return fit;
 }
 
 /** The primitive with most connected nodes; the simplest one if others have not many
@@ -148,12 +151,12 @@ SurfacePiece::fitted(const PrimitiveSample& sample,
 SurfacePart
 SurfacePiece::largestPart(const NodeIndices& some) const
 {
-  const PrimitiveSample sample = sampleOf(*this, some);
+  std::optional<PrimitiveSample> sample;
   SurfacePart best;
   for (const PrimitiveType type :
        {PrimitiveType::Plane, PrimitiveType::Cylinder, PrimitiveType::Sphere}) {
     SurfacePart part;
-    part.surface = fitted(sample, some, type);
+    part.surface = fitted(some, type, sample);
     if (part.surface.type == PrimitiveType::None)
       continue;
     part.nodes = mostConnected(*this, inliersOf(*this, part.surface, some));
@@ -171,8 +174,8 @@ SurfacePiece::largestPart(const NodeIndices& some) const
 bool
 SurfacePiece::isOne(const NodeIndices& some) const
 {
-  const ShapePrimitive plane =
-      fitted(sampleOf(*this, some), some, PrimitiveType::Plane);
+  std::optional<PrimitiveSample> sample;
+  const ShapePrimitive plane = fitted(some, PrimitiveType::Plane, sample);
   if (plane.type != PrimitiveType::None) {
     const auto size = static_cast<double>(some.size());
     const auto inliers = static_cast<double>(inliersOf(*this, plane, some).size());
@@ -187,18 +190,18 @@ SurfacePiece::isOne(const NodeIndices& some) const
 float
 SurfacePiece::residualAsOne(const NodeIndices& some) const
 {
-  const PrimitiveSample sample = sampleOf(*this, some);
+  std::optional<PrimitiveSample> sample = sampleOf(*this, some);
   float residual = std::numeric_limits<float>::infinity();
   for (const PrimitiveType type : {PrimitiveType::Cylinder, PrimitiveType::Sphere}) {
-    ShapePrimitive surface = fitted(sample, some, type);
+    ShapePrimitive surface = fitted(some, type, sample);
     if (surface.type == PrimitiveType::None)
       continue;
-    refine(sample, surface);
+    refine(*sample, surface);
     residual = std::min(residual, residualOf(surface, some));
   }
   if (residual < tolerance)
     return residual;
-  return std::min(residual, static_cast<float>(coneResidual(sample)));
+  return std::min(residual, static_cast<float>(coneResidual(*sample)));
 }
 
 float

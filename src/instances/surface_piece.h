@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace pcl::segmentation {
@@ -82,9 +83,10 @@ struct SurfacePiece {
 
 private:
   SurfacePart largestPart(const NodeIndices& some) const;
-  ShapePrimitive fitted(const PrimitiveSample& sample,
-                        const NodeIndices& some,
-                        PrimitiveType type) const;
+  /** `sample` is taken of the nodes when a fit first needs it. */
+  ShapePrimitive fitted(const NodeIndices& some,
+                        PrimitiveType type,
+                        std::optional<PrimitiveSample>& sample) const;
 
   /** Those to all nodes: asked for to see whether the piece is one, and for its first
    * part. A piece is looked at by one thread. */

@@ -11,7 +11,9 @@
 #include "geometry/point_grid.h"
 #include "labels/label_evidence.h"
 #include "labels/label_weights.h"
-#include "labels/normal_turn.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +44,54 @@ edgeLabel(const LabelInput& input)
 {
   return static_cast<std::uint32_t>(input.field.likelihoods.size() + 1);
 }
+
+/** Fits normals that turn evenly, as on a smooth surface, to those around a point.
+ * Noise, steps and creases leave a rest. Either sign of a normal will do. */
+class NormalTurn {
+public:
+  explicit NormalTurn(const Vector3f& normal) : normal_(normal.cast<double>())
+  {
+    const Eigen::Vector3d u = normal_.unitOrthogonal();
+    axes_.row(0) = u;
+    axes_.row(1) = normal_.cross(u);
+  }
+
+  void
+  add(const Vector3f& offset, const Vector3f& normal)
+  {
+    const Eigen::Vector3d other = normal.cast<double>();
+    const Eigen::Vector2d tilt = axes_ * (other.dot(normal_) < 0.0 ? -other : other);
+    const Eigen::Vector2d across = axes_ * offset.cast<double>();
+    const Eigen::Vector3d place(1.0, across.x(), across.y());
+    places_ += place * place.transpose();
+    products_ += place * tilt.transpose();
+    squares_ += tilt.squaredNorm();
+    count_ += 1.0;
+  }
+
+  /** The root mean square of what the fit leaves, in radians where it is small; 0 for
+   * fewer points than the fit has unknowns. */
+  float
+  rest() const
+  {
+    constexpr double unknowns = 3.0;
+    constexpr double ridge = 1e-6; // keeps points on a line solvable
+    if (count_ < unknowns)
+      return 0.0f;
+    const Eigen::Matrix3d places = places_ + ridge * Eigen::Matrix3d::Identity();
+    const Eigen::Matrix<double, 3, 2> fit = places.ldlt().solve(products_);
+    const double left = squares_ - fit.cwiseProduct(products_).sum();
+    return static_cast<float>(std::sqrt(std::max(0.0, left) / count_));
+  }
+
+private:
+  Eigen::Matrix<double, 2, 3> axes_; ///< across the normal
+  Eigen::Vector3d normal_;
+  Eigen::Matrix3d places_ = Eigen::Matrix3d::Zero(); ///< sums of products
+  Eigen::Matrix<double, 3, 2> products_ = Eigen::Matrix<double, 3, 2>::Zero();
+  double squares_ = 0.0;
+  double count_ = 0.0;
+};
 
 /** Some points of a cloud, to visit those near a place. */
 class SomeOfCloud {
@@ -104,9 +154,9 @@ public:
 private:
   /** What is around a point. */
   struct Around {
-    double turn = 0.0; ///< sum of 1 - |cosine| of normals
     Eigen::Vector3d offset = Eigen::Vector3d::Zero(); ///< sum, meters
-    double points = 0.0, known = 0.0;
+    double points = 0.0;
+    double turn = 0.0, known = 0.0; ///< of an edge: sum of 1 - |cosine| of normals
   };
 
   /** What is around a point of a surface, wider. */
@@ -201,10 +251,11 @@ private:
     const Vector3f center = positionOf(input_.field.points, i);
     const Vector3f normal = normalAt(i);
     const float radius = reach * input_.field.spacings[i];
+    const bool is_edge = isEdge(i);
     grid_.forEachWithin(center, radius, [&](std::uint32_t j, float) {
       around.points += 1.0;
       around.offset += (positionOf(input_.field.points, j) - center).cast<double>();
-      if (labels_[j] == 0)
+      if (!is_edge || labels_[j] == 0)
         return;
       around.known += 1.0;
       around.turn += 1.0 - std::abs(normal.dot(normalAt(j)));
@@ -249,13 +300,14 @@ private:
     const Around around = lookAround(i);
     const auto offset = static_cast<float>(around.offset.norm() / around.points) /
                         input_.field.spacings[i];
-    const auto turn = static_cast<float>(std::max(0.0, around.turn / around.known));
-    if (isEdge(i))
+    if (isEdge(i)) {
+      const auto turn = static_cast<float>(std::max(0.0, around.turn / around.known));
       return {logCreases(i, near_crease),
               logCreases(i, wide_crease),
               std::log(std::sqrt(turn) + min_turn),
               offset,
               0.0f};
+    }
     const Face face = lookOverFace(i);
     return {marginOf(labels_[i], i),
             std::sqrt(face.squared_edge),

@@ -13,7 +13,6 @@
 #include <pcl/segmentation/impl/shape_instance_segmentation.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 

@@ -17,7 +17,7 @@ using TilePointCloud = std::vector<TilePoint>;
 /** \brief A room of 6 x 5 x 2.5 m with a table and a pillar, with noise. */
 TilePointCloud roomCloud(std::size_t points);
 
-/** \brief A road with kerbs, walls and poles, denser near its middle. */
+/** \brief A road with curbs, walls and poles, denser near its middle. */
 TilePointCloud streetCloud(std::size_t points);
 
 /** \brief A wavy sheet without an edge. */

@@ -89,7 +89,7 @@ TEST(Lidar, TruthIsWhatTheRayMet)
     const Street street = randomStreet(seed);
     const LidarScan scan = scanStreet(exact(seed));
     ASSERT_EQ(scan.objects, street.objects);
-    std::size_t kerbs = 0;
+    std::size_t curbs = 0;
     for (std::size_t i = 0; i < scan.size(); ++i) {
       const Vec3 p = pointOf(scan, i);
       const StreetPoint at = street.ground.toStreet(p.x, p.y);
@@ -100,7 +100,7 @@ TEST(Lidar, TruthIsWhatTheRayMet)
         ASSERT_GT(scan.normals[3 * i + 2], 0.9F);
       }
       else if (scan.ground[i] == GroundVoid) {
-        ++kerbs;
+        ++curbs;
         ASSERT_NEAR(std::abs(at.t), street.ground.profile.half_width, 1e-3);
         ASSERT_EQ(scan.normals[3 * i + 2], 0.0F);
       }
@@ -116,11 +116,11 @@ TEST(Lidar, TruthIsWhatTheRayMet)
           scan.normals[3 * i], scan.normals[3 * i + 1], scan.normals[3 * i + 2]};
       ASSERT_LE(dot(normal, p), 1e-6);
     }
-    EXPECT_GT(kerbs, 0U);
+    EXPECT_GT(curbs, 0U);
   }
 }
 
-TEST(Lidar, StreetsHaveKerbsSlopesAndThings)
+TEST(Lidar, StreetsHaveCurbsSlopesAndThings)
 {
   double min_grade = 1.0, max_grade = -1.0;
   for (std::uint64_t seed = 50; seed < 80; ++seed) {
@@ -131,7 +131,7 @@ TEST(Lidar, StreetsHaveKerbsSlopesAndThings)
     const double edge = profile.half_width;
     const double step =
         street.ground.height({3.0, edge + 1e-9}) - street.ground.height({3.0, edge});
-    EXPECT_NEAR(step, profile.kerb, 1e-6);
+    EXPECT_NEAR(step, profile.curb, 1e-6);
     EXPECT_GT(street.objects, 20U);
     const StreetPoint below = street.ground.toStreet(0.0, 0.0);
     EXPECT_NEAR(street.ground.height(below), -profile.height, 1e-9);
@@ -271,7 +271,7 @@ TEST(Lidar, PlacesHaveCeilingsAndFields)
   EXPECT_GT(fields.ground.profile.grass, 0.0);
   EXPECT_NEAR(
       fields.ground.height({0.0, edge + 1e-9}), fields.ground.height({0.0, edge}), 1e-6)
-      << "no kerb";
+      << "no curb";
   const Street deck = randomStreet(67, StreetPlace::Deck);
   EXPECT_LT(deck.ground.height({0.0, 12.0}), deck.ground.height({0.0, 0.0}) - 2.0);
 }

@@ -3,7 +3,6 @@
 // Which creases count, and how far points are from them.
 
 #include "scene/creases.h"
-#include "scene/labels.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // The noise and the gaps of the virtual depth camera.
 
-#include "scene/kinect_sensor.h"
-#include "scene/labels.h"
+#include "scene/creases.h"
+#include "scene/depth_cameras.h"
 #include "scene/scene.h"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,8 @@ measureTable(std::uint64_t seed)
   Measured measured{usualTable(), {}, {}};
   measured.exact = look(measured.world);
   Random random(seed, 1);
-  measured.depth = KinectSensor(measured.world, measured.exact, random).depth;
+  measured.depth =
+      depthImage(measured.world, measured.exact, Noise::Kinect, {}, random).depth;
   return measured;
 }
 
@@ -173,7 +174,7 @@ TEST(SceneSensor, ShadowsLieBesideObjects)
   world.solids = {box};
   const View exact = look(world);
   Random random(5, 1);
-  const KinectSensor sensor(world, exact, random);
+  const DepthImage sensor = depthImage(world, exact, Noise::Kinect, {}, random);
   const auto beside = dilated(silhouettes(world, exact), 640, 480, 30.0);
   std::size_t missing = 0, missing_elsewhere = 0, left = 0;
   for (std::size_t i = 0; i < exact.sights.size(); ++i)
@@ -193,7 +194,7 @@ TEST(SceneSensor, GrazingSurfacesAreNotMeasured)
   const World world = tableWorld(0.1, 0.2);
   const View exact = look(world);
   Random random(5, 1);
-  const KinectSensor sensor(world, exact, random);
+  const DepthImage sensor = depthImage(world, exact, Noise::Kinect, {}, random);
   std::size_t grazing = 0, grazing_measured = 0, steep = 0, steep_measured = 0;
   for (std::size_t i = 0; i < exact.sights.size(); ++i) {
     const Sight& sight = exact.sights[i];

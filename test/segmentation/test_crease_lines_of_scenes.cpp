@@ -4,7 +4,7 @@
 
 #include "detection_scenes.h"
 #include "scene/creases.h"
-#include "scene/kinect_sensor.h"
+#include "scene/depth_cameras.h"
 #include "scene/random_world.h"
 
 #include <gtest/gtest.h>
@@ -114,11 +114,11 @@ TEST(CreaseLinesOfScenes, FollowTheCreasesThatACameraSees)
     const Lines lines =
         creaseLines(detectedIn(cloudOf(scene::generateScene(options))).creases);
     const scene::World world = scene::randomWorld(options).world;
-    const Followed followed =
-        compared(lines,
-                 scene::Creases(world, scene::KinectSensor::observer(world)),
-                 0.005, // as the truth's edge points
-                 [&](const scene::Vec3& p) { return world.camera.pose.toWorld(p); });
+    const Followed followed = compared(
+        lines,
+        scene::Creases(world, scene::depthObserver(scene::Noise::Kinect, world)),
+        0.005, // as the truth's edge points
+        [&](const scene::Vec3& p) { return world.camera.pose.toWorld(p); });
     length += followed.length;
     off += followed.off;
     covered += followed.covered;

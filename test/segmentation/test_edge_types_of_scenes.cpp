@@ -4,7 +4,7 @@
 
 #include "crease_truth.h"
 #include "detection_scenes.h"
-#include "scene/kinect_sensor.h"
+#include "scene/depth_cameras.h"
 #include "scene/random_world.h"
 
 #include <gtest/gtest.h>
@@ -115,7 +115,8 @@ addCameraScene(std::uint64_t seed, Shares& shares)
   ASSERT_FALSE(edges.creases.empty()) << "seed " << seed;
   const double spacing = edges.creases[edges.creases.size() / 2].spacing / 2;
   const scene::World world = scene::randomWorld(options).world;
-  const CreaseTruth truth(world, scene::KinectSensor::observer(world), spacing);
+  const CreaseTruth truth(
+      world, scene::depthObserver(scene::Noise::Kinect, world), spacing);
   for (std::size_t i = 0; i < edges.types.size(); ++i) {
     const Vec3 p = world.camera.pose.toWorld(positionIn(scene, i));
     shares.addEdge(edges.types[i], p, scene.crease_mm[i] / 1000, truth, spacing);

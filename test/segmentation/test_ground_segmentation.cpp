@@ -46,10 +46,10 @@ TEST(GroundSegmentation, WithoutALaserCellsAreSquares)
   EXPECT_GE(f1(likelihoodsOf(stage.cloud), stage.truth), 0.99);
 }
 
-TEST(GroundSegmentation, AKerbIsGroundATableIsNot)
+TEST(GroundSegmentation, ACurbIsGroundATableIsNot)
 {
-  const Stage kerb(10.0, 4.0, 0.15);
-  const std::vector<float> all = likelihoodsOf(kerb.cloud);
+  const Stage curb(10.0, 4.0, 0.15);
+  const std::vector<float> all = likelihoodsOf(curb.cloud);
   const auto found =
       std::count_if(all.begin(), all.end(), [](float l) { return l >= 0.5f; });
   EXPECT_GE(static_cast<double>(found), 0.97 * static_cast<double>(all.size()));

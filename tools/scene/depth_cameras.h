@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// What stereo, time-of-flight and structured-light depth cameras measure of a scene.
+// What a Kinect and stereo, time-of-flight and structured-light cameras measure of a
+// scene.
 
 #pragma once
 
@@ -9,6 +10,20 @@
 #include "scene/world.h"
 
 namespace pcl::scene {
+
+/** \brief A smooth random field over the pixels, mean 0 and variance 1. */
+using Field = std::vector<double>;
+
+/** \brief White noise averaged over a box: its correlation falls linearly to 0 at the
+ * box's width and height. */
+Field boxField(std::size_t width,
+               std::size_t height,
+               std::size_t box_width,
+               std::size_t box_height,
+               Random& random);
+
+/** \brief Noise that varies over about `cell` pixels, interpolated from a grid. */
+Field gridField(unsigned width, unsigned height, double cell, Random& random);
 
 /** \brief An image with the noise of a sensor. */
 struct DepthImage {
@@ -23,9 +38,13 @@ Waviness wavinessOf(const SceneOptions& options);
 /** \brief The positions that have to see a point for it to be measured. */
 Observer depthObserver(Noise camera, const World& world);
 
-/** \brief An image of one of Noise::Stereo, TimeOfFlight and Structured.
+/** \brief An image of one of Noise::Kinect, Stereo, TimeOfFlight and Structured.
  *
- * No camera was measured for the numbers: they are choices of the usual order.
+ * Kinect: its disparity is d = focal * baseline / z. One eighth of a pixel of it is the
+ * step of the output, 2.87 mm z^2 (z in meters); see Khoshelham and Elberink, Sensors
+ * 12(2), 2012. Outlines are ragged; depths are whole millimeters.
+ *
+ * No other camera was measured for the numbers: they are choices of the usual order.
  *
  * Stereo: 5 cm of baseline, as Intel's D435 has, and windows of 7 pixels (of a picture
  * 640 wide). Disparities are off by .05 pixels, as on good texture, the same within a

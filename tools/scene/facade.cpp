@@ -6,8 +6,6 @@
 #include "scene/place.h"
 #include "scene/random.h"
 
-#include <algorithm>
-
 namespace pcl::scene {
 
 Solid
@@ -53,7 +51,6 @@ public:
   Place
   run()
   {
-    place_.world.table.center.x = 1e9; // there is none
     floors_ = 2 + random_.below(3);
     floor_height_ = random_.uniform(2.8, 3.3);
     place_.length = random_.uniform(8.0, 14.0);

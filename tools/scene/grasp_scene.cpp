@@ -4,7 +4,7 @@
 
 #include "scene/grasp_scene.h"
 
-#include "scene/kinect_sensor.h"
+#include "scene/depth_cameras.h"
 
 #include <algorithm>
 #include <cmath>
@@ -147,20 +147,17 @@ graspScene(const SceneOptions& options)
     solids.push_back(randomOccluder(target, placing).solid);
   }
 
-  View view = look(scene.world);
-  std::vector<double> depth;
+  DepthImage image{look(scene.world), {}};
   scene.observer = {{scene.world.camera.pose.origin}, min_cosine};
   if (options.noise == Noise::Kinect) {
     Random noise(options.seed, noise_stream);
-    scene.observer = KinectSensor::observer(scene.world);
-    const KinectSensor sensor(scene.world, view, noise);
-    view = sensor.view;
-    depth = sensor.depth;
+    scene.observer = depthObserver(options.noise, scene.world);
+    image = depthImage(scene.world, image.view, options.noise, {}, noise);
   }
   else
-    for (const Sight& sight : view.sights)
-      depth.push_back(sight.depth);
-  storePoints(view, depth, scene);
+    for (const Sight& sight : image.view.sights)
+      image.depth.push_back(sight.depth);
+  storePoints(image.view, image.depth, scene);
   return scene;
 }
 

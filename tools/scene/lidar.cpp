@@ -5,11 +5,9 @@
 #include "scene/lidar.h"
 
 #include "scene/scene.h"
-#include "scene/street.h"
 #include "scene/world.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -47,7 +45,7 @@ cast(const Street& street,
   if (const auto hit = street.ground.cast(ray, std::min(range, reach), tuft)) {
     if (hit->distance > asphalt_reach)
       return std::nullopt;
-    const std::uint32_t ground = hit->kerb_face ? GroundVoid : GroundTrue;
+    const std::uint32_t ground = hit->curb_face ? GroundVoid : GroundTrue;
     return Return{hit->distance, hit->normal, ground, SurfacePlanar, 0};
   }
   if (range >= reach || range < min_range)
@@ -249,7 +247,6 @@ scanStreet(const LidarOptions& options)
                            : 100.0; // meters
   const Street street = randomStreet(options.seed, options.place);
   World solids;
-  solids.table.center.x = 1e9; // there is none
   solids.solids = street.solids;
   const RayCaster caster(solids);
   Random random(options.seed, scan_stream);

@@ -15,7 +15,7 @@ namespace pcl::scene {
 enum GroundTruth : std::uint32_t {
   GroundNot = 0,
   GroundTrue = 1,  /**< road, pavement, yards */
-  GroundVoid = 255 /**< the face of a kerb */
+  GroundVoid = 255 /**< the face of a curb */
 };
 
 /** \brief How the rays of a turn are arranged. */

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "scene/loop.h"
+#include "scene/curve.h"
 #include "scene/random.h"
 
 #include <functional>

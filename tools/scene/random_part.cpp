@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Outlines, and features that are milled into level faces or stand on them.
 
-#include "scene/random_part.h"
+#include "scene/part.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,6 +74,22 @@ regularCorners(unsigned count, double reach)
   return corners;
 }
 
+/** An outline from its right half, upwards, of which so many corners on the left come
+ * first. */
+std::vector<Vec3>
+mirrored(const std::vector<Vec3>& right, std::size_t first)
+{
+  std::vector<Vec3> corners;
+  const auto addLeft = [&](std::size_t end, std::size_t begin) {
+    for (std::size_t i = end; i-- > begin;)
+      corners.push_back({-right[i].x, right[i].y});
+  };
+  addLeft(first, 0);
+  corners.insert(corners.end(), right.begin(), right.end());
+  addLeft(right.size(), first);
+  return corners;
+}
+
 /** L, T, U, H and plus: rectilinear profiles and letters, `bar` wide. */
 std::vector<Vec3>
 letterCorners(unsigned which, double length, double width, double bar)
@@ -84,49 +100,14 @@ letterCorners(unsigned which, double length, double width, double bar)
     return {
         {-a, -b}, {a, -b}, {a, -b + bar}, {-a + bar, -b + bar}, {-a + bar, b}, {-a, b}};
   case 1: // T
-    return {{-c, -b},
-            {c, -b},
-            {c, b - bar},
-            {a, b - bar},
-            {a, b},
-            {-a, b},
-            {-a, b - bar},
-            {-c, b - bar}};
+    return mirrored({{c, -b}, {c, b - bar}, {a, b - bar}, {a, b}}, 1);
   case 2: // U
-    return {{-a, -b},
-            {a, -b},
-            {a, b},
-            {a - bar, b},
-            {a - bar, -b + bar},
-            {-a + bar, -b + bar},
-            {-a + bar, b},
-            {-a, b}};
+    return mirrored({{a, -b}, {a, b}, {a - bar, b}, {a - bar, -b + bar}}, 1);
   case 3: // H
-    return {{-a, -b},
-            {-a + bar, -b},
-            {-a + bar, -c},
-            {a - bar, -c},
-            {a - bar, -b},
-            {a, -b},
-            {a, b},
-            {a - bar, b},
-            {a - bar, c},
-            {-a + bar, c},
-            {-a + bar, b},
-            {-a, b}};
+    return mirrored(
+        {{a - bar, -c}, {a - bar, -b}, {a, -b}, {a, b}, {a - bar, b}, {a - bar, c}}, 3);
   default: // plus
-    return {{-c, -b},
-            {c, -b},
-            {c, -c},
-            {a, -c},
-            {a, c},
-            {c, c},
-            {c, b},
-            {-c, b},
-            {-c, c},
-            {-a, c},
-            {-a, -c},
-            {-c, -c}};
+    return mirrored({{c, -b}, {c, -c}, {a, -c}, {a, c}, {c, c}, {c, b}}, 1);
   }
 }
 

@@ -6,7 +6,6 @@
 #include "scene/random.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl::scene {
 namespace {
@@ -27,7 +26,6 @@ public:
   Place
   run()
   {
-    room_.world.table.center.x = 1e9; // there is none
     room_.length = random_.uniform(4.0, 8.0);
     room_.width = random_.uniform(4.0, 7.0);
     height_ = random_.uniform(2.4, 3.2);

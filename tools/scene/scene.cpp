@@ -4,9 +4,8 @@
 
 #include "scene/scene.h"
 
+#include "scene/creases.h"
 #include "scene/depth_cameras.h"
-#include "scene/kinect_sensor.h"
-#include "scene/labels.h"
 #include "scene/random_world.h"
 
 #include <cmath>
@@ -108,25 +107,17 @@ generateScene(const SceneOptions& options)
   Random noise(options.seed,
                options.turn == 0.0 ? noise_stream : noise_stream_of_turned);
 
-  View view = look(world);
-  const double sigma = options.noise == Noise::White ? options.white_sigma : 0.0;
-  std::vector<double> depth;
+  DepthImage image{look(world), {}};
   Observer observer{{world.camera.pose.origin}};
-  if (options.noise == Noise::Kinect) {
-    observer = KinectSensor::observer(world);
-    const KinectSensor sensor(world, view, noise);
-    view = sensor.view;
-    depth = sensor.depth;
+  if (options.noise == Noise::None || options.noise == Noise::White) {
+    const double sigma = options.noise == Noise::White ? options.white_sigma : 0.0;
+    image.depth = depthOf(image.view, world.camera, sigma, noise);
   }
-  else if (options.noise == Noise::None || options.noise == Noise::White)
-    depth = depthOf(view, world.camera, sigma, noise);
   else {
     observer = depthObserver(options.noise, world);
-    const DepthImage image =
-        depthImage(world, view, options.noise, wavinessOf(options), noise);
-    view = image.view;
-    depth = image.depth;
+    image = depthImage(world, image.view, options.noise, wavinessOf(options), noise);
   }
+  const auto& [view, depth] = image;
 
   Scene scene;
   scene.width = options.width;

@@ -44,9 +44,7 @@ enum Edge : std::uint32_t {
   EdgeVoid = 255  /**< 5 to 10 mm from a crease, beside a silhouette, on a thin rim */
 };
 
-/** \throws std::invalid_argument that names the parameter, its value and what is
- * allowed
- */
+/** \throws std::invalid_argument unless the value is in the range */
 void requireRange(
     const char* parameter, double value, double min, double max, const char* unit);
 

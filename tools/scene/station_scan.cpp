@@ -6,7 +6,6 @@
 #include "scene/station_scan.h"
 
 #include "scene/creases.h"
-#include "scene/labels.h"
 #include "scene/place.h"
 
 #include <algorithm>

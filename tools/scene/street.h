@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// A street or another place, and what stands in it.
+// Streets and other places, and what stands in them.
 
 #pragma once
 

@@ -5,7 +5,6 @@
 #include "scene/street_ground.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pcl::scene {
@@ -71,7 +70,7 @@ StreetGround::height(const StreetPoint& p, GroundZone zone) const
   const double across =
       zone == GroundZone::Road
           ? -f.crown * p.t * p.t / w
-          : f.kerb - f.crown * w + pavement_fall * (std::abs(p.t) - w);
+          : f.curb - f.crown * w + pavement_fall * (std::abs(p.t) - w);
   return base_ + along + f.tilt * p.t + across + side(p, zone);
 }
 

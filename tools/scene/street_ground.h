@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// The ground of a street: a road between kerbs that rises, bends and undulates.
+// The ground of a street: a road between curbs that rises, bends and undulates.
 
 #pragma once
 
 #include "scene/random.h"
-#include "scene/solid.h"
+#include "scene/world.h"
 
 #include <array>
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace pcl::scene {
 
-/** \brief The kinds of ground that a kerb separates. */
+/** \brief The kinds of ground that a curb separates. */
 enum class GroundZone { Road, LeftWalk, RightWalk };
 
 /** \brief Where the ground beside a road is higher or lower than the pavement. */
@@ -42,11 +42,11 @@ struct StreetProfile {
   double lane = 0.0;         /**< t of the vehicle */
   double height = 1.73;      /**< of the sensor above the road */
   double half_width = 4.0;   /**< of the road */
-  double kerb = 0.12;        /**< its height */
+  double curb = 0.12;        /**< its height */
   double grade = 0.0;        /**< rise per meter along s, in the sensor's frame */
   double tilt = 0.0;         /**< likewise along t */
   double curvature = 0.0;    /**< of the road's profile, 1 / m */
-  double crown = 0.02;       /**< fall from the middle to the kerb, per meter */
+  double crown = 0.02;       /**< fall from the middle to the curb, per meter */
   double wave = 0.0;         /**< amplitude of its undulation */
   double wave_length = 30.0; /**< of the undulation */
   double wave_phase = 0.0;   /**< in turns */
@@ -64,11 +64,11 @@ struct StreetPoint {
 /** \brief Where a ray meets the ground. */
 struct GroundHit {
   double distance = 0.0;  /**< in lengths of the direction */
-  bool kerb_face = false; /**< or ground of another level */
+  bool curb_face = false; /**< or ground of another level */
   Vec3 normal;            /**< unit */
 };
 
-/** \brief Road and, behind a kerb on either side, pavement and yards, as a height above
+/** \brief Road and, behind a curb on either side, pavement and yards, as a height above
  * the plane z = 0 of the sensor's frame: x forward, y left, z up, the sensor at 0. */
 class StreetGround {
 public:

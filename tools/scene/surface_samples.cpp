@@ -5,11 +5,9 @@
 #include "scene/surface_samples.h"
 
 #include "scene/creases.h"
-#include "scene/labels.h"
 #include "scene/random.h"
 #include "scene/random_world.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace pcl::scene {

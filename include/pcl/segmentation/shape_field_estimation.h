@@ -97,8 +97,8 @@ public:
    *
    * Where neighbors share noise that is larger than the distances between points, as
    * where points lie on the steps of a depth camera, a coarser one than this is taken:
-   * ShapeField::resolution. With normals of one's own or setCloudNumbers() it
-   * stays as it is set.
+   * ShapeField::resolution. Your own normals and setCloudNumbers() keep it as it is
+   * set.
    * \param[in] meters between points; 0 (default) for the cloud's own */
   void
   setResolution(double meters)

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Writes a file beside its place and renames it; signals remove what is unfinished.
+// Files read as a whole, and files that are written complete or not at all.
 
-#include "cli/atomic_file.h"
+#include "cli/files.h"
 
 #include "cli/errors.h"
-#include "cli/read_file.h"
 #include "io/text.h"
 
 #include <array>
@@ -16,7 +15,10 @@
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <random>
+#include <system_error>
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -105,10 +107,6 @@ resolve(const std::string& path)
   return resolved.string();
 }
 
-} // namespace
-
-namespace {
-
 /** Keeps signals from this thread while a file exists that the handler does not know.
  */
 class BlockedSignals {
@@ -163,7 +161,7 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path)
     return;
   target_ = resolve(path_);
   constexpr mode_t by_umask = 0666;
-  constexpr int most_attempts = 100;
+  constexpr int max_attempts = 100;
   for (int attempt = 0; descriptor_ < 0; ++attempt) {
     temporary_ = temporaryName(target_);
     const BlockedSignals blocked;
@@ -171,7 +169,7 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path)
         ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, by_umask);
     if (descriptor_ >= 0)
       replacePending(nullptr, temporary_.c_str());
-    else if (errno != EINTR && (errno != EEXIST || attempt >= most_attempts))
+    else if (errno != EINTR && (errno != EEXIST || attempt >= max_attempts))
       fail(path_, std::strerror(errno));
   }
   if (struct stat old{}; ::stat(target_.c_str(), &old) == 0)
@@ -247,6 +245,69 @@ removeTemporaryFilesOnSignals()
   for (const EndingSignal& ending : ending_signals)
     if (std::signal(ending.number, removePendingAndEnd) == SIG_IGN)
       std::signal(ending.number, SIG_IGN);
+}
+
+namespace {
+
+/** Until the end, which a pipe does not say before. */
+std::string
+readDescriptor(int descriptor)
+{
+  constexpr std::size_t block = std::size_t{1} << 20; // few calls, little memory
+  std::string contents;
+  for (std::size_t size = 0;;) {
+    contents.resize(size + block);
+    const ssize_t count = ::read(descriptor, contents.data() + size, block);
+    if (count < 0 && errno == EINTR)
+      continue;
+    if (count < 0)
+      throw std::system_error(errno, std::generic_category());
+    size += static_cast<std::size_t>(count);
+    if (count == 0) {
+      contents.resize(size);
+      return contents;
+    }
+  }
+}
+
+} // namespace
+
+std::string
+readFile(const std::string& path, const std::string& expected)
+{
+  const auto bad = [&](const std::string& what, const char* readable = "") {
+    return InputError(path + ": " + what + "; expected " + readable + expected);
+  };
+  if (path == standard_stream) {
+    try {
+      return readDescriptor(STDIN_FILENO);
+    }
+    catch (const std::system_error& failure) {
+      throw InputError("standard input: " + failure.code().message() + "; expected " +
+                       expected);
+    }
+  }
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status))
+    throw bad(error ? error.message() : "no such file");
+  if (fs::is_fifo(status)) {
+    std::ifstream pipe(path, std::ios::binary);
+    std::string contents{std::istreambuf_iterator<char>(pipe), {}};
+    if (!pipe.is_open() || pipe.bad())
+      throw bad("reading failed", "a readable pipe: ");
+    return contents;
+  }
+  if (!fs::is_regular_file(status))
+    throw bad(fs::is_directory(status) ? "is a directory" : "is not a regular file");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream)
+    throw bad(std::strerror(errno), "a readable file: ");
+  std::string contents(fs::file_size(path), '\0');
+  stream.read(contents.data(), static_cast<std::streamsize>(contents.size()));
+  if (!stream)
+    throw bad("reading failed", "a readable file: ");
+  return contents;
 }
 
 } // namespace pcl::app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Output files that are complete or not there at all.
+// Files read as a whole, and files that are written complete or not at all.
 
 #pragma once
 
@@ -48,5 +48,13 @@ void removeOrphans(const std::string& directory);
  * SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU, SIGXFSZ) remove the temporary files, say so on
  * standard error, and end as usual. */
 void removeTemporaryFilesOnSignals();
+
+/** \brief The path that stands for standard input, or standard output. */
+constexpr const char* standard_stream = "-";
+
+/** \brief All bytes of a regular file, of a pipe, or of standard input. \param[in]
+ * expected what the file should be, for messages, such as "a PCD file" \throws
+ * InputError that names the path */
+std::string readFile(const std::string& path, const std::string& expected);
 
 } // namespace pcl::app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// What hangs above the ground: ceilings, bridges, canopies.
+// The feet of obstacles, and what hangs above the ground.
 
 #pragma once
 
@@ -9,6 +9,11 @@
 #include <vector>
 
 namespace pcl::segmentation {
+
+/** \brief Marks points near the bottom of their cell that have others above them: the
+ * feet of walls, poles, cars, and the ground just beside. Point by point.
+ * \param[in] max_step meters: what is not as high is no obstacle */
+std::vector<char> feetOf(const GroundCells& cells, float max_step, unsigned threads);
 
 /** \brief Marks the cells around a laser beneath whose lowest point more rays pass than
  * end there: what a laser sees farther away and lower, it sees below that point. Ground
