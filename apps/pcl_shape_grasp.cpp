@@ -17,6 +17,8 @@
 #include <cstdio>
 #include <optional>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -74,13 +76,33 @@ setViewPoint(Estimation& estimation, const CloudFile& file, const Arguments& arg
   estimation.setViewPoint(origin[0], origin[1], origin[2]);
 }
 
-Grasps
+/** The points to grasp, or those of each object. */
+std::vector<std::pair<TargetGrasps, pcl::IndicesPtr>>
+targetsOf(const CloudFile& file,
+          const pcl::PointCloud<pcl::PointXYZ>& points,
+          const Arguments& arguments)
+{
+  std::vector<std::pair<TargetGrasps, pcl::IndicesPtr>> targets;
+  if (!arguments.has("each")) {
+    targets.emplace_back(TargetGrasps(), selectedPoints(file, points, arguments));
+    return targets;
+  }
+  for (const auto& [object, indices] : selectedObjects(file, points, arguments)) {
+    TargetGrasps target;
+    target.object = object;
+    targets.emplace_back(target, indices);
+  }
+  return targets;
+}
+
+std::vector<TargetGrasps>
 findGrasps(Estimation& estimation,
            const CloudFile& file,
            const Arguments& arguments,
            Report& report)
 {
   const auto points = pointsOf(file);
+  auto targets = targetsOf(file, *points, arguments);
   estimation.setInputCloud(points);
   estimation.setShapeField(surfaceFieldOf(file,
                                           points,
@@ -88,11 +110,16 @@ findGrasps(Estimation& estimation,
                                           resolutionOf(arguments),
                                           arguments.threads(),
                                           report));
-  estimation.setIndices(selectedPoints(file, *points, arguments));
   setViewPoint(estimation, file, arguments);
-  Grasps grasps;
-  withPclErrors(file.path, [&] { return estimation.compute(grasps); });
-  return grasps;
+  std::vector<TargetGrasps> found;
+  for (auto& [target, indices] : targets) {
+    target.points = indices->size();
+    estimation.setIndices(indices);
+    withPclErrors(file.path,
+                  [&, &grasps = target.grasps] { return estimation.compute(grasps); });
+    found.push_back(std::move(target));
+  }
+  return found;
 }
 
 void
@@ -115,6 +142,33 @@ print(const Grasps& grasps)
   }
 }
 
+void
+print(const std::vector<TargetGrasps>& targets)
+{
+  for (const TargetGrasps& target : targets) {
+    if (target.object)
+      std::printf("object %u, %zu points:\n", *target.object, target.points);
+    print(target.grasps);
+  }
+}
+
+void
+reportCounts(const std::vector<TargetGrasps>& targets, Report& report)
+{
+  std::uint64_t points = 0, grasps = 0, sealing = 0;
+  for (const TargetGrasps& target : targets) {
+    points += target.points;
+    grasps += target.grasps.size();
+    for (const pcl::SuctionGrasp& grasp : target.grasps)
+      sealing += grasp.seals() ? 1 : 0;
+  }
+  if (targets.front().object)
+    report.setCount("counts", "objects", targets.size());
+  report.setCount("counts", "target_points", points);
+  report.setCount("counts", "grasps", grasps);
+  report.setCount("counts", "sealing", sealing);
+}
+
 int
 run(const Arguments& arguments)
 {
@@ -132,17 +186,12 @@ run(const Arguments& arguments)
   reportViewPoint(file, arguments, report);
   reportSelection(arguments, report);
   reportPoints(*pointsOf(file), report);
-  const Grasps grasps = report.time(
+  const std::vector<TargetGrasps> targets = report.time(
       "grasps", [&] { return findGrasps(estimation, file, arguments, report); });
-  std::uint64_t sealing = 0;
-  for (const pcl::SuctionGrasp& grasp : grasps)
-    sealing += grasp.seals() ? 1 : 0;
-  report.setCount("counts", "target_points", estimation.getIndices()->size());
-  report.setCount("counts", "grasps", grasps.size());
-  report.setCount("counts", "sealing", sealing);
-  writeJson(arguments, graspsToJson(arguments.app(), report, grasps));
+  reportCounts(targets, report);
+  writeJson(arguments, graspsToJson(arguments.app(), report, targets));
   printSummary(path, report);
-  print(grasps);
+  print(targets);
   return 0;
 }
 
@@ -156,7 +205,7 @@ main(int argc, char** argv)
       "in.pcd",
       "Find places for a suction cup on an object, the best first.\nThe object is the "
       "whole cloud, or the points that -field and -value or -box select; the others "
-      "are in the way.");
+      "are in the way. With -each all objects are grasped, one at a time.");
   command_line.option("surface", "S", "to look for: any (default), planar, curved")
       .option("cup_radius", "R", "of the cup's lip, meters (0.01)")
       .option("compliance", "C", "by how many radii the lip may bend, 0 to 1 (0.2)")
@@ -165,6 +214,7 @@ main(int argc, char** argv)
           "viewpoint", "X,Y,Z", "from where the cloud was seen, instead of the file's");
   addResolutionOption(command_line);
   addSelectionOptions(command_line);
+  addEachOptions(command_line);
   addInputOptions(command_line);
   addCommonOptions(command_line);
   return runApp(command_line, argc, argv, run);

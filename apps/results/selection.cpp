@@ -47,6 +47,13 @@ boxOf(const Arguments& arguments)
   return box;
 }
 
+std::uint32_t
+partsOf(const Arguments& arguments)
+{
+  return static_cast<std::uint32_t>(
+      arguments.integer("parts", 1, max_label).value_or(1));
+}
+
 } // namespace
 
 void
@@ -58,8 +65,20 @@ addSelectionOptions(CommandLine& command_line)
 }
 
 void
+addEachOptions(CommandLine& command_line)
+{
+  command_line.option("each", "F", "each object of the field F (1 and up), on its own")
+      .option("parts", "N", "of -each: values of F are N * object + part (1)");
+}
+
+void
 checkSelection(const Arguments& arguments)
 {
+  for (const char* other : {"field", "box"})
+    arguments.exclude("each", other);
+  if (arguments.has("parts") && !arguments.has("each"))
+    arguments.fail("parts", "-each with it");
+  partsOf(arguments);
   arguments.hasBoth("field", "value");
   arguments.integer("value", 0, max_label);
   boxOf(arguments);
@@ -74,6 +93,10 @@ reportSelection(const Arguments& arguments, Report& report)
   }
   if (arguments.has("box"))
     report.setText("parameters", "box", arguments.text("box"));
+  if (arguments.has("each")) {
+    report.setText("parameters", "each", arguments.text("each"));
+    report.setCount("parameters", "parts", partsOf(arguments));
+  }
 }
 
 pcl::IndicesPtr
@@ -102,6 +125,30 @@ selectedPoints(const CloudFile& file,
                      arguments.text("field") + "' -value '" + arguments.text("value") +
                      "' -box '" + arguments.text("box") + "'; expected at least one");
   return selected;
+}
+
+std::map<std::uint32_t, pcl::IndicesPtr>
+selectedObjects(const CloudFile& file,
+                const pcl::PointCloud<pcl::PointXYZ>& points,
+                const Arguments& arguments)
+{
+  const std::vector<std::uint32_t> labels = labelsOf(file, arguments.text("each"));
+  const std::uint32_t parts = partsOf(arguments);
+  std::map<std::uint32_t, pcl::IndicesPtr> objects;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::uint32_t object = labels[i] / parts;
+    if (object == 0 || !pcl::isFinite(points[i]))
+      continue;
+    pcl::IndicesPtr& indices = objects[object];
+    if (!indices)
+      indices = pcl::make_shared<pcl::Indices>();
+    indices->push_back(static_cast<pcl::index_t>(i));
+  }
+  if (objects.empty())
+    throw InputError(file.path + ": no finite point is of an object by -each '" +
+                     arguments.text("each") + "' -parts " + std::to_string(parts) +
+                     "; expected at least one");
+  return objects;
 }
 
 } // namespace pcl::app

@@ -11,10 +11,16 @@
 
 #include <pcl/pcl_base.h>
 
+#include <cstdint>
+#include <map>
+
 namespace pcl::app {
 
 /** \brief -field, -value and -box, which select some points of a cloud. */
 void addSelectionOptions(CommandLine& command_line);
+
+/** \brief -each and -parts, which select all objects of a cloud instead. */
+void addEachOptions(CommandLine& command_line);
 
 /** \brief Throws a UsageError for what is wrong with these options. */
 void checkSelection(const Arguments& arguments);
@@ -27,5 +33,12 @@ void reportSelection(const Arguments& arguments, Report& report);
 pcl::IndicesPtr selectedPoints(const CloudFile& file,
                                const pcl::PointCloud<pcl::PointXYZ>& points,
                                const Arguments& arguments);
+
+/** \brief The finite points of each object of the field of -each, by its number from 1
+ * on. \throws InputError if there is none, or the field is missing or bad */
+std::map<std::uint32_t, pcl::IndicesPtr>
+selectedObjects(const CloudFile& file,
+                const pcl::PointCloud<pcl::PointXYZ>& points,
+                const Arguments& arguments);
 
 } // namespace pcl::app

@@ -6,7 +6,7 @@
 
 #include "viewer/camera.h"
 #include "viewer/field_view.h"
-#include "viewer/scene_files.h"
+#include "results/scene_files.h"
 
 #include <string>
 #include <vector>
