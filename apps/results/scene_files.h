@@ -31,7 +31,7 @@ struct Grasp {
   Vector position; ///< meters, on the surface
   Vector approach; ///< unit, into the surface
   bool seals;
-  std::uint32_t object = 0;          ///< of pcl_shape_grasp -each; 0 without
+  std::uint32_t object = 0;            ///< of pcl_shape_grasp -each; 0 without
   std::vector<std::string> problems{}; ///< why it does not seal
 };
 
