@@ -8,9 +8,13 @@
 #include "cli/filter_app.h"
 #include "cli/report.h"
 #include "evaluation/evaluation_tasks.h"
+#include "evaluation/grasps.h"
 #include "evaluation/objects.h"
 #include "io/any_cloud.h"
 
+#include <nlohmann/json.hpp>
+
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <optional>
@@ -115,9 +119,9 @@ ObjectRules
 objectRules(const Arguments& arguments, const std::string& task)
 {
   for (const char* option : {"parts", "min_points"})
-    if (arguments.has(option) && task != "objects")
+    if (arguments.has(option) && task != "objects" && task != "grasps")
       throw UsageError("-" + std::string(option) + " with -task '" + task +
-                       "'; expected -task objects");
+                       "'; expected -task objects or grasps");
   constexpr std::uint64_t max = std::numeric_limits<std::uint32_t>::max();
   ObjectRules rules;
   rules.parts = static_cast<std::uint32_t>(
@@ -148,12 +152,108 @@ evaluateObjectPoints(const TaskPoints& selected,
   report.setNumber("", "found_share", evaluation.foundShare());
 }
 
+std::string
+inWords(const ObjectGrasp& of)
+{
+  if (!of.first)
+    return "no grasp";
+  if (of.first->seals)
+    return "seals";
+  std::string words = "leaks:";
+  for (const std::string& problem : of.first->problems)
+    words += ' ' + problem;
+  return words;
+}
+
+void
+printGrasps(const std::vector<ObjectGrasp>& objects)
+{
+  std::printf("%8s %9s %5s %7s %7s %9s  %s\n",
+              "object",
+              "points",
+              "face",
+              "on it",
+              "whole",
+              "off (deg)",
+              "first grasp");
+  const auto word = [](bool is) { return is ? "yes" : "no"; };
+  for (const ObjectGrasp& of : objects)
+    std::printf("%8u %9llu %5s %7s %7s %9.1f  %s\n",
+                of.object,
+                static_cast<unsigned long long>(of.points),
+                word(of.has_face),
+                word(of.is_on_object),
+                word(of.is_whole),
+                of.angle,
+                inWords(of).c_str());
+}
+
+void
+reportGrasps(const std::vector<ObjectGrasp>& objects, Report& report)
+{
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const ObjectGrasp& of : objects)
+    list.push_back({{"object", of.object},
+                    {"points", of.points},
+                    {"has_face", of.has_face},
+                    {"first_grasp", inWords(of)},
+                    {"is_on_object", of.is_on_object},
+                    {"is_whole", of.is_whole},
+                    {"angle_degrees", of.angle},
+                    {"is_right", of.isRight()}});
+  report.setJson("", "objects", list);
+}
+
+/** The grasps of a report on the objects of the truth. */
+int
+evaluateGraspFile(const Arguments& arguments, const ObjectRules& rules)
+{
+  const auto& operands = arguments.operands(2);
+  checkJsonPath(arguments, operands);
+  checkInputOptions(arguments);
+  Report report;
+  report.setText("", "predicted", operands[0]);
+  report.setText("", "truth", operands[1]);
+  report.setText("parameters", "task", "grasps");
+  report.setCount("parameters", "parts", rules.parts);
+  report.setCount("parameters", "min_points", rules.min_points);
+  const Grasps grasps = report.time("read", [&] { return readGrasps(operands[0]); });
+  const CloudFile truth = report.time(
+      "read_truth", [&] { return readInput(arguments, operands[1], report); });
+  report.setNumber("parameters", "cup_radius", static_cast<double>(grasps.cup_radius));
+  const std::vector<ObjectGrasp> objects = report.time("evaluate", [&] {
+    return evaluateGrasps(
+        *pointsOf(truth), labelsOf(truth, fieldOfObjects(truth)), grasps, rules);
+  });
+  if (objects.empty())
+    throw InputError(truth.path + ": no object has " +
+                     std::to_string(rules.min_points) +
+                     " points; expected at least one");
+  std::uint64_t with_face = 0, right = 0;
+  for (const ObjectGrasp& of : objects) {
+    with_face += of.has_face;
+    right += of.has_face && of.isRight();
+  }
+  printGrasps(objects);
+  std::printf("objects %zu, with a face for the cup %llu, of these with a right first "
+              "grasp %llu\n",
+              objects.size(),
+              static_cast<unsigned long long>(with_face),
+              static_cast<unsigned long long>(right));
+  report.setCount("counts", "objects", objects.size());
+  report.setCount("counts", "with_face", with_face);
+  report.setCount("counts", "right", right);
+  reportGrasps(objects, report);
+  writeJson(arguments, toJson(arguments.app(), report));
+  return 0;
+}
+
 /** -out is for tasks of one class against the rest. */
 void
 checkOut(const Arguments& arguments, const std::string& task)
 {
   if (arguments.has("out") &&
-      (task == "instance" || task == "objects" || task == "label"))
+      (task == "instance" || task == "objects" || task == "label" || task == "grasps"))
     throw UsageError("-out with -task '" + task +
                      "'; expected -task edge, planar, curved or ground");
   checkOutputPath(arguments, "out", arguments.operands(2));
@@ -182,6 +282,11 @@ run(const Arguments& arguments)
   const ObjectRules rules = objectRules(arguments, task);
   const std::string convention = arguments.choice("convention", {"strict", "paper"});
   arguments.threads();
+  if (task == "grasps") {
+    if (convention == "paper")
+      throw UsageError("-convention 'paper' with -task 'grasps'; expected strict");
+    return evaluateGraspFile(arguments, rules);
+  }
   checkJsonPath(arguments, {operands[0], operands[1], arguments.text("out")});
   outputFormat(arguments);
   checkInputOptions(arguments);
@@ -239,19 +344,21 @@ main(int argc, char** argv)
                            "Compare predicted labels with the truth: precision, "
                            "recall, F1 and IoU per class, "
                            "class-mean IoU, accuracy.\nAn unknown prediction counts as "
-                           "negative for every class.");
+                           "negative for every class.\nOf -task grasps the first file "
+                           "is what pcl_shape_grasp -each wrote with -json.");
   command_line
       .option("task",
               "T",
-              "edge (default), planar, curved, instance, objects, label or ground")
+              "edge (default), planar, curved, instance, objects, label, ground or "
+              "grasps")
       .option("parts",
               "N",
-              "of -task objects: the truth's labels are N * object + part, e.g. 10 "
-              "(default 1)")
+              "of -task objects and grasps: the truth's labels are N * object + part, "
+              "e.g. 10 (default 1)")
       .option("min_points",
               "N",
-              "of -task objects: objects of fewer points need not be found (default "
-              "300)")
+              "of -task objects and grasps: objects of fewer points need not be found "
+              "(default 300)")
       .option("convention",
               "C",
               "strict (default): creases' surroundings left out; paper: creases are "

@@ -3,21 +3,21 @@
 // pcl_shape_grasp: finds places for a suction cup.
 
 #include "cli/command_line.h"
-#include "cli/errors.h"
 #include "cli/files.h"
 #include "cli/filter_app.h"
 #include "cli/pcl_errors.h"
 #include "detection/detection.h"
 #include "results/result_files.h"
+#include "results/selection.h"
 
-#include <pcl/common/point_tests.h>
-#include <pcl/pcl_base.h>
 #include <pcl/segmentation/suction_grasp_estimation.h>
 
 #include <array>
 #include <cstdio>
 #include <optional>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -28,96 +28,6 @@ using Grasps = std::vector<pcl::SuctionGrasp>;
 constexpr std::uint64_t default_grasps = 10;
 constexpr std::uint64_t grasp_limit = 1000000; // more than any list is read for
 const char* const three_numbers = "three numbers of meters, X,Y,Z";
-
-constexpr std::uint64_t max_label = 0xffffffff;
-
-struct Box {
-  std::array<double, 3> low{}, high{};
-
-  bool
-  contains(const pcl::PointXYZ& point) const
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-      if (!(point.data[c] >= low[c] && point.data[c] <= high[c]))
-        return false;
-    return true;
-  }
-};
-
-std::optional<Box>
-boxOf(const Arguments& arguments)
-{
-  const std::string expected =
-      "six numbers of meters, X1,Y1,Z1,X2,Y2,Z2, the first three below the others";
-  const auto numbers = arguments.numbers("box", 6, expected);
-  if (!numbers)
-    return std::nullopt;
-  Box box;
-  for (std::size_t c = 0; c < 3; ++c) {
-    box.low[c] = (*numbers)[c];
-    box.high[c] = (*numbers)[c + 3];
-    if (!(box.low[c] < box.high[c]))
-      arguments.fail("box", expected);
-  }
-  return box;
-}
-
-/** -field, -value and -box, which select some points of a cloud. */
-void
-addSelectionOptions(CommandLine& command_line)
-{
-  command_line.option("field", "F", "only the points where the field F ...")
-      .option("value", "V", "... has the value V")
-      .option("box", "X1,Y1,Z1,X2,Y2,Z2", "only the points in this box, meters");
-}
-
-void
-checkSelection(const Arguments& arguments)
-{
-  arguments.hasBoth("field", "value");
-  arguments.integer("value", 0, max_label);
-  boxOf(arguments);
-}
-
-void
-reportSelection(const Arguments& arguments, Report& report)
-{
-  if (arguments.has("field")) {
-    report.setText("parameters", "field", arguments.text("field"));
-    report.setCount("parameters", "value", *arguments.integer("value", 0, max_label));
-  }
-  if (arguments.has("box"))
-    report.setText("parameters", "box", arguments.text("box"));
-}
-
-/** The finite points that are selected: all of them without these options. */
-pcl::IndicesPtr
-selectedPoints(const CloudFile& file,
-               const pcl::PointCloud<pcl::PointXYZ>& points,
-               const Arguments& arguments)
-{
-  std::vector<std::uint32_t> labels;
-  std::uint64_t label = 0;
-  if (arguments.has("field")) {
-    labels = labelsOf(file, arguments.text("field"));
-    label = *arguments.integer("value", 0, max_label);
-  }
-  std::optional<Box> box = boxOf(arguments);
-  for (std::size_t c = 0; box && c < 3; ++c) { // of the file's coordinates
-    box->low[c] -= file.offset[c];
-    box->high[c] -= file.offset[c];
-  }
-  auto selected = pcl::make_shared<pcl::Indices>();
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (pcl::isFinite(points[i]) && (labels.empty() || labels[i] == label) &&
-        (!box || box->contains(points[i])))
-      selected->push_back(static_cast<pcl::index_t>(i));
-  if (selected->empty())
-    throw InputError(file.path + ": no finite point is selected by -field '" +
-                     arguments.text("field") + "' -value '" + arguments.text("value") +
-                     "' -box '" + arguments.text("box") + "'; expected at least one");
-  return selected;
-}
 
 Estimation
 makeEstimation(const Arguments& arguments, Report& report)
@@ -165,13 +75,33 @@ setViewPoint(Estimation& estimation, const CloudFile& file, const Arguments& arg
   estimation.setViewPoint(origin[0], origin[1], origin[2]);
 }
 
-Grasps
+/** The points to grasp, or those of each object. */
+std::vector<std::pair<TargetGrasps, pcl::IndicesPtr>>
+targetsOf(const CloudFile& file,
+          const pcl::PointCloud<pcl::PointXYZ>& points,
+          const Arguments& arguments)
+{
+  std::vector<std::pair<TargetGrasps, pcl::IndicesPtr>> targets;
+  if (!arguments.has("each")) {
+    targets.emplace_back(TargetGrasps(), selectedPoints(file, points, arguments));
+    return targets;
+  }
+  for (const auto& [object, indices] : selectedObjects(file, points, arguments)) {
+    TargetGrasps target;
+    target.object = object;
+    targets.emplace_back(target, indices);
+  }
+  return targets;
+}
+
+std::vector<TargetGrasps>
 findGrasps(Estimation& estimation,
            const CloudFile& file,
            const Arguments& arguments,
            Report& report)
 {
   const auto points = pointsOf(file);
+  auto targets = targetsOf(file, *points, arguments);
   estimation.setInputCloud(points);
   estimation.setShapeField(surfaceFieldOf(file,
                                           points,
@@ -179,11 +109,16 @@ findGrasps(Estimation& estimation,
                                           resolutionOf(arguments),
                                           arguments.threads(),
                                           report));
-  estimation.setIndices(selectedPoints(file, *points, arguments));
   setViewPoint(estimation, file, arguments);
-  Grasps grasps;
-  withPclErrors(file.path, [&] { return estimation.compute(grasps); });
-  return grasps;
+  std::vector<TargetGrasps> found;
+  for (auto& [target, indices] : targets) {
+    target.points = indices->size();
+    estimation.setIndices(indices);
+    withPclErrors(file.path,
+                  [&, &grasps = target.grasps] { return estimation.compute(grasps); });
+    found.push_back(std::move(target));
+  }
+  return found;
 }
 
 void
@@ -206,6 +141,33 @@ print(const Grasps& grasps)
   }
 }
 
+void
+print(const std::vector<TargetGrasps>& targets)
+{
+  for (const TargetGrasps& target : targets) {
+    if (target.object)
+      std::printf("object %u, %zu points:\n", *target.object, target.points);
+    print(target.grasps);
+  }
+}
+
+void
+reportCounts(const std::vector<TargetGrasps>& targets, Report& report)
+{
+  std::uint64_t points = 0, grasps = 0, sealing = 0;
+  for (const TargetGrasps& target : targets) {
+    points += target.points;
+    grasps += target.grasps.size();
+    for (const pcl::SuctionGrasp& grasp : target.grasps)
+      sealing += grasp.seals() ? 1 : 0;
+  }
+  if (targets.front().object)
+    report.setCount("counts", "objects", targets.size());
+  report.setCount("counts", "target_points", points);
+  report.setCount("counts", "grasps", grasps);
+  report.setCount("counts", "sealing", sealing);
+}
+
 int
 run(const Arguments& arguments)
 {
@@ -223,17 +185,12 @@ run(const Arguments& arguments)
   reportViewPoint(file, arguments, report);
   reportSelection(arguments, report);
   reportPoints(*pointsOf(file), report);
-  const Grasps grasps = report.time(
+  const std::vector<TargetGrasps> targets = report.time(
       "grasps", [&] { return findGrasps(estimation, file, arguments, report); });
-  std::uint64_t sealing = 0;
-  for (const pcl::SuctionGrasp& grasp : grasps)
-    sealing += grasp.seals() ? 1 : 0;
-  report.setCount("counts", "target_points", estimation.getIndices()->size());
-  report.setCount("counts", "grasps", grasps.size());
-  report.setCount("counts", "sealing", sealing);
-  writeJson(arguments, graspsToJson(arguments.app(), report, grasps));
+  reportCounts(targets, report);
+  writeJson(arguments, graspsToJson(arguments.app(), report, targets));
   printSummary(path, report);
-  print(grasps);
+  print(targets);
   return 0;
 }
 
@@ -247,7 +204,7 @@ main(int argc, char** argv)
       "in.pcd",
       "Find places for a suction cup on an object, the best first.\nThe object is the "
       "whole cloud, or the points that -field and -value or -box select; the others "
-      "are in the way.");
+      "are in the way. With -each all objects are grasped, one at a time.");
   command_line.option("surface", "S", "to look for: any (default), planar, curved")
       .option("cup_radius", "R", "of the cup's lip, meters (0.01)")
       .option("compliance", "C", "by how many radii the lip may bend, 0 to 1 (0.2)")
@@ -256,6 +213,7 @@ main(int argc, char** argv)
           "viewpoint", "X,Y,Z", "from where the cloud was seen, instead of the file's");
   addResolutionOption(command_line);
   addSelectionOptions(command_line);
+  addEachOptions(command_line);
   addInputOptions(command_line);
   addCommonOptions(command_line);
   return runApp(command_line, argc, argv, run);

@@ -61,17 +61,6 @@ struct Task {
   std::vector<ClassScore> classes;
 };
 
-/** Generated scenes have instances; data sets of objects call them labels. */
-std::string
-fieldOfObjects(const CloudFile& truth)
-{
-  if (findField(truth, "instance"))
-    return "instance";
-  if (findField(truth, "label"))
-    return "label";
-  throw InputError(truth.path + ": no field of objects; expected instance or label");
-}
-
 Task
 taskOf(const std::string& name, Convention convention, const CloudFile& truth)
 {
@@ -195,11 +184,21 @@ classesOf(const std::vector<LabelPair>& points)
 
 } // namespace
 
+std::string
+fieldOfObjects(const CloudFile& truth)
+{
+  if (findField(truth, "instance"))
+    return "instance";
+  if (findField(truth, "label"))
+    return "label";
+  throw InputError(truth.path + ": no field of objects; expected instance or label");
+}
+
 const std::vector<std::string>&
 taskNames()
 {
   static const std::vector<std::string> names{
-      "edge", "planar", "curved", "instance", "objects", "label", "ground"};
+      "edge", "planar", "curved", "instance", "objects", "label", "ground", "grasps"};
   return names;
 }
 

@@ -30,9 +30,14 @@ struct TaskPoints {
 /** \brief The tasks' names. */
 const std::vector<std::string>& taskNames();
 
-/** \brief Select and label the points of a task. Points without coordinates in the
- * truth are left out. \throws InputError for a missing field, or if the clouds differ
- * in size \throws UsageError for a task that has no paper convention */
+/** \brief The field that tells objects apart: generated scenes have instances, data
+ * sets of objects call them labels. \throws InputError if there is none */
+std::string fieldOfObjects(const CloudFile& truth);
+
+/** \brief Select and label the points of a task other than grasps. Points without
+ * coordinates in the truth are left out. \throws InputError for a missing field, or if
+ * the clouds differ in size \throws UsageError for a task that has no paper convention
+ */
 TaskPoints selectPoints(const std::string& task,
                         Convention convention,
                         const CloudFile& predicted,

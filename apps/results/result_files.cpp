@@ -36,33 +36,35 @@ primitiveToJson(const ShapePrimitive& primitive)
 }
 
 Json
-graspToJson(const SuctionGrasp& grasp)
+graspToJson(const SuctionGrasp& grasp, const std::optional<std::uint32_t>& object)
 {
   Json problems = Json::array();
   for (const SealProblem problem : grasp.problems)
     problems.push_back(nameOf(problem));
-  return {{"position", vectorToJson(grasp.position.data())},
-          {"approach", vectorToJson(grasp.approach.data())},
-          {"score", grasp.score},
-          {"seals", grasp.seals()},
-          {"problems", problems},
-          {"surface", grasp.surface == 1 ? "planar" : "curved"},
-          {"likelihood", grasp.likelihood},
-          {"covered", grasp.covered},
-          {"border_distance", grasp.border_distance},
-          {"edge_distance", grasp.edge_distance},
-          {"obstacle_distance", grasp.obstacle_distance},
-          {"margin", grasp.margin},
-          {"sag", grasp.sag},
-          {"sag_allowed", grasp.sag_allowed},
-          {"residual", grasp.residual},
-          {"residual_allowed", grasp.residual_allowed},
-          {"convergence",
-           {{"converged", grasp.converged},
-            {"iterations", grasp.iterations},
-            {"starts", grasp.starts},
-            {"bandwidth", grasp.bandwidth},
-            {"moved", grasp.moved}}}};
+  Json json = object ? Json{{"object", *object}} : Json::object();
+  json.update({{"position", vectorToJson(grasp.position.data())},
+               {"approach", vectorToJson(grasp.approach.data())},
+               {"score", grasp.score},
+               {"seals", grasp.seals()},
+               {"problems", problems},
+               {"surface", grasp.surface == 1 ? "planar" : "curved"},
+               {"likelihood", grasp.likelihood},
+               {"covered", grasp.covered},
+               {"border_distance", grasp.border_distance},
+               {"edge_distance", grasp.edge_distance},
+               {"obstacle_distance", grasp.obstacle_distance},
+               {"margin", grasp.margin},
+               {"sag", grasp.sag},
+               {"sag_allowed", grasp.sag_allowed},
+               {"residual", grasp.residual},
+               {"residual_allowed", grasp.residual_allowed},
+               {"convergence",
+                {{"converged", grasp.converged},
+                 {"iterations", grasp.iterations},
+                 {"starts", grasp.starts},
+                 {"bandwidth", grasp.bandwidth},
+                 {"moved", grasp.moved}}}});
+  return json;
 }
 
 } // namespace
@@ -109,12 +111,13 @@ reportInstances(const std::vector<ShapeInstance>& instances,
 std::string
 graspsToJson(const std::string& app,
              const Report& report,
-             const std::vector<SuctionGrasp>& grasps)
+             const std::vector<TargetGrasps>& targets)
 {
   Json json = Json::parse(toJson(app, report));
   json["grasps"] = Json::array();
-  for (const SuctionGrasp& grasp : grasps)
-    json["grasps"].push_back(graspToJson(grasp));
+  for (const TargetGrasps& target : targets)
+    for (const SuctionGrasp& grasp : target.grasps)
+      json["grasps"].push_back(graspToJson(grasp, target.object));
   return dumpJson(json);
 }
 

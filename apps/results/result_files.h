@@ -11,6 +11,8 @@
 #include <pcl/segmentation/shape_instance_segmentation.h>
 #include <pcl/segmentation/suction_grasp_estimation.h>
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +28,16 @@ void reportInstances(const std::vector<ShapeInstance>& instances,
                      const std::vector<std::string>& classes,
                      Report& report);
 
+/** \brief The grasps on one target. */
+struct TargetGrasps {
+  std::optional<std::uint32_t> object; ///< its number, if there are several targets
+  std::size_t points = 0;
+  std::vector<SuctionGrasp> grasps; ///< the best first
+};
+
 /** \brief The contents of the -json file of pcl_shape_grasp. */
 std::string graspsToJson(const std::string& app,
                          const Report& report,
-                         const std::vector<SuctionGrasp>& grasps);
+                         const std::vector<TargetGrasps>& targets);
 
 } // namespace pcl::app

@@ -4,9 +4,9 @@
 
 #pragma once
 
+#include "results/scene_files.h"
 #include "viewer/camera.h"
 #include "viewer/field_view.h"
-#include "viewer/scene_files.h"
 
 #include <string>
 #include <vector>

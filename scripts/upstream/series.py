@@ -52,8 +52,8 @@ SERIES = [
         *named("doc/tutorials/content/{}.rst", "shape_edge_detection", "shape_back_projection")]),
     ("`ShapeInstanceSegmentation`", [
         "src/instances/*", SEGMENTATION + "*instance*", SEGMENTATION + "impl/*instance*", "src/segmentation/*instance*",
-        *named("test/segmentation/*{}*", "instance", "objects", "_face", "primitive", "small_surfaces", "surface_graph",
-               "surface_p", "point_grid", "cell_order"),
+        *named("test/segmentation/*{}*", "instance", "objects", "_face", "primitive", "small_surfaces", "support",
+               "surface_graph", "surface_p", "point_grid", "cell_order"),
         "tools/upstream/shape_instance_segmentation.cpp", "doc/tutorials/content/shape_instances.rst"]),
 ]
 

@@ -15,6 +15,7 @@
 #include <iterator>
 #include <numeric>
 #include <optional>
+#include <unordered_set>
 #include <utility>
 
 namespace pcl::segmentation {
@@ -23,10 +24,13 @@ namespace {
 using Eigen::Vector3f;
 using Nodes = std::vector<SurfaceNode>;
 
-constexpr std::size_t max_parts = 12; // more are walls of something else
-constexpr double least_share = 0.02;  // of the largest: what stands there is larger
-constexpr std::size_t min_nodes = 50; // some 10 x 10 spacings
-constexpr std::size_t max_fitted = 2000, max_looked_at = 500;
+constexpr std::size_t max_parts = 12; // ten boards of a shelf, its back and a floor
+// In clutter a plane may pass through many things and have no large part.
+constexpr std::size_t max_planes = 2 * max_parts;
+// Of the largest part: a tray of 20 x 30 cm on 3 square meters of table.
+constexpr double min_size = 0.02;
+constexpr std::size_t min_nodes = 50;    // some 10 x 10 spacings
+constexpr std::size_t max_fitted = 2000; // the smallest part has 40 of them
 constexpr float max_gap = 0.25f; // of a part's width: that of a large object on it
 constexpr double area_per_point = 0.26; // pi / 12: a disc of one spacing has 12 points
 // A ripple turns normals by 22 degrees in the median: normals say little of one point.
@@ -152,59 +156,51 @@ fitTo(const Nodes& on, float min_offset, SupportPlane& support)
 Nodes
 withNear(const Nodes& part, const Nodes& on, float reach)
 {
-  const std::size_t step = (part.size() + max_looked_at - 1) / max_looked_at;
-  const auto is_near = [&](const SurfaceNode& node) {
-    for (std::size_t k = 0; k < part.size(); k += step)
-      if ((part[k].position - node.position).squaredNorm() < reach * reach)
-        return true;
-    return false;
-  };
+  const std::vector<Vector3f> places = placesOf(part);
   Nodes result;
   auto next = part.begin();
   for (const SurfaceNode& node : on) {
     const bool is_in = next != part.end() && next->point == node.point;
     next += is_in ? 1 : 0;
-    if (is_in || is_near(node))
+    if (is_in || isNear(node.position, places, reach))
       result.push_back(node);
   }
   return result;
 }
 
-/** The largest part of the plane that most points are on. */
+/** The largest connected part of a plane, and the plane fitted to it. */
 std::optional<SupportPart>
-nextPart(const Nodes& nodes, float min_offset, float unit)
+largestPartOn(SupportPlane support, const Nodes& nodes, float min_offset, float unit)
 {
-  std::optional<SupportPlane> support = largestPlane(nodes, unit);
-  if (!support)
-    return std::nullopt;
   Nodes on;
   for (int round = 0; round < fits; ++round) {
-    on = nodesOn(nodes, *support);
+    on = nodesOn(nodes, support);
     if (on.size() < min_nodes)
       return std::nullopt;
     on = largestPart(on, unit);
-    fitTo(on, min_offset, *support);
+    fitTo(on, min_offset, support);
   }
-  on = nodesOn(on, *support);
+  on = nodesOn(on, support);
   if (on.size() < min_nodes)
     return std::nullopt;
   const auto width = static_cast<float>(std::sqrt(areaOf(on, unit)));
-  on = withNear(on, nodesOn(nodes, *support), max_gap * width);
+  on = withNear(on, nodesOn(nodes, support), max_gap * width);
   const double area = areaOf(on, unit), points = pointsOf(on, unit);
-  return SupportPart{*support, std::move(on), area, points};
+  return SupportPart{support, std::move(on), area, points};
 }
 
-/** The nodes that are not among some; both are in the same order. */
+/** The nodes that are not among some. */
 Nodes
 without(const Nodes& some, const Nodes& nodes)
 {
+  std::unordered_set<std::uint32_t> points;
+  for (const SurfaceNode& node : some)
+    points.insert(node.point);
   Nodes others;
-  auto next = some.begin();
-  for (const SurfaceNode& node : nodes)
-    if (next != some.end() && next->point == node.point)
-      ++next;
-    else
-      others.push_back(node);
+  std::copy_if(nodes.begin(),
+               nodes.end(),
+               std::back_inserter(others),
+               [&](const auto& node) { return points.count(node.point) == 0; });
   return others;
 }
 
@@ -230,22 +226,67 @@ areaOf(const SurfaceNode& node, float unit)
   return std::max(cell * cell, areaOfPoint(node));
 }
 
+bool
+isLarge(const SupportPart& part, const PartSize& largest, double share)
+{
+  return part.area >= share * largest.area || part.points >= share * largest.points;
+}
+
+PartSize
+largestOf(const std::vector<SupportPart>& parts)
+{
+  PartSize largest;
+  for (const SupportPart& part : parts) {
+    largest.area = std::max(largest.area, part.area);
+    largest.points = std::max(largest.points, part.points);
+  }
+  return largest;
+}
+
+std::vector<Vector3f>
+placesOf(const Nodes& nodes)
+{
+  // As far apart as a 22nd of the width of what they are on; they are compared with a
+  // quarter of it.
+  constexpr std::size_t max_places = 500;
+  const std::size_t step = (nodes.size() + max_places - 1) / max_places;
+  std::vector<Vector3f> places;
+  for (std::size_t k = 0; k < nodes.size(); k += step)
+    places.push_back(nodes[k].position);
+  return places;
+}
+
+bool
+isNear(const Vector3f& position, const std::vector<Vector3f>& places, float reach)
+{
+  return std::any_of(places.begin(), places.end(), [&](const Vector3f& place) {
+    return (place - position).squaredNorm() < reach * reach;
+  });
+}
+
 std::vector<SupportPart>
 supportParts(const Nodes& nodes, float min_offset, float unit)
 {
-  Nodes left = nodes;
+  Nodes left = nodes;     // on no part
+  Nodes searched = nodes; // of these, on no plane without a large part
   std::vector<SupportPart> parts;
-  double area = 0.0, points = 0.0; // the largest
-  while (parts.size() < max_parts && left.size() >= min_nodes) {
-    std::optional<SupportPart> part = nextPart(left, min_offset, unit);
-    if (!part)
+  for (std::size_t plane = 0; plane < max_planes && parts.size() < max_parts; ++plane) {
+    if (searched.size() < min_nodes)
       break;
-    area = std::max(area, part->area);
-    points = std::max(points, part->points);
-    if (part->area < least_share * area && part->points < least_share * points)
+    const std::optional<SupportPlane> support = largestPlane(searched, unit);
+    if (!support)
       break;
-    left = without(part->nodes, left);
-    parts.push_back(std::move(*part));
+    std::optional<SupportPart> part = largestPartOn(*support, left, min_offset, unit);
+    if (part && isLarge(*part, largestOf(parts), min_size)) {
+      left = without(part->nodes, left);
+      searched = without(part->nodes, searched);
+      parts.push_back(std::move(*part));
+      continue;
+    }
+    const Nodes on = nodesOn(searched, *support);
+    if (on.size() < min_nodes) // and so have all planes that are left
+      break;
+    searched = without(on, searched);
   }
   return parts;
 }

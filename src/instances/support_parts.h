@@ -36,8 +36,27 @@ struct SupportPart {
   double points = 0.0; ///< how many the nodes stand for: its size in the image
 };
 
+/** \brief Square meters, and points. */
+struct PartSize {
+  double area = 0.0, points = 0.0;
+};
+
+/** \brief The largest area and the most points that any of the parts has. */
+PartSize largestOf(const std::vector<SupportPart>& parts);
+
+/** \brief Whether a part has this share of the largest area or, as a near table is
+ * small before a far floor, of the most points. */
+bool isLarge(const SupportPart& part, const PartSize& largest, double share);
+
+/** \brief Where a part is: some of its nodes, spread over it. */
+std::vector<Eigen::Vector3f> placesOf(const std::vector<SurfaceNode>& nodes);
+
+bool isNear(const Eigen::Vector3f& position,
+            const std::vector<Eigen::Vector3f>& places,
+            float reach);
+
 /** \brief The flat parts one after another, each the largest of the plane that most of
- * the remaining points are on.
+ * the remaining points are on. Planes whose largest part is small are passed over.
  * \param[in] min_offset of the planes \param[in] unit the median spacing, meters */
 std::vector<SupportPart>
 supportParts(const std::vector<SurfaceNode>& nodes, float min_offset, float unit);

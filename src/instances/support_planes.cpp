@@ -7,6 +7,7 @@
 #include "common/parallel.h"
 #include "common/quiet.h"
 #include "instances/smooth_pieces.h"
+#include "instances/support_choice.h"
 #include "instances/support_surroundings.h"
 
 #include <algorithm>
@@ -20,77 +21,8 @@ using detail::InstanceInput;
 using Eigen::Vector3f;
 using Nodes = std::vector<SurfaceNode>;
 
-// Of the largest part, by area or, as a near table is small before a far floor, by its
-// points: supports are large.
-constexpr double min_share = 0.25;
-constexpr double min_on_top = 0.2; // of what is around
-constexpr double max_behind = 0.2; // of what is around: noise, and the plane's own rim
-// Of its own area: the rim of a table; the sides of a box are larger.
-constexpr double max_sides = 0.25;
-constexpr float same_level = 0.94f; // cosine of 20 degrees
 constexpr float max_bend = 8.0f;    // of a plane at the corners of an image
 constexpr double patch_share = 0.8; // of a face's points, as some are at its borders
-
-struct Largest {
-  double area = 0.0, points = 0.0;
-};
-
-bool
-isWide(const SupportPart& part, const Largest& largest)
-{
-  return part.area >= min_share * largest.area;
-}
-
-/** In space, or in the sight of the camera. */
-bool
-isLarge(const SupportPart& part, const Largest& largest)
-{
-  return isWide(part, largest) || part.points >= min_share * largest.points;
-}
-
-bool
-hasThingsOnTop(const Surroundings& around)
-{
-  return around.on_top >= min_on_top * (around.before + around.behind);
-}
-
-bool
-hasNothingBehind(const Surroundings& around)
-{
-  return around.behind <= max_behind * (around.before + around.behind);
-}
-
-/** Things lie before it and nothing behind, or things stand on it and it has a rim. */
-bool
-carries(const SupportPart& part, const Largest& largest, const Surroundings& around)
-{
-  if (!(around.before + around.behind > 0.0))
-    return part.area > around.others;
-  const bool has_rim = around.sides <= max_sides * part.area;
-  if (hasThingsOnTop(around))
-    return hasNothingBehind(around) || has_rim;
-  return hasNothingBehind(around) && isWide(part, largest);
-}
-
-/** Things lie before it and nothing behind. Around the lid of a box that is seen from
- * above there is nothing at all. */
-bool
-isFoot(const Surroundings& around)
-{
-  return around.before > 0.0 && hasNothingBehind(around);
-}
-
-/** Behind a support, and parallel to it: what stands on it is above it. */
-bool
-isBelow(const SupportPart& part, const std::vector<Support>& supports)
-{
-  return std::any_of(supports.begin(), supports.end(), [&](const Support& support) {
-    const Plane<float>& plane = part.support.plane;
-    const Vector3f above = support.plane.center - plane.center;
-    return plane.normal.dot(support.plane.normal) > same_level &&
-           support.plane.normal.dot(above) > 0.0f && plane.normal.dot(above) > 0.0f;
-  });
-}
 
 /** The points near a support's nodes that are on its plane. */
 std::vector<std::uint32_t>
@@ -130,31 +62,13 @@ supportPlanes(const InstanceInput& input,
   const Nodes nodes = surfaceNodes(input, grid, members);
   const float unit = medianSpacing(input);
   const detail::Quiet quiet;
-  std::vector<SupportPart> parts = supportParts(nodes, offsetLimit(input), unit);
-  Largest largest;
-  for (const SupportPart& part : parts) {
-    largest.area = std::max(largest.area, part.area);
-    largest.points = std::max(largest.points, part.points);
-  }
+  const std::vector<SupportPart> parts = supportParts(nodes, offsetLimit(input), unit);
   std::vector<char> is_free = members;
   std::vector<Support> supports;
-  const auto addThose = [&](const auto& may_be) {
-    for (SupportPart& part : parts) {
-      if (part.nodes.empty() || !may_be(part))
-        continue;
-      supports.push_back({part.support.plane,
-                          part.support.offset,
-                          pointsOn(part, input, unit, is_free)});
-      part.nodes.clear();
-    }
-  };
-  addThose([&](const SupportPart& part) {
-    return isLarge(part, largest) &&
-           carries(part, largest, surroundingsOf(part, nodes, unit));
-  });
-  addThose([&](const SupportPart& part) {
-    return isBelow(part, supports) && isFoot(surroundingsOf(part, nodes, unit));
-  });
+  for (const std::size_t k : carriersAmong(parts, nodes, unit, input.threads)) {
+    const auto& [plane, offset] = parts[k].support;
+    supports.push_back({plane, offset, pointsOn(parts[k], input, unit, is_free)});
+  }
   return supports;
 }
 

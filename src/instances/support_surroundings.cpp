@@ -4,6 +4,7 @@
 
 #include "instances/support_surroundings.h"
 
+#include "common/parallel.h"
 #include "geometry/point_grid.h"
 
 #include <algorithm>
@@ -19,7 +20,6 @@ using Nodes = std::vector<SurfaceNode>;
 constexpr float max_cosine = 0.7f; // of 45 degrees: a side is steep
 // Of the width of a part. The rim of a table is far thinner, a box as deep at least.
 constexpr float side_depth = 0.25f;
-constexpr std::size_t max_looked_at = 500; // nodes of a part: enough for directions
 // Of 16 directions along the plane, in which there are nodes of the part. Beside a
 // straight border there are 8, beside a round one fewer; 9 or 10 with ripple.
 constexpr int directions = 16, min_directions_inside = 11;
@@ -30,20 +30,16 @@ public:
   explicit Extent(const SupportPart& part)
   : x_(part.support.plane.normal.unitOrthogonal())
   , y_(part.support.plane.normal.cross(x_))
+  , positions_(placesOf(part.nodes))
   {
-    const std::size_t step = (part.nodes.size() + max_looked_at - 1) / max_looked_at;
-    for (std::size_t k = 0; k < part.nodes.size(); k += step) {
-      positions_.push_back(part.nodes[k].position);
-      places_.push_back(along(part.nodes[k].position));
-    }
+    for (const Vector3f& position : positions_)
+      places_.push_back(along(position));
   }
 
   bool
   isNear(const Vector3f& position, float reach) const
   {
-    return std::any_of(positions_.begin(), positions_.end(), [&](const Vector3f& of) {
-      return (of - position).squaredNorm() < reach * reach;
-    });
+    return segmentation::isNear(position, positions_, reach);
   }
 
   /** Whether the part is on most sides of a place. */
@@ -80,42 +76,86 @@ private:
   std::vector<Eigen::Vector2f> places_; ///< likewise, along the plane
 };
 
+/** What a node is to a part of a plane. */
+struct Relation {
+  bool is_on = false, is_side = false;
+  bool is_before = false, is_on_top = false, is_behind = false; ///< and near it
+};
+
+class Neighborhood {
+public:
+  explicit Neighborhood(const SupportPart& part, float unit)
+  : support_(part.support)
+  , extent_(part)
+  , nodes_(positionsOf(part.nodes), around_spacings * unit)
+  , side_reach_(side_depth * static_cast<float>(std::sqrt(part.area)))
+  , band_(std::max(max_ripple, part.support.offset))
+  {}
+
+  Relation
+  of(const SurfaceNode& node) const
+  {
+    Relation relation;
+    relation.is_on = isOn(node, support_);
+    const float height = heightOf(node, support_.plane);
+    if (relation.is_on || std::abs(height) < band_)
+      return relation;
+    relation.is_side = height < 0.0f && isSteep(node) &&
+                       extent_.isNear(node.position, side_reach_) &&
+                       !extent_.isInside(node.position);
+    if (!isNear(node))
+      return relation;
+    const bool is_inside = extent_.isInside(node.position);
+    relation.is_before = height > 0.0f;
+    relation.is_on_top = relation.is_before && is_inside;
+    // Inside it is noise: nobody sees through a support.
+    relation.is_behind = height < 0.0f && !is_inside;
+    return relation;
+  }
+
+private:
+  bool
+  isSteep(const SurfaceNode& node) const
+  {
+    return std::abs(node.normal.dot(support_.plane.normal)) < max_cosine;
+  }
+
+  bool
+  isNear(const SurfaceNode& node) const
+  {
+    return nodes_.anyWithin(node.position,
+                            around_spacings * node.spacing,
+                            [](std::uint32_t, const Vector3f&) { return true; });
+  }
+
+  SupportPlane support_;
+  Extent extent_;
+  PointGrid nodes_; ///< of the part
+  float side_reach_, band_;
+};
+
 } // namespace
 
 Surroundings
-surroundingsOf(const SupportPart& part, const Nodes& nodes, float unit)
+surroundingsOf(const SupportPart& part,
+               const Nodes& nodes,
+               float unit,
+               unsigned threads)
 {
-  const SupportPlane& support = part.support;
-  const PointGrid grid(positionsOf(part.nodes), around_spacings * unit);
-  const Extent extent(part);
-  const float reach = side_depth * static_cast<float>(std::sqrt(part.area));
-  const float band = std::max(max_ripple, support.offset);
+  const Neighborhood neighborhood(part, unit);
+  std::vector<Relation> relations(nodes.size());
+  kernels::parallelForEach(nodes.size(), threads, [&](std::size_t k) {
+    relations[k] = neighborhood.of(nodes[k]);
+  });
   Surroundings around;
-  for (const SurfaceNode& node : nodes) {
-    if (isOn(node, support))
-      continue;
-    const double area = areaOf(node, unit);
-    around.others += area;
-    const float height = heightOf(node, support.plane);
-    if (std::abs(height) < band)
-      continue;
-    const auto is_side = [&] {
-      return std::abs(node.normal.dot(support.plane.normal)) < max_cosine &&
-             extent.isNear(node.position, reach) && !extent.isInside(node.position);
-    };
-    around.sides += height < 0.0f && is_side() ? area : 0.0;
-    if (!grid.anyWithin(node.position,
-                        around_spacings * node.spacing,
-                        [](std::uint32_t, const Vector3f&) { return true; }))
-      continue;
-    const bool is_inside = extent.isInside(node.position);
-    if (height > 0.0f)
-      around.before += area;
-    if (height > 0.0f && is_inside)
-      around.on_top += area;
-    if (height < 0.0f &&
-        !is_inside) // inside it is noise: nobody sees through a support
-      around.behind += area;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const Relation& relation = relations[k];
+    const double area = areaOf(nodes[k], unit);
+    around.others += relation.is_on ? 0.0 : area;
+    around.sides += relation.is_side ? area : 0.0;
+    around.before += relation.is_before ? area : 0.0;
+    around.on_top += relation.is_on_top ? area : 0.0;
+    around.behind += relation.is_behind ? area : 0.0;
   }
   return around;
 }

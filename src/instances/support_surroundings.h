@@ -25,6 +25,7 @@ struct Surroundings {
 /** \param[in] nodes all of the cloud \param[in] unit the median spacing, meters */
 Surroundings surroundingsOf(const SupportPart& part,
                             const std::vector<SurfaceNode>& nodes,
-                            float unit);
+                            float unit,
+                            unsigned threads);
 
 } // namespace pcl::segmentation

@@ -277,7 +277,7 @@ TEST_F(Tasks, ObjectsAreLabelsOfTheTruthIfItHasNoInstances)
   expectRefused(runApp("pcl_shape_evaluate",
                        {predicted, predicted, "-task", "edge", "-parts", "10"}),
                 2,
-                {"-parts", "'edge'", "expected -task objects"});
+                {"-parts", "'edge'", "expected -task objects or grasps"});
 }
 
 TEST_F(Tasks, CloudsOfOtherSizesAreRefused)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// The JSON files whose contents the viewer draws over a cloud.
+// The JSON files that describe a cloud: what was found in it, and where.
 
 #pragma once
 
@@ -31,6 +31,8 @@ struct Grasp {
   Vector position; ///< meters, on the surface
   Vector approach; ///< unit, into the surface
   bool seals;
+  std::uint32_t object = 0;            ///< of pcl_shape_grasp -each; 0 without
+  std::vector<std::string> problems{}; ///< why it does not seal
 };
 
 struct Grasps {

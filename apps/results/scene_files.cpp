@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Reads lines, instances and grasps, and says where a file is not as expected.
 
-#include "viewer/scene_files.h"
+#include "results/scene_files.h"
 
 #include "cli/errors.h"
 #include "cli/files.h"
@@ -116,17 +116,23 @@ lineOf(const Value& value)
   return line;
 }
 
+std::uint32_t
+numberOf(const Value& value)
+{
+  constexpr std::uint64_t max_number = std::numeric_limits<std::uint32_t>::max();
+  value.require(value.json.is_number_unsigned() &&
+                    value.json.get<std::uint64_t>() <= max_number,
+                "a whole number from 0 to 4294967295");
+  return value.json.get<std::uint32_t>();
+}
+
 Instance
 instanceOf(const Value& value)
 {
-  const Value id = value.at("id");
-  constexpr std::uint64_t max_id = std::numeric_limits<std::uint32_t>::max();
-  id.require(id.json.is_number_unsigned() && id.json.get<std::uint64_t>() <= max_id,
-             "a whole number from 0 to 4294967295");
   std::string name = value.at("class").text();
   if (value.has("primitive") && value.at("primitive").has("type"))
     name += ", " + value.at("primitive").at("type").text();
-  return {id.json.get<std::uint32_t>(), name, value.at("centroid").vector()};
+  return {numberOf(value.at("id")), name, value.at("centroid").vector()};
 }
 
 Grasp
@@ -134,11 +140,16 @@ graspOf(const Value& value)
 {
   const Value seals = value.at("seals");
   seals.require(seals.json.is_boolean(), "true or false");
-  const Grasp grasp{value.at("position").vector(),
-                    value.at("approach").vector(),
-                    seals.json.get<bool>()};
+  Grasp grasp{value.at("position").vector(),
+              value.at("approach").vector(),
+              seals.json.get<bool>()};
   const float length = Eigen::Map<const Eigen::Vector3f>(grasp.approach.data()).norm();
   value.at("approach").require(std::abs(length - 1.0f) < 0.01f, "a vector of length 1");
+  if (value.has("object"))
+    grasp.object = numberOf(value.at("object"));
+  if (value.has("problems"))
+    for (const Value& problem : value.at("problems").array())
+      grasp.problems.push_back(problem.text());
   return grasp;
 }
 

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Which flat parts carry things.
+
+#include "instances/support_choice.h"
+
+#include "instances/support_surroundings.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace pcl::segmentation {
+namespace {
+
+using Eigen::Vector3f;
+using Nodes = std::vector<SurfaceNode>;
+
+constexpr double min_share = 0.25; // of the largest part: supports are large
+// Of what is around. Six tables of a Kinect and one of a RealSense have .75 to .99 on
+// top and .01 to .25 behind, noise and rims: few things in the middle are enough, and a
+// table with more behind it must have a thin rim.
+constexpr double min_on_top = 0.2, max_behind = 0.2;
+// Of its own area: rims of tables had .04 to .1, the sides of boxes .2 to .6.
+constexpr double max_sides = 0.25;
+constexpr float same_level = 0.94f; // cosine of 20 degrees
+
+bool
+hasThingsOnTop(const Surroundings& around)
+{
+  return around.on_top >= min_on_top * (around.before + around.behind);
+}
+
+bool
+hasNothingBehind(const Surroundings& around)
+{
+  return around.behind <= max_behind * (around.before + around.behind);
+}
+
+/** Things lie before it and nothing behind, or things stand on it and it has a rim. */
+bool
+carries(const SupportPart& part, const PartSize& largest, const Surroundings& around)
+{
+  if (!(around.before + around.behind > 0.0))
+    return part.area > around.others;
+  const bool has_rim = around.sides <= max_sides * part.area;
+  if (hasThingsOnTop(around))
+    return hasNothingBehind(around) || has_rim;
+  return hasNothingBehind(around) && part.area >= min_share * largest.area;
+}
+
+/** Things lie before it and nothing behind. Around the lid of a box that is seen from
+ * above there is nothing at all. */
+bool
+isFoot(const Surroundings& around)
+{
+  return around.before > 0.0 && hasNothingBehind(around);
+}
+
+/** Behind another plane, and parallel to it: what stands on it is above it. */
+bool
+isBelow(const Plane<float>& plane, const Plane<float>& other)
+{
+  const Vector3f above = other.center - plane.center;
+  return plane.normal.dot(other.normal) > same_level &&
+         other.normal.dot(above) > 0.0f && plane.normal.dot(above) > 0.0f;
+}
+
+/** What is around each part, looked at once. */
+class Scene {
+public:
+  Scene(const std::vector<SupportPart>& parts,
+        const Nodes& nodes,
+        float unit,
+        unsigned threads)
+  : parts_(parts)
+  , nodes_(nodes)
+  , unit_(unit)
+  , threads_(threads)
+  , around_(parts.size())
+  {}
+
+  const Surroundings&
+  around(std::size_t part)
+  {
+    if (!around_[part])
+      around_[part] = surroundingsOf(parts_[part], nodes_, unit_, threads_);
+    return *around_[part];
+  }
+
+private:
+  const std::vector<SupportPart>& parts_;
+  const Nodes& nodes_;
+  float unit_;
+  unsigned threads_;
+  std::vector<std::optional<Surroundings>> around_;
+};
+
+} // namespace
+
+std::vector<std::size_t>
+carriersAmong(const std::vector<SupportPart>& parts,
+              const Nodes& nodes,
+              float unit,
+              unsigned threads)
+{
+  Scene scene(parts, nodes, unit, threads);
+  const PartSize largest = largestOf(parts);
+  std::vector<std::size_t> carriers;
+  const auto isOneBelow = [&](std::size_t part) {
+    return std::any_of(carriers.begin(), carriers.end(), [&](std::size_t carrier) {
+      return carrier != part &&
+             isBelow(parts[part].support.plane, parts[carrier].support.plane);
+    });
+  };
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    if (isLarge(parts[k], largest, min_share) &&
+        carries(parts[k], largest, scene.around(k)))
+      carriers.push_back(k);
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    if (std::find(carriers.begin(), carriers.end(), k) == carriers.end() &&
+        isOneBelow(k) && isFoot(scene.around(k)))
+      carriers.push_back(k);
+  return carriers;
+}
+
+} // namespace pcl::segmentation

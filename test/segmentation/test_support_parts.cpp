@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Flat parts that may be supports, in clutter and behind gaps.
+
+#include "instances/support_parts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace pcl::segmentation;
+using Eigen::Vector3f;
+using Nodes = std::vector<SurfaceNode>;
+
+/** \brief A level patch of so many nodes to a side; the spacing is 1. */
+void
+addPatch(const Vector3f& corner, int columns, int rows, Nodes& nodes)
+{
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const Vector3f offset(static_cast<float>(column), static_cast<float>(row), 0.0f);
+      nodes.push_back({corner + node_spacings * offset,
+                       Vector3f::UnitZ(),
+                       1.0f,
+                       0.0f,
+                       static_cast<std::uint32_t>(nodes.size())});
+    }
+}
+
+/** \brief Whether one of the parts is all of the nodes at a height. */
+bool
+hasPartAt(float height, std::size_t size, const std::vector<SupportPart>& parts)
+{
+  return std::any_of(parts.begin(), parts.end(), [&](const SupportPart& part) {
+    return part.nodes.size() == size &&
+           std::abs(part.support.plane.center.z() - height) < 0.1f;
+  });
+}
+
+constexpr float min_offset = 0.5f;
+constexpr float level = 30.0f; // between the planes
+
+TEST(SupportParts, AreFoundBehindPlanesOfClutter)
+{
+  Nodes nodes;
+  addPatch({0, 0, 0}, 110, 100, nodes);
+  // More nodes on one plane than the board below has; none of its parts is large.
+  for (int k = 0; k < 30; ++k)
+    addPatch(
+        {40.0f * static_cast<float>(k % 6), 40.0f * static_cast<float>(k / 6), level},
+        12,
+        12,
+        nodes);
+  addPatch({0, 0, 2 * level}, 40, 30, nodes);
+  const std::vector<SupportPart> parts = supportParts(nodes, min_offset, 1.0f);
+  EXPECT_EQ(2u, parts.size());
+  EXPECT_TRUE(hasPartAt(0.0f, 11000, parts));
+  EXPECT_TRUE(hasPartAt(2 * level, 1200, parts));
+}
+
+TEST(SupportParts, GoOnBehindAGapOfAQuarterOfTheirWidth)
+{
+  for (const float gap : {6.0f, 30.0f}) {
+    Nodes nodes;
+    addPatch({0, 0, 0}, 40, 40, nodes);
+    addPatch({60.0f + gap, 0, 0}, 20, 40, nodes);
+    const std::vector<SupportPart> parts = supportParts(nodes, min_offset, 1.0f);
+    ASSERT_FALSE(parts.empty());
+    EXPECT_EQ(gap<15.0f, parts.front().nodes.size()> 1600u) << gap;
+  }
+}
+
+TEST(SupportParts, LargestAreaAndMostPointsMayBeOfTwoParts)
+{
+  SupportPart near, far;
+  near.area = 1.0, near.points = 1000.0;
+  far.area = 10.0, far.points = 100.0;
+  const PartSize largest = largestOf({near, far});
+  EXPECT_EQ(10.0, largest.area);
+  EXPECT_EQ(1000.0, largest.points);
+  EXPECT_TRUE(isLarge(near, largest, 0.25));
+  EXPECT_TRUE(isLarge(far, largest, 0.25));
+  near.points = 200.0;
+  EXPECT_FALSE(isLarge(near, largest, 0.25));
+}
+
+} // namespace
