@@ -256,6 +256,7 @@ paraboloid(float radius)
       node.position = {u, v, 0.5f * u * u / radius};
       node.normal = {-u / radius, 0.0f, 1.0f};
       node.normal.normalize();
+      node.count = 40.0f;
       level.nodes.push_back(node);
     }
   std::swap(level.nodes.front(), level.nodes[24]); // the middle
@@ -290,6 +291,20 @@ TEST(FaceFit, OutliersDoNotMoveIt)
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->turn(), 0.8f, 0.05f);
   EXPECT_NEAR(fit->inliers, 45.0f / 49.0f, 1e-6f);
+}
+
+TEST(FaceFit, NodesOfFewPointsSayLess)
+{
+  FaceLevel level = paraboloid(10.0f);
+  for (std::size_t i = 1; i < 49; i += 3) {
+    level.nodes[i].position.z() += 0.5f;
+    level.nodes[i].count = 2.0f;
+  }
+  const auto fit = fitOf(level, 49);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->turn(), 0.8f, 0.05f);
+  EXPECT_LT(fit->residual, 0.1f);
+  EXPECT_GT(fit->inliers, 0.9f);
 }
 
 TEST(FaceFit, NodesThatDoNotDetermineIt)
