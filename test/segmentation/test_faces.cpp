@@ -144,6 +144,36 @@ TEST(Faces, ABallIsCurvedInSpiteOfSuchWaves)
   EXPECT_GE(shareOfCurved(fieldOf(ball)), 0.98);
 }
 
+TEST(Faces, ADomeIsCurvedWhereNoiseIsAsLargeAsCells)
+{
+  // White noise of three distances between points, on a table as wide as large windows.
+  constexpr double radius = 0.08, middle = 0.19;
+  const auto from_middle = [](double u, double v) {
+    return std::hypot(u - middle, v - middle);
+  };
+  const auto cloud =
+      sampled(2.0 * middle, 2.0 * middle, 0.0016, 0.005, [&](double u, double v) {
+        const double r = std::min(radius, from_middle(u, v));
+        return Eigen::Vector3d(u, v, 1.0 + std::sqrt(radius * radius - r * r));
+      });
+  const ShapeField field = fieldOf(cloud);
+  int dome = 0, found = 0, table = 0, wrong = 0;
+  for (std::size_t i = 0; i < cloud->size(); ++i) {
+    const bool is_curved = field.likelihoods[1][i] > 0.5f;
+    const double r = from_middle((*cloud)[i].x, (*cloud)[i].y);
+    if (r < 0.75 * radius) {
+      ++dome;
+      found += is_curved;
+    }
+    if (r > 1.3 * radius) {
+      ++table;
+      wrong += is_curved;
+    }
+  }
+  EXPECT_GE(found, 0.97 * dome);
+  EXPECT_LE(wrong, 0.005 * table);
+}
+
 TEST(Faces, StepsOfAStaircaseAreFlat)
 {
   for (const double noise : {0.0, 0.15}) {
