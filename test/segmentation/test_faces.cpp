@@ -152,7 +152,7 @@ TEST(Faces, ADomeIsCurvedWhereNoiseIsAsLargeAsCells)
     return std::hypot(u - middle, v - middle);
   };
   const auto cloud =
-      sampled(2.0 * middle, 2.0 * middle, 0.0016, 0.005, [&](double u, double v) {
+      sampled(2.0 * middle, 2.0 * middle, 0.0016, 0.0045, [&](double u, double v) {
         const double r = std::min(radius, from_middle(u, v));
         return Eigen::Vector3d(u, v, 1.0 + std::sqrt(radius * radius - r * r));
       });
