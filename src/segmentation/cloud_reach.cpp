@@ -26,13 +26,16 @@ using namespace detail;
 // Sums of floats are rounded; a neighbor at the very border must not be missed.
 constexpr double rounding = 1.001;
 
-/** How far the first level of faces looks from the first point of a node. */
+/** How far the first level of faces looks from the first point of a node.
+ * \param[in] layer by which nodes move to the middle of their sheets */
 double
-firstFacesReach(double cell, double most, double edges)
+firstFacesReach(double cell, double layer, double most, double edges)
 {
   const double diagonal = std::sqrt(3.0) * cell;
-  // Normals and links are made twice; each time of the nodes that follow.
-  return diagonal + 2.0 * segmentation::firstLink(cell, most) + diagonal + edges;
+  // Normals and links are made twice; each time of the nodes that follow. Of two that
+  // are linked both have moved, and the last looks as far for its layers.
+  return diagonal + 2.0 * segmentation::firstLink(cell, most) + 4.0 * layer + diagonal +
+         edges;
 }
 
 /** How far a node of a level looks, along each axis from its cell, to make its normal
@@ -105,7 +108,8 @@ evidenceReach(const CloudNumbers& numbers)
   const double cell =
       rounding * segmentation::firstCell(numbers.noise, numbers.spacing);
   const double nearest = segmentation::nearest_face_spacings * numbers.spacing;
-  return rounding * std::max(cell, nearest) +
+  const double layer = segmentation::layerReach(numbers.noise, numbers.spacing);
+  return rounding * std::max(cell + layer, nearest) +
          segmentation::averaging_rounds * segmentation::firstLink(cell, most);
 }
 
@@ -127,15 +131,18 @@ reachOf(const CloudNumbers& numbers, const ShapeModel& edge_model)
                           boundarySpacings() * most + normal});
   const double cell =
       rounding * segmentation::firstCell(numbers.noise, numbers.spacing);
-  const double faces = std::max(firstFacesReach(cell, most, reach.edges),
+  const double layer =
+      rounding * segmentation::layerReach(numbers.noise, numbers.spacing);
+  const double faces = std::max(firstFacesReach(cell, layer, most, reach.edges),
                                 rounding * modelReach(numbers,
                                                       ShapeModel::defaultSurfaces(),
                                                       reach.edges,
                                                       reach.normals));
   reach.faces = std::sqrt(3.0) * cell + faces;
-  // Pieces are near by their first points, which are in the cell of their mean.
-  reach.surfaces =
-      evidenceReach(numbers) + rounding * windowReach(numbers, most) + 2.0 * cell;
+  // Pieces are near by their first points, which are in the cell of their mean, and
+  // that may have moved.
+  reach.surfaces = evidenceReach(numbers) + rounding * windowReach(numbers, most) +
+                   2.0 * (cell + layer);
   return reach;
 }
 

@@ -50,6 +50,10 @@ constexpr double little_noise = 0.1;
 constexpr std::size_t noise_levels = 2;
 constexpr float excess_residual = 1.5f; // squared, of the noise at the node's own level
 
+// From one level to the next white noise falls by half, and what waves add to it grows,
+// on images of depth cameras by up to 1.6.
+constexpr float most_growth = 2.0f;
+
 // What bends a large window must bend the small ones in it, where they can see it.
 constexpr float visible_bulge = 4.0f; // in noise
 constexpr float least_share = 0.3f;
@@ -297,6 +301,18 @@ keepMiddles(const FacePyramid& pyramid, float spacing, std::vector<bool>& chosen
     chosen[i] = chosen[i] && middles[first.parents[i]] == i;
 }
 
+/** The noise of the cloud at each level, without what grows faster than noise does: if
+ * windows are so large that all hold several faces, nodes are off these, not off one.
+ */
+std::vector<float>
+boundedNoise(std::vector<float> noise, float spacing)
+{
+  for (std::size_t l = 1; l < noise.size(); ++l)
+    noise[l] =
+        std::min(noise[l], most_growth * std::max(noise[l - 1], least_noise * spacing));
+  return noise;
+}
+
 } // namespace
 
 double
@@ -350,10 +366,11 @@ faceEvidence(const FacePyramid& pyramid,
 {
   std::vector<LevelFits> levels;
   levels.reserve(fits.size());
+  const std::vector<float> noise = boundedNoise(noise_of_cloud, spacing);
   for (std::size_t l = 0; l < fits.size(); ++l) {
     levels.push_back({std::move(fits[l]), {}, {}, {}});
     levels.back().noise =
-        faceNoise(pyramid.levels[l], levels.back().fits, spacing, noise_of_cloud[l]);
+        faceNoise(pyramid.levels[l], levels.back().fits, spacing, noise[l]);
     if (l >= flat_level)
       findFlatWindows(pyramid.levels[l], levels.back(), threads);
   }

@@ -92,7 +92,7 @@ FaceFitter::place(const std::vector<std::uint32_t>& window)
   axes.row(0) = side.cross(z).normalized();
   axes.row(1) = z.cross(axes.row(0).transpose());
   axes.row(2) = z;
-  for (std::vector<float>* const values : {&x_, &y_, &z_, &weights_, &residuals_})
+  for (std::vector<float>* const values : {&x_, &y_, &z_, &residuals_})
     values->resize(window.size());
   for (std::size_t k = 0; k < window.size(); ++k) {
     const Vector3f place =
@@ -101,6 +101,20 @@ FaceFitter::place(const std::vector<std::uint32_t>& window)
     y_[k] = place.y();
     z_[k] = place.z();
   }
+}
+
+/** A node of fewer points than others is as much less certain: most are the border of a
+ * face, or what a cell cuts off a sheet that noise makes as thick as cells are. */
+void
+FaceFitter::setShares(const std::vector<std::uint32_t>& window)
+{
+  float sum = 0.0f;
+  for (const std::uint32_t node : window)
+    sum += level_.nodes[node].count;
+  const float mean = sum / static_cast<float>(window.size());
+  shares_.clear();
+  for (const std::uint32_t node : window)
+    shares_.push_back(std::min(1.0f, level_.nodes[node].count / mean));
 }
 
 bool
@@ -149,7 +163,7 @@ FaceFitter::setWeights()
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     const float off = residuals_[k] / reach;
     const float near = std::max(0.0f, 1.0f - off * off);
-    weights_[k] = near * near;
+    weights_[k] = shares_[k] * near * near;
   }
 }
 
@@ -176,11 +190,13 @@ FaceFitter::describe() const
 {
   constexpr double half_widths = 2.0; // deviations of a disc
   double weight = 0.0, squares = 0.0;
-  std::size_t inliers = 0;
+  double shares = 0.0, inliers = 0.0;
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     weight += weights_[k];
     squares += static_cast<double>(weights_[k]) * residuals_[k] * residuals_[k];
-    inliers += weights_[k] > min_weight ? 1 : 0;
+    const auto share = static_cast<double>(shares_[k]);
+    shares += share;
+    inliers += weights_[k] > min_weight * shares_[k] ? share : 0.0;
   }
   const Vector6d& c = solution_;
   const double residual =
@@ -209,7 +225,7 @@ FaceFitter::describe() const
       cell * static_cast<float>(residual *
                                 std::sqrt(gradient.dot(equations_.solve(gradient))));
   fit.residual = cell * static_cast<float>(residual);
-  fit.inliers = static_cast<float>(inliers) / static_cast<float>(weights_.size());
+  fit.inliers = static_cast<float>(inliers / shares);
   fit.center_offset = cell * static_cast<float>(std::abs(c[0]));
   fit.center_cosine =
       static_cast<float>(1.0 / std::sqrt(1.0 + c[1] * c[1] + c[2] * c[2]));
@@ -222,7 +238,8 @@ FaceFitter::fit(const std::vector<std::uint32_t>& window)
   if (window.size() < min_nodes)
     return std::nullopt;
   place(window);
-  std::fill(weights_.begin(), weights_.end(), 1.0f);
+  setShares(window);
+  weights_ = shares_;
   for (int round = 0; round < rounds; ++round) {
     if (round > 0)
       setWeights();
@@ -237,7 +254,7 @@ FaceFitter::nodesOn(const std::vector<std::uint32_t>& window) const
 {
   std::vector<std::uint32_t> nodes;
   for (std::size_t k = 0; k < window.size(); ++k)
-    if (weights_[k] > min_weight)
+    if (weights_[k] > min_weight * shares_[k])
       nodes.push_back(window[k]);
   return nodes;
 }

@@ -48,6 +48,7 @@ public:
 
 private:
   void place(const std::vector<std::uint32_t>& window);
+  void setShares(const std::vector<std::uint32_t>& window);
   bool solve();
   void setWeights();
   Eigen::Matrix2d spread() const;
@@ -56,7 +57,8 @@ private:
   const FaceLevel& level_;
   /** Of each node, in the frame of the first one and in cells. */
   std::vector<float> x_, y_, z_, weights_, residuals_;
-  std::vector<float> sizes_; ///< of the residuals
+  std::vector<float> shares_; ///< of each, what it weighs at most
+  std::vector<float> sizes_;  ///< of the residuals
   Eigen::LDLT<Eigen::Matrix<double, 6, 6>> equations_;
   Eigen::Matrix<double, 6, 1> solution_;
 };

@@ -35,6 +35,12 @@ constexpr float link_cells = 1.6f;
 constexpr float same_face = 0.7071f; // cosine of 45 degrees: of two normals
 // Sine of 37 degrees, from the tangent plane: above it is another sheet.
 constexpr float most_rise = 0.6f;
+// Spacings: with less noise, layers are nearer to each other than a fourteenth of a
+// cell.
+constexpr double layer_noise = 0.1;
+// Of a layer's points: half of a sheet with normal noise is 2.7 of its own off the
+// other.
+constexpr float layer_deviations = 3.0f;
 
 using Link = FaceLink;
 
@@ -141,6 +147,63 @@ areOfOneFace(const FaceNode& a, const FaceNode& b)
   const float rise = most_rise * offset.norm();
   return std::abs(a.normal.dot(b.normal)) > same_face &&
          std::abs(offset.dot(a.normal)) < rise && std::abs(offset.dot(b.normal)) < rise;
+}
+
+/** The standard deviation of a node's points along a direction. */
+float
+thickness(const FaceLevel& level, std::uint32_t node, const Vector3f& normal)
+{
+  const float squares = normal.dot(level.scatters[node] * normal);
+  return std::sqrt(std::max(0.0f, squares) / level.nodes[node].count);
+}
+
+/** Layers of the sheet that a node is on, above or below it, in their order: sums over
+ * them do not depend on the grid. */
+std::vector<std::uint32_t>
+layersAround(const FaceLevel& level, const PointGrid& grid, std::uint32_t i)
+{
+  const FaceNode& node = level.nodes[i];
+  const float own = thickness(level, i, node.normal);
+  std::vector<std::uint32_t> layers;
+  grid.forEachWithin(
+      node.position, link_cells * level.cell, [&](std::uint32_t j, float squared) {
+        const FaceNode& other = level.nodes[j];
+        const float height = std::abs(node.normal.dot(other.position - node.position));
+        if (j != i && height > most_rise * std::sqrt(squared) &&
+            std::abs(node.normal.dot(other.normal)) > same_face &&
+            height < layer_deviations * std::max(own, thickness(level, j, node.normal)))
+          layers.push_back(j);
+      });
+  std::sort(layers.begin(), layers.end());
+  return layers;
+}
+
+/** How far a node is from the middle of its sheet, along its normal. */
+float
+heightOfSheet(const FaceLevel& level, const PointGrid& grid, std::uint32_t i)
+{
+  const FaceNode& node = level.nodes[i];
+  float sum = 0.0f, count = node.count;
+  for (const std::uint32_t j : layersAround(level, grid, i)) {
+    const FaceNode& other = level.nodes[j];
+    sum += other.count * node.normal.dot(other.position - node.position);
+    count += other.count;
+  }
+  return sum / count;
+}
+
+/** Where noise makes a sheet as thick as a cell, walls between cells cut it to layers,
+ * with no gap between them. These move to its middle. */
+void
+joinLayers(FaceLevel& level, unsigned threads)
+{
+  const PointGrid grid(positionsOf(level.nodes), link_cells * level.cell);
+  std::vector<float> heights(level.nodes.size());
+  kernels::parallelForEach(heights.size(), threads, [&](std::size_t i) {
+    heights[i] = heightOfSheet(level, grid, static_cast<std::uint32_t>(i));
+  });
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    level.nodes[i].position += heights[i] * level.nodes[i].normal;
 }
 
 template <typename Visit>
@@ -341,6 +404,12 @@ firstLink(double cell, double most_spacing)
   return link_cells * std::max(cell, most_spacing);
 }
 
+double
+layerReach(double noise, float spacing)
+{
+  return noise > layer_noise ? link_cells * firstCell(noise, spacing) : 0.0;
+}
+
 bool
 comesBefore(const Vector3f& a, const Vector3f& b, float cell)
 {
@@ -364,6 +433,8 @@ firstFaces(const XYZView& points,
   if (!(first.cell > 0.0f)) // half of the points share a place with 12 others
     return {};
   collectNodes(points, field, threads, pyramid);
+  if (field.noise > layer_noise)
+    joinLayers(first, threads);
   linkFirst(first, threads);
   refineNormals(first, threads);
   cutLinks(first);

@@ -67,6 +67,10 @@ float firstCell(double noise, float spacing);
 /** \brief How far a node of it and one that follows it are apart, at most. */
 double firstLink(double cell, double most_spacing);
 
+/** \brief How far a node of it is from the mean of its points, at most.
+ * \param[in] noise in spacings */
+double layerReach(double noise, float spacing);
+
 /** \brief Nodes of the first level are in this order of the first points in them: by
  * their cells of this size, and by coordinates. */
 bool comesBefore(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float cell);

@@ -144,6 +144,36 @@ TEST(Faces, ABallIsCurvedInSpiteOfSuchWaves)
   EXPECT_GE(shareOfCurved(fieldOf(ball)), 0.98);
 }
 
+TEST(Faces, ADomeIsCurvedWhereNoiseIsAsLargeAsCells)
+{
+  // White noise of three distances between points, on a table as wide as large windows.
+  constexpr double radius = 0.08, middle = 0.19;
+  const auto from_middle = [](double u, double v) {
+    return std::hypot(u - middle, v - middle);
+  };
+  const auto cloud =
+      sampled(2.0 * middle, 2.0 * middle, 0.0016, 0.0045, [&](double u, double v) {
+        const double r = std::min(radius, from_middle(u, v));
+        return Eigen::Vector3d(u, v, 1.0 + std::sqrt(radius * radius - r * r));
+      });
+  const ShapeField field = fieldOf(cloud);
+  int dome = 0, found = 0, table = 0, wrong = 0;
+  for (std::size_t i = 0; i < cloud->size(); ++i) {
+    const bool is_curved = field.likelihoods[1][i] > 0.5f;
+    const double r = from_middle((*cloud)[i].x, (*cloud)[i].y);
+    if (r < 0.75 * radius) {
+      ++dome;
+      found += is_curved;
+    }
+    if (r > 1.3 * radius) {
+      ++table;
+      wrong += is_curved;
+    }
+  }
+  EXPECT_GE(found, 0.97 * dome);
+  EXPECT_LE(wrong, 0.005 * table);
+}
+
 TEST(Faces, StepsOfAStaircaseAreFlat)
 {
   for (const double noise : {0.0, 0.15}) {
@@ -256,6 +286,7 @@ paraboloid(float radius)
       node.position = {u, v, 0.5f * u * u / radius};
       node.normal = {-u / radius, 0.0f, 1.0f};
       node.normal.normalize();
+      node.count = 40.0f;
       level.nodes.push_back(node);
     }
   std::swap(level.nodes.front(), level.nodes[24]); // the middle
@@ -290,6 +321,20 @@ TEST(FaceFit, OutliersDoNotMoveIt)
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->turn(), 0.8f, 0.05f);
   EXPECT_NEAR(fit->inliers, 45.0f / 49.0f, 1e-6f);
+}
+
+TEST(FaceFit, NodesOfFewPointsSayLess)
+{
+  FaceLevel level = paraboloid(10.0f);
+  for (std::size_t i = 1; i < 49; i += 3) {
+    level.nodes[i].position.z() += 0.5f;
+    level.nodes[i].count = 2.0f;
+  }
+  const auto fit = fitOf(level, 49);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->turn(), 0.8f, 0.05f);
+  EXPECT_LT(fit->residual, 0.1f);
+  EXPECT_GT(fit->inliers, 0.9f);
 }
 
 TEST(FaceFit, NodesThatDoNotDetermineIt)
