@@ -110,6 +110,11 @@ class Scene:
     def workers(self):
         return "ranks" if self.arguments.mpi else "processes"
 
+    def title(self, more):
+        """What figures are of."""
+        return (f"{self.arguments.scene}, {self.points:,} points{more}, "
+                f"`{' '.join(self.options)}`")
+
     def remove_outputs(self):
         shutil.rmtree(self.directory / "out", ignore_errors=True)
 
@@ -165,7 +170,7 @@ def print_memory(scene):
     strip = size_of(cloud)
     (scene.directory / "whole.pcd").unlink()
     usage, report = scene.tiles(1, scene.arguments.tile)
-    print(f"`{' '.join(scene.options)}`, `-memory {scene.arguments.memory}`:\n")
+    print(f"{scene.title('')}, `-memory {scene.arguments.memory}`:\n")
     print("| | points | tiles | processor time | peak memory |\n|---|---|---|---|---|")
     print(f"| `pcl_shape_detect -threads 1`, in memory | {strip:,} | | "
           f"{micro(whole.cpu, strip)} | {whole.peak / 1e6:.0f} MB |")
@@ -180,10 +185,10 @@ def print_memory(scene):
 def print_scaling(scene):
     one, report = scene.tiles(1, scene.arguments.tile)
     two, _ = scene.tiles(2, scene.arguments.tile)
-    print(f"{scene.points:,} points, {report['counts']['tiles']} tiles, "
-          f"`{' '.join(scene.options)}`: {one.cpu:.1f} s with one process ({shares(report)} of "
-          f"the clock's time),\n{two.cpu:.1f} s with two, of which the first process "
-          f"alone takes {two.first:.2f} s.\n")
+    title = scene.title(f", {report['counts']['tiles']} tiles")
+    print(f"{title}: {one.cpu:.1f} s with one process ({shares(report)} of the clock's "
+          f"time),\n{two.cpu:.1f} s with two, of which the first process alone takes "
+          f"{two.first:.2f} s.\n")
     print("| processes | times as fast as one |\n|---|---|")
     for count in (2, 4, 8, 16):
         print(f"| {count} | {one.cpu / (two.first + two.others / count):.2f} |")
@@ -257,8 +262,7 @@ def print_identity(scene):
         if not found:
             print(f"other bytes: tiles of {share * scene.edge:.2f} m, {count} of "
                   f"{[f.name for f in order]}", file=sys.stderr)
-    print(f"{scene.arguments.scene}, {scene.points:,} points with NaN, equal and far ones, "
-          f"`{' '.join(scene.options)}`: {same} of {compared} runs\n"
+    print(f"{scene.title(' with NaN, equal and far ones')}: {same} of {compared} runs\n"
           f"({len(tiles)} numbers of tiles, {min(tiles)} to {max(tiles)}; 3 orders of "
           f"{len(scene.files)} files; 1, 2 and 4 {scene.workers}) have the bytes of the "
           "whole cloud.\n")
@@ -340,11 +344,10 @@ def print_faults(scene):
         if not found:
             print(f"after a kill at {len(before)} results: other bytes, or computed again: "
                   f"{again}", file=sys.stderr)
-    print(f"{scene.arguments.scene}, {scene.points:,} points, {tiles} tiles, "
-          f"`{' '.join(scene.options)}`: of {kills} runs of two {scene.workers},\nof which one or "
-          f"all were killed when {min(results)} to {max(results)} results were complete, {same} "
-          f"had the same bytes after\nthe same command, without computing one of them again "
-          f"({ended} more had ended before).\n")
+    print(f"{scene.title(f', {tiles} tiles')}: of {kills} runs of two {scene.workers},\n"
+          f"of which one or all were killed when {min(results)} to {max(results)} results "
+          f"were complete, {same} had the same bytes after\nthe same command, without "
+          f"computing one of them again ({ended} more had ended before).\n")
     return same == kills
 
 

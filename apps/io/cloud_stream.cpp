@@ -14,6 +14,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <unistd.h>
+#include <utility>
 
 #include <sys/stat.h>
 
@@ -98,6 +99,50 @@ partOf(const CloudFile& cloud, std::uint64_t points)
   part.blob.row_step = part.blob.width * part.blob.point_step;
   return part;
 }
+
+/** The coordinates of points in packed bytes, without a copy of their other fields. */
+class PackedPositions {
+public:
+  /** \param[in] cloud with PCL's names \throws InputError unless its coordinates are
+   * single float32 or float64 values */
+  explicit PackedPositions(CloudFile cloud) : cloud_(std::move(cloud))
+  {
+    cloud_.blob.width = 0;
+    coordinatesOf(cloud_); // says what is wrong with the fields
+  }
+
+  std::vector<std::array<double, 3>>
+  operator()(std::string_view bytes) const
+  {
+    std::vector<std::array<double, 3>> points(bytes.size() / cloud_.blob.point_step);
+    std::size_t axis = 0;
+    for (const char* const name : {"x", "y", "z"}) {
+      const pcl::PCLPointField& field = *findField(cloud_, name);
+      if (field.datatype == pcl::PCLPointField::FLOAT32)
+        copy(bytes.data() + field.offset, float{}, axis++, points);
+      else
+        copy(bytes.data() + field.offset, double{}, axis++, points);
+    }
+    return points;
+  }
+
+private:
+  template <typename T>
+  void
+  copy(const char* from,
+       T value,
+       std::size_t axis,
+       std::vector<std::array<double, 3>>& points) const
+  {
+    for (auto& point : points) {
+      std::memcpy(&value, from, sizeof value);
+      point[axis] = static_cast<double>(value);
+      from += cloud_.blob.point_step;
+    }
+  }
+
+  CloudFile cloud_;
+};
 
 /** part(body, points) for bytes that hold so many points, from the first one to the
  * end.
@@ -278,22 +323,21 @@ CloudStream::forEachPart(std::size_t section, const UsePart& use) const
 void
 CloudStream::forEachPosition(std::size_t section, const UsePositions& use) const
 {
-  const auto useCloud = [&](const CloudFile& cloud) {
-    const std::vector<std::array<double, 3>> points = coordinatesOf(cloud);
-    use(points.data(), points.size());
-  };
   if (!rows_ || rows_->is_text) {
-    forEachPart(section, useCloud);
+    forEachPart(section, [&](const CloudFile& cloud) {
+      const std::vector<std::array<double, 3>> points = coordinatesOf(cloud);
+      use(points.data(), points.size());
+    });
     return;
   }
+  CloudFile cloud = rows_->cloud;
+  usePclNames(cloud); // those of coordinates; the rest is not needed
+  const PackedPositions positionsIn(std::move(cloud));
   const auto [begin, end] = rangeOf(section);
-  forEachBinary(
-      path_, *rows_, begin, end, [&](std::string_view body, std::uint64_t points) {
-        CloudFile cloud = partOf(rows_->cloud, points);
-        readBinaryPoints(cloud, body);
-        usePclNames(cloud); // those of coordinates; the rest is not needed
-        useCloud(cloud);
-      });
+  forEachBinary(path_, *rows_, begin, end, [&](std::string_view body, std::uint64_t) {
+    const std::vector<std::array<double, 3>> points = positionsIn(body);
+    use(points.data(), points.size());
+  });
 }
 
 void

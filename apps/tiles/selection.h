@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -58,11 +59,13 @@ public:
     counts_.assign(counts_.size(), 0);
   }
 
-  /** \brief The value, after all passes; after fewer the least one with the bits that
-   * are found. */
+  /** \brief The value, after all passes; after fewer, of which there was one at least,
+   * the least one with the bits that are found. */
   T
   value() const
   {
+    if (pass_ == 0)
+      throw std::logic_error("a value is asked for before the first pass has ended");
     const Key key = pass_ == passes ? found_ : found_ << bitsLeft();
     const Key value_bits = key & sign ? key ^ sign : ~key;
     T value{};
@@ -84,7 +87,7 @@ private:
     return key & sign ? ~key : key | sign;
   }
 
-  /** How many bits of a key are not found yet, after the first pass. */
+  /** How many bits of a key are not found yet. */
   int
   bitsLeft() const
   {

@@ -15,6 +15,7 @@
 #include <pcl/features/inad.h>
 #include <pcl/features/normal_3d_sweep.h>
 #include <pcl/segmentation/cloud_reach.h>
+#include <pcl/segmentation/known_parts.h>
 #include <pcl/segmentation/means_of_parts.h>
 #include <pcl/segmentation/shape_field_estimation.h>
 #include <pcl/features/impl/neighborhoods.hpp>
@@ -109,10 +110,10 @@ public:
 
   /** Of its own points, or with a resolution of its own means. */
   Bytes
-  operator()(const TilePoints& points, const pcl::tiling::Position& offset) const
+  operator()(const TiledCloud& cloud, std::size_t tile, const TilePoints& points) const
   {
     TileFaces faces;
-    const Rows rows = rowsOf(points, offset, faces);
+    const Rows rows = rowsOf(cloud, tile, points, faces);
     if (!wanted_.needsSurfaces())
       return rows.toBytes(faces.unknown);
     faces.rows = rows.values();
@@ -179,26 +180,27 @@ private:
 
   /** All fields but those of surfaces. */
   Rows
-  rowsOf(const TilePoints& points,
-         const pcl::tiling::Position& offset,
+  rowsOf(const TiledCloud& cloud,
+         std::size_t tile,
+         const TilePoints& points,
          TileFaces& faces) const
   {
     if (wanted_.resolution > 0.0) {
-      const TilePlaces places = placesOf(points, offset, wanted_.resolution);
+      const TilePlaces places = placesOf(points, cloud.offset(), wanted_.resolution);
       Rows rows(places.own_places.size(), fieldsBeforeSurfaces());
       addEdges(places, rows, faces);
       return rows;
     }
     Rows rows(points.own, fieldsBeforeSurfaces());
     if (wanted_.needsNumbers()) {
-      const TilePlaces places = placesOf(points, offset, 0.0);
+      const TilePlaces places = measuredPlacesOf(cloud, tile, points, *numbers_);
       if (wanted_.normals)
         addNormals(places, rows);
       if (wanted_.needsEdges())
         addEdges(places, rows, faces);
     }
     if (wanted_.inad_radius > 0.0)
-      addInad(floatsOf(points, offset), rows);
+      addInad(floatsOf(points, cloud.offset()), rows);
     return rows;
   }
 
@@ -224,6 +226,12 @@ private:
   pcl::ShapeField::ConstPtr
   edgesOf(const TilePlaces& places) const
   {
+    if (!places.distances.empty())
+      return pcl::make_shared<const pcl::ShapeField>(
+          pcl::edgesOf({places.view(), places.is_own, places.distances},
+                       places.places,
+                       numbers_->of_cloud,
+                       threads_));
     pcl::ShapeFieldEstimation<pcl::PointXYZ> estimation;
     estimation.setInputCloud(places.places);
     estimation.setCloudNumbers(numbers_->of_cloud);
@@ -561,10 +569,11 @@ computeFields(TiledCloud& cloud,
   const TileComputation computation(wanted, numbers, threads);
   const std::string last = wanted.resolution > 0.0 ? means_name : resultsName();
   const std::string name = wanted.needsSurfaces() ? facesName() : last;
-  cloud.run(
-      name, haloOfFields(wanted, numbers), [&](std::size_t, const TilePoints& points) {
-        return computation(points, cloud.offset());
-      });
+  cloud.run(name,
+            haloOfFields(wanted, numbers),
+            [&](std::size_t tile, const TilePoints& points) {
+              return computation(cloud, tile, points);
+            });
   if (wanted.needsEdges() && wanted.resolution == 0.0)
     requireFew(unknownOf(cloud, name), numbers->places);
   const bool has_instances = !wanted.instances.empty();

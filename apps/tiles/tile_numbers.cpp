@@ -10,11 +10,13 @@
 #include "tiles/tile_places.h"
 
 #include <pcl/segmentation/cloud_reach.h>
+#include <pcl/segmentation/known_parts.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -29,11 +31,38 @@ constexpr std::uint64_t min_places = 13; // each has a 12th neighbor
 // The first reach is more than three distances, which the spacing looks.
 constexpr double first_reach = 4.0;
 
-/** What a tile adds to the numbers of all. */
+/** What a tile adds to the numbers of all, and which of its points are equal. */
 struct TileDistances {
   PointBox box;
-  std::vector<float> distances;
+  std::vector<float> distances;       ///< of its places
+  std::vector<std::uint32_t> repeats; ///< points whose place is that of one before them
+  std::vector<std::uint32_t> places;  ///< of them
+
+  Bytes
+  toBytes() const
+  {
+    Bytes bytes;
+    put(box, bytes);
+    putAll(distances, bytes);
+    putAll(repeats, bytes);
+    putAll(places, bytes);
+    return bytes;
+  }
 };
+
+/** Those of the own points of a tile. */
+void
+setRepeats(const std::vector<std::int32_t>& own_places, TileDistances& distances)
+{
+  std::int32_t next = 0;
+  for (std::size_t i = 0; i < own_places.size(); ++i)
+    if (own_places[i] == next)
+      ++next;
+    else {
+      distances.repeats.push_back(static_cast<std::uint32_t>(i));
+      distances.places.push_back(static_cast<std::uint32_t>(own_places[i]));
+    }
+}
 
 Bytes
 measuredDistances(const TilePoints& points,
@@ -43,18 +72,17 @@ measuredDistances(const TilePoints& points,
                   unsigned threads)
 {
   const TilePlaces places = placesOf(points, offset, resolution);
-  PointBox box;
+  TileDistances distances;
   for (std::size_t i = 0; i < places.places->size(); ++i)
     if (places.is_own[i]) {
       const pcl::PointXYZ& place = (*places.places)[i];
-      box.add(PointBox::of({place.x, place.y, place.z}));
+      distances.box.add(PointBox::of({place.x, place.y, place.z}));
     }
-  Bytes bytes;
-  put(box, bytes);
-  putAll(
-      pcl::PartOfCloud(places.view(), places.is_own, threads).measureDistances(reach),
-      bytes);
-  return bytes;
+  distances.distances =
+      pcl::PartOfCloud(places.view(), places.is_own, threads).measureDistances(reach);
+  if (resolution == 0.0)
+    setRepeats(places.own_places, distances);
+  return distances.toBytes();
 }
 
 TileDistances
@@ -64,7 +92,24 @@ distancesOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
   TileDistances distances;
   distances.box = reader.take<PointBox>();
   distances.distances = reader.takeAll<float>();
+  distances.repeats = reader.takeAll<std::uint32_t>();
+  distances.places = reader.takeAll<std::uint32_t>();
   return distances;
+}
+
+/** The distance of each point, NaN for repeats. */
+std::vector<float>
+distancesOfPoints(const TileDistances& distances)
+{
+  std::vector<float> result(distances.distances.size() + distances.repeats.size(),
+                            0.0f);
+  for (const std::uint32_t repeat : distances.repeats)
+    result[repeat] = std::numeric_limits<float>::quiet_NaN();
+  auto next = distances.distances.begin();
+  for (float& d : result)
+    if (!std::isnan(d))
+      d = *next++;
+  return result;
 }
 
 std::uint64_t
@@ -92,6 +137,8 @@ forEachDistances(const TiledCloud& cloud, const std::string& name, const Use& us
  * over the files of tiles. Points that are not finite count with the first one, as in
  * the whole cloud. */
 class DistanceMedians {
+  static_assert(Selection<float>::passes == 2, "choose() ends one, values() the other");
+
 public:
   explicit DistanceMedians(std::uint64_t unknown) : unknown_(unknown) {}
 
@@ -190,6 +237,7 @@ mediansOf(TiledCloud& cloud, double resolution, unsigned threads)
     numbers.of_cloud.low = medians.at("low");
     numbers.of_cloud.high = medians.at("high");
     numbers.places = medians.at("places");
+    numbers.distances = name;
     const double needed =
         pcl::reachOf(numbers.of_cloud, pcl::ShapeModel::defaultEdges()).spacing;
     if (needed > 0.0 && needed <= reach)
@@ -228,10 +276,15 @@ numbersOf(TiledCloud& cloud, double resolution, unsigned threads)
   const double reach =
       pcl::reachOf(numbers.of_cloud, pcl::ShapeModel::defaultEdges()).noise;
   const double halo = haloOf(reach, resolution);
-  cloud.run("noise", halo, [&](std::size_t, const TilePoints& points) {
-    const TilePlaces places = placesOf(points, cloud.offset(), resolution);
-    return toBytes(pcl::PartOfCloud(places.view(), places.is_own, threads)
-                       .measureNoise(numbers.of_cloud, numbers.places));
+  cloud.run("noise", halo, [&](std::size_t tile, const TilePoints& points) {
+    if (resolution > 0.0) {
+      const TilePlaces places = placesOf(points, cloud.offset(), resolution);
+      return toBytes(pcl::PartOfCloud(places.view(), places.is_own, threads)
+                         .measureNoise(numbers.of_cloud, numbers.places));
+    }
+    const TilePlaces places = measuredPlacesOf(cloud, tile, points, numbers);
+    const pcl::KnownPart part{places.view(), places.is_own, places.distances};
+    return toBytes(pcl::measureNoise(part, numbers.of_cloud, numbers.places, threads));
   });
   const Json noise = Json::parse(cloud.decide("noise", [&] {
     pcl::NoiseMeasures measures;
@@ -249,6 +302,45 @@ numbersOf(TiledCloud& cloud, double resolution, unsigned threads)
   numbers.of_cloud.noise_level = noise.at("noise_level");
   numbers.of_cloud.noise_correlation = noise.at("noise_correlation");
   return numbers;
+}
+
+TilePlaces
+measuredPlacesOf(const TiledCloud& cloud,
+                 std::size_t tile,
+                 const TilePoints& points,
+                 const TiledNumbers& numbers)
+{
+  const auto all = floatsOf(points, cloud.offset());
+  TileDistances own = distancesOf(cloud, numbers.distances, tile);
+  const std::size_t own_places = own.distances.size();
+  TilePlaces result;
+  result.places = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  result.places->reserve(all->size());
+  auto repeat = own.repeats.begin();
+  auto place = own.places.begin();
+  for (std::size_t i = 0; i < points.own; ++i)
+    if (repeat != own.repeats.end() && *repeat == i) {
+      result.own_places.push_back(static_cast<std::int32_t>(*place++));
+      ++repeat;
+    }
+    else {
+      result.own_places.push_back(static_cast<std::int32_t>(result.places->size()));
+      result.places->push_back((*all)[i]);
+    }
+  result.distances = std::move(own.distances);
+  std::vector<float> of_tile;
+  for (std::size_t k = 0; k < points.around.size(); ++k) {
+    const auto& [other, row] = points.around[k];
+    if (k == 0 || other != points.around[k - 1].tile)
+      of_tile = distancesOfPoints(distancesOf(cloud, numbers.distances, other));
+    if (std::isnan(of_tile[row]))
+      continue;
+    result.places->push_back((*all)[points.own + k]);
+    result.distances.push_back(of_tile[row]);
+  }
+  result.is_own.assign(result.places->size(), false);
+  std::fill_n(result.is_own.begin(), own_places, true);
+  return result;
 }
 
 } // namespace pcl::app

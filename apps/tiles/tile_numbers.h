@@ -4,16 +4,20 @@
 
 #pragma once
 
+#include "tiles/tile_places.h"
+
 #include <pcl/features/cloud_numbers.h>
 #include <pcl/tiling/tiled_cloud.h>
 
 #include <cstdint>
+#include <string>
 
 namespace pcl::app {
 
 struct TiledNumbers {
   pcl::CloudNumbers of_cloud;
   std::uint64_t places = 0; ///< that are finite
+  std::string distances;    ///< the name of the results that have them
 };
 
 /** \brief Measure the tiles, as far as that was not done before. They give the numbers
@@ -22,5 +26,12 @@ struct TiledNumbers {
  * \throws InputError if there are too few points */
 TiledNumbers
 numbersOf(pcl::tiling::TiledCloud& cloud, double resolution, unsigned threads);
+
+/** \brief placesOf() without a resolution, from what measuring the numbers has found:
+ * which places are equal, and how far it is to their neighbors. */
+TilePlaces measuredPlacesOf(const pcl::tiling::TiledCloud& cloud,
+                            std::size_t tile,
+                            const pcl::tiling::TilePoints& points,
+                            const TiledNumbers& numbers);
 
 } // namespace pcl::app

@@ -23,6 +23,7 @@ struct TilePlaces {
   pcl::PointCloud<pcl::PointXYZ>::Ptr places;
   std::vector<bool> is_own;             ///< of each place: it is the tile's
   std::vector<std::int32_t> own_places; ///< of each of the tile's points
+  std::vector<float> distances; ///< to the 12th neighbor of each place, if known
 
   pcl::XYZView view() const;
 };

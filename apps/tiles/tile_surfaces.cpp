@@ -103,6 +103,7 @@ forEachWindows(const TiledCloud& cloud, const Use& use)
 FacesAround::Noise
 noiseOfWindows(const TiledCloud& cloud)
 {
+  static_assert(Selection<float>::passes == 2, "addAll() is called twice");
   std::array<Selection<float>, FacesAround::levels> selections;
   const auto addAll = [&] {
     forEachWindows(cloud, [&](std::size_t level, const std::vector<float>& residuals) {

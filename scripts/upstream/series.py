@@ -40,10 +40,11 @@ SERIES = [
     ("`ShapeFieldEstimation`, `ShapeEdgeDetection`, `ShapeBackProjection`", [
         HEADERS + "*", "src/features/*", "src/geometry/*", "src/edges/*", "src/surfaces/*",
         *named(SEGMENTATION + "*{}*", "shape_field", "shape_detection", "shape_edge_detection",
-               "shape_back_projection", "unknown_points", "cloud_reach", "means_of_parts"),
+               "shape_back_projection", "unknown_points", "cloud_reach", "known_parts",
+               "means_of_parts"),
         *named(SEGMENTATION + "impl/{}*", "shape_field", "shape_detection", "shape_edge", "shape_back"),
         *named("src/segmentation/{}*", "cloud_reach", "compiled_estimations", "evidence_reach", "field_places",
-               "means_of_parts",
+               "known_parts", "means_of_parts",
                "shape_detection", "shape_field", "uneven_field", "unknown_points"),
         "tools/scene/*", "test/features/*",
         *named("test/segmentation/{}*", "bumpy_plane", "crease_truth", "detect", "field_of", "test_adaptive",

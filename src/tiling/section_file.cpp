@@ -4,6 +4,9 @@
 
 #include "tiling/section_file.h"
 
+#include "tiling/coordinates.h"
+
+#include <array>
 #include <cstddef>
 
 namespace pcl::tiling {
@@ -22,7 +25,17 @@ struct Entry {
   }
 };
 
-using PointCount = std::uint64_t; ///< before each table
+/** Before each table. */
+struct GroupHeader {
+  std::uint64_t points = 0;
+  std::uint64_t coordinate = 0; ///< how many bytes it has
+};
+
+std::size_t
+bytesOfPoint(bool are_floats)
+{
+  return 3 * (are_floats ? sizeof(float) : sizeof(double));
+}
 
 } // namespace
 
@@ -37,42 +50,50 @@ SectionWriter::add(const Position& point, std::size_t tile)
 {
   points_.push_back(point);
   tile_of_.push_back(static_cast<std::uint32_t>(tile));
+  are_floats_ = are_floats_ && areFloats(point);
   if (points_.size() == at_a_time_)
-    write();
+    finish();
 }
 
 void
 SectionWriter::finish()
 {
-  if (!points_.empty())
-    write();
+  if (points_.empty())
+    return;
+  if (are_floats_)
+    write<float>();
+  else
+    write<double>();
+  points_.clear();
+  tile_of_.clear();
+  are_floats_ = true;
 }
 
+template <typename Coordinate>
 void
 SectionWriter::write()
 {
+  using Point = std::array<Coordinate, 3>;
   std::vector<Entry> table(tiles_);
   for (const std::uint32_t tile : tile_of_)
     ++table[tile].count;
   for (std::size_t tile = 1; tile < tiles_; ++tile)
     table[tile].begin = table[tile - 1].begin + table[tile - 1].count;
-  std::vector<Position> sorted(points_.size());
+  std::vector<Point> sorted(points_.size());
   std::vector<std::uint32_t> next;
   for (const Entry& entry : table)
     next.push_back(entry.begin);
   for (std::size_t i = 0; i < points_.size(); ++i)
-    sorted[next[tile_of_[i]]++] = points_[i];
+    sorted[next[tile_of_[i]]++] = coordinatesAs<Coordinate>(points_[i]);
   for (Entry& entry : table) {
     entry.points_check =
-        checksumOf(&sorted[0] + entry.begin, entry.count * sizeof(Position));
+        checksumOf(sorted.data() + entry.begin, entry.count * sizeof(Point));
     entry.own_check = entry.check();
   }
-  const PointCount count = sorted.size();
-  file_.write(&count, sizeof count);
+  const GroupHeader header{sorted.size(), sizeof(Coordinate)};
+  file_.write(&header, sizeof header);
   file_.write(table.data(), table.size() * sizeof(Entry));
-  file_.write(sorted.data(), sorted.size() * sizeof(Position));
-  points_.clear();
-  tile_of_.clear();
+  file_.write(sorted.data(), sorted.size() * sizeof(Point));
 }
 
 SectionFile::SectionFile(const std::string& path, std::size_t tiles)
@@ -83,15 +104,17 @@ SectionFile::SectionFile(const std::string& path, std::size_t tiles)
   if (size < 0)
     throw TilingError(path + ": is not there; expected the points of a section");
   for (std::uint64_t at = 0; static_cast<std::int64_t>(at) < size;) {
-    PointCount count = 0;
+    GroupHeader header;
     if (size - static_cast<std::int64_t>(at) <
-        static_cast<std::int64_t>(sizeof count + tiles * sizeof(Entry)))
+        static_cast<std::int64_t>(sizeof header + tiles * sizeof(Entry)))
       failDamaged(path);
-    readAt(path, at, &count, sizeof count);
-    if (count > points_sorted_at_a_time)
+    readAt(path, at, &header, sizeof header);
+    const bool are_floats = header.coordinate == sizeof(float);
+    if (header.points > points_sorted_at_a_time ||
+        (!are_floats && header.coordinate != sizeof(double)))
       failDamaged(path);
-    groups_.push_back({at + sizeof count, count});
-    at = pointsBegin(groups_.back()) + count * sizeof(Position);
+    groups_.push_back({at + sizeof header, header.points, are_floats});
+    at = pointsBegin(groups_.back()) + header.points * bytesOfPoint(are_floats);
     if (static_cast<std::int64_t>(at) > size)
       failDamaged(path);
   }
@@ -130,16 +153,28 @@ SectionFile::addPointsOf(std::size_t tile, std::vector<Position>& points) const
       failDamaged(path_);
     if (entry.count == 0)
       continue;
-    const std::size_t before = points.size();
-    points.resize(before + entry.count);
-    const std::size_t bytes = entry.count * sizeof(Position);
-    readAt(path_,
-           pointsBegin(group) + entry.begin * sizeof(Position),
-           &points[before],
-           bytes);
-    if (checksumOf(&points[before], bytes) != entry.points_check)
-      failDamaged(path_);
+    if (group.are_floats)
+      addPoints<float>(group, entry.begin, entry.count, entry.points_check, points);
+    else
+      addPoints<double>(group, entry.begin, entry.count, entry.points_check, points);
   }
+}
+
+template <typename Coordinate>
+void
+SectionFile::addPoints(const Group& group,
+                       std::uint64_t first,
+                       std::size_t count,
+                       std::uint32_t check,
+                       std::vector<Position>& points) const
+{
+  std::vector<std::array<Coordinate, 3>> read(count);
+  const std::size_t bytes = count * sizeof read[0];
+  readAt(path_, pointsBegin(group) + first * sizeof read[0], read.data(), bytes);
+  if (checksumOf(read.data(), bytes) != check)
+    failDamaged(path_);
+  for (const auto& coordinates : read)
+    points.push_back(positionOf(coordinates));
 }
 
 } // namespace pcl::tiling

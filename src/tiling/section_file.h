@@ -33,10 +33,12 @@ public:
   void finish();
 
 private:
+  template <typename Coordinate>
   void write();
 
   WholeFile& file_;
   std::size_t tiles_, at_a_time_;
+  bool are_floats_ = true; ///< those that are not written yet
   std::vector<Position> points_;
   std::vector<std::uint32_t> tile_of_; ///< each point
 };
@@ -56,9 +58,17 @@ private:
   /** The points that were sorted together, by where their table begins. */
   struct Group {
     std::uint64_t begin = 0, points = 0;
+    bool are_floats = false;
   };
 
   std::uint64_t pointsBegin(const Group& group) const;
+
+  template <typename Coordinate>
+  void addPoints(const Group& group,
+                 std::uint64_t first,
+                 std::size_t count,
+                 std::uint32_t check,
+                 std::vector<Position>& points) const;
 
   std::string path_;
   std::size_t tiles_;

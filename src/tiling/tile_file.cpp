@@ -4,64 +4,92 @@
 
 #include "tiling/tile_file.h"
 
+#include "tiling/coordinates.h"
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
-#include <numeric>
+#include <type_traits>
 
 namespace pcl::tiling {
 namespace {
 
-// "PCLTILE", a version, then points, blocks and the check of the blocks.
-constexpr std::array<char, 8> magic{'P', 'C', 'L', 'T', 'I', 'L', 'E', '1'};
+// "PCLTILE", a version, then points, blocks, and the check of the blocks.
+constexpr std::array<char, 8> magic{'P', 'C', 'L', 'T', 'I', 'L', 'E', '2'};
 
 struct Header {
   std::array<char, 8> magic{};
   std::uint64_t points = 0, blocks = 0;
-  std::uint32_t check = 0, padding = 0;
+  std::uint32_t check = 0, coordinate = 0; ///< how many bytes it has
 };
 
-/** A point, and its place among those of the tile. */
+/** A point, and its place among those of the tile; there are less than 2^32. */
+template <typename Coordinate>
 struct Entry {
-  Position position;
-  std::uint64_t place;
+  std::array<Coordinate, 3> position;
+  std::conditional_t<sizeof(Coordinate) == 4, std::uint32_t, std::uint64_t> place;
 };
 
-constexpr double blocks_along = 24.0; // edges: a border is a tenth of the tile then
+constexpr double blocks_along = 24.0;   // edges: a border is a tenth of the tile then
+constexpr std::size_t cells_along = 25; // the last one has the farthest points
+constexpr std::size_t all_cells = cells_along * cells_along * cells_along;
 
-/** The points in the order of blocks, each with the number of its block. */
-struct Sorted {
-  std::vector<std::uint32_t> order;
-  std::vector<std::uint64_t> blocks; ///< where each begins, and the end
-};
-
-Sorted
-sortedByBlock(const std::vector<Position>& points, const Box& box)
-{
-  double edge = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    edge = std::max(edge, box.high[axis] - box.low[axis]);
-  const double scale = edge > 0.0 ? blocks_along / edge : 0.0;
-  std::vector<std::uint32_t> keys;
-  keys.reserve(points.size());
-  for (const Position& p : points) {
-    std::uint32_t key = 0;
-    for (std::size_t axis = 3; axis-- > 0;)
-      key = key << 8 | static_cast<std::uint32_t>((p[axis] - box.low[axis]) * scale);
-    keys.push_back(key);
+/** Cells of a box, numbered along x, y and z. */
+class Cells {
+public:
+  explicit Cells(const Box& box) : low_(box.low)
+  {
+    double edge = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      edge = std::max(edge, box.high[axis] - box.low[axis]);
+    scale_ = edge > 0.0 ? blocks_along / edge : 0.0;
   }
-  Sorted sorted;
-  sorted.order.resize(points.size());
-  std::iota(sorted.order.begin(), sorted.order.end(), 0U);
-  std::stable_sort(sorted.order.begin(), sorted.order.end(), [&](auto a, auto b) {
-    return keys[a] < keys[b];
-  });
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (i == 0 || keys[sorted.order[i]] != keys[sorted.order[i - 1]])
-      sorted.blocks.push_back(i);
-  sorted.blocks.push_back(points.size());
-  return sorted;
+
+  std::uint16_t
+  of(const Position& p) const
+  {
+    std::size_t cell = 0;
+    for (std::size_t axis = 3; axis-- > 0;)
+      cell = cell * cells_along +
+             static_cast<std::size_t>((p[axis] - low_[axis]) * scale_);
+    return static_cast<std::uint16_t>(cell);
+  }
+
+private:
+  Position low_;
+  double scale_ = 0.0;
+};
+
+/** Those with points, in their order. */
+struct CellsWithPoints {
+  std::vector<std::uint16_t> of_point;
+  std::vector<std::uint16_t> number = std::vector<std::uint16_t>(all_cells);
+  std::vector<std::uint64_t> begins{0}; ///< and the end
+
+  std::size_t
+  size() const
+  {
+    return begins.size() - 1;
+  }
+};
+
+CellsWithPoints
+cellsOf(const std::vector<Position>& points)
+{
+  const Cells cells(Box::of(points));
+  CellsWithPoints found;
+  std::vector<std::uint64_t> counts(all_cells);
+  found.of_point.reserve(points.size());
+  for (const Position& p : points) {
+    found.of_point.push_back(cells.of(p));
+    ++counts[found.of_point.back()];
+  }
+  for (std::size_t cell = 0; cell < all_cells; ++cell)
+    if (counts[cell] > 0) {
+      found.number[cell] = static_cast<std::uint16_t>(found.size());
+      found.begins.push_back(found.begins.back() + counts[cell]);
+    }
+  return found;
 }
 
 } // namespace
@@ -89,36 +117,57 @@ Box::grown(double by) const
   return box;
 }
 
-Bytes
-encodeTile(const std::vector<Position>& points)
+void
+Box::add(const Box& other)
 {
-  const Sorted sorted = sortedByBlock(points, Box::of(points));
-  std::vector<TileFile::Block> blocks;
-  Bytes data;
-  data.reserve(points.size() * sizeof(Entry));
-  for (std::size_t b = 0; b + 1 < sorted.blocks.size(); ++b) {
-    std::vector<Position> members;
-    const std::size_t at = data.size();
-    for (std::uint64_t i = sorted.blocks[b]; i < sorted.blocks[b + 1]; ++i) {
-      members.push_back(points[sorted.order[i]]);
-      put(Entry{members.back(), sorted.order[i]}, data);
-    }
-    blocks.push_back({Box::of(members),
-                      sorted.blocks[b],
-                      members.size(),
-                      checksumOf(data.data() + at, data.size() - at)});
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    low[axis] = std::min(low[axis], other.low[axis]);
+    high[axis] = std::max(high[axis], other.high[axis]);
   }
-  Bytes bytes;
+}
+
+template <typename Coordinate>
+Bytes
+TileFile::encoded(const std::vector<Position>& points)
+{
+  using Point = Entry<Coordinate>;
+  const CellsWithPoints cells = cellsOf(points);
+  std::vector<Block> blocks(cells.size());
+  const std::size_t begin = sizeof(Header) + blocks.size() * sizeof(Block);
+  Bytes bytes(begin + points.size() * sizeof(Point));
+  std::uint8_t* const data = bytes.data() + begin;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t b = cells.number[cells.of_point[i]];
+    Block& block = blocks[b];
+    const Box box{points[i], points[i]};
+    if (block.size == 0)
+      block = {box, cells.begins[b]};
+    block.box.add(box);
+    Point point{coordinatesAs<Coordinate>(points[i]), {}};
+    point.place = static_cast<decltype(point.place)>(i);
+    std::memcpy(
+        data + (block.begin + block.size++) * sizeof point, &point, sizeof point);
+  }
+  for (Block& block : blocks)
+    block.check =
+        checksumOf(data + block.begin * sizeof(Point), block.size * sizeof(Point));
+  const std::size_t size = blocks.size() * sizeof(Block);
   const Header header{magic,
                       points.size(),
                       blocks.size(),
-                      checksumOf(blocks.data(), blocks.size() * sizeof(blocks[0]))};
-  bytes.reserve(sizeof header + blocks.size() * sizeof(blocks[0]) + data.size());
-  put(header, bytes);
-  for (const TileFile::Block& block : blocks)
-    put(block, bytes);
-  bytes.insert(bytes.end(), data.begin(), data.end());
+                      checksumOf(blocks.data(), size),
+                      sizeof(Coordinate)};
+  std::memcpy(bytes.data(), &header, sizeof header);
+  std::memcpy(bytes.data() + sizeof header, blocks.data(), size);
   return bytes;
+}
+
+Bytes
+encodeTile(const std::vector<Position>& points)
+{
+  return std::all_of(points.begin(), points.end(), areFloats)
+             ? TileFile::encoded<float>(points)
+             : TileFile::encoded<double>(points);
 }
 
 TileFile::TileFile(const std::string& path) : path_(path)
@@ -126,8 +175,9 @@ TileFile::TileFile(const std::string& path) : path_(path)
   Header header;
   readAt(path, 0, &header, sizeof header);
   data_begin_ = sizeof header + header.blocks * sizeof(Block);
-  const auto expected =
-      static_cast<std::int64_t>(data_begin_ + header.points * sizeof(Entry));
+  are_floats_ = header.coordinate == sizeof(float);
+  const std::size_t point = are_floats_ ? sizeof(Entry<float>) : sizeof(Entry<double>);
+  const auto expected = static_cast<std::int64_t>(data_begin_ + header.points * point);
   if (header.magic != magic || header.blocks == 0 || header.blocks > header.points ||
       sizeOfFile(path) != expected)
     failDamaged(path);
@@ -138,28 +188,46 @@ TileFile::TileFile(const std::string& path) : path_(path)
     failDamaged(path);
   box_ = blocks_.front().box;
   for (const Block& block : blocks_)
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      box_.low[axis] = std::min(box_.low[axis], block.box.low[axis]);
-      box_.high[axis] = std::max(box_.high[axis], block.box.high[axis]);
-    }
+    box_.add(block.box);
 }
 
-template <typename Use>
+template <typename Coordinate, typename Use>
 void
 TileFile::forEachOf(std::size_t first, std::size_t end, const Use& use) const
 {
   const std::uint64_t begin = blocks_[first].begin;
-  std::vector<Entry> entries(blocks_[end - 1].begin + blocks_[end - 1].size - begin);
+  std::vector<Entry<Coordinate>> entries(blocks_[end - 1].begin +
+                                         blocks_[end - 1].size - begin);
   readAt(path_,
-         data_begin_ + begin * sizeof(Entry),
+         data_begin_ + begin * sizeof entries[0],
          entries.data(),
-         entries.size() * sizeof(Entry));
+         entries.size() * sizeof entries[0]);
   for (std::size_t b = first; b < end; ++b) {
-    const Entry* const from = &entries[blocks_[b].begin - begin];
-    if (checksumOf(from, blocks_[b].size * sizeof(Entry)) != blocks_[b].check)
+    const auto* const from = &entries[blocks_[b].begin - begin];
+    if (checksumOf(from, blocks_[b].size * sizeof entries[0]) != blocks_[b].check)
       failDamaged(path_);
     for (std::uint64_t i = 0; i < blocks_[b].size; ++i)
-      use(from[i].position, from[i].place);
+      use(positionOf(from[i].position), from[i].place);
+  }
+}
+
+template <typename Is, typename Use>
+void
+TileFile::forEachOfThose(const Is& isWanted, const Use& use) const
+{
+  constexpr std::uint64_t points_at_a_time = 1 << 17; // some megabytes
+  for (std::size_t first = 0; first < blocks_.size(); ++first) {
+    std::size_t end = first;
+    std::uint64_t points = 0;
+    while (end < blocks_.size() && points < points_at_a_time && isWanted(blocks_[end]))
+      points += blocks_[end++].size;
+    if (end == first)
+      continue;
+    if (are_floats_)
+      forEachOf<float>(first, end, use);
+    else
+      forEachOf<double>(first, end, use);
+    first = end - 1;
   }
 }
 
@@ -167,22 +235,25 @@ std::vector<Position>
 TileFile::points() const
 {
   std::vector<Position> points(size_);
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
-    forEachOf(b, b + 1, [&](const Position& position, std::uint64_t place) {
-      points.at(place) = position;
-    });
+  forEachOfThose([](const Block&) { return true; },
+                 [&](const Position& position, std::uint64_t place) {
+                   points.at(place) = position;
+                 });
   return points;
 }
 
 void
-TileFile::addPointsIn(const Box& box, std::vector<Position>& points) const
+TileFile::addPointsIn(const Box& box,
+                      std::vector<Position>& points,
+                      std::vector<std::uint32_t>& places) const
 {
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
-    if (box.meets(blocks_[b].box))
-      forEachOf(b, b + 1, [&](const Position& position, std::uint64_t) {
-        if (box.holds(position))
-          points.push_back(position);
-      });
+  forEachOfThose([&](const Block& block) { return box.meets(block.box); },
+                 [&](const Position& position, std::uint64_t place) {
+                   if (!box.holds(position))
+                     return;
+                   points.push_back(position);
+                   places.push_back(static_cast<std::uint32_t>(place));
+                 });
 }
 
 } // namespace pcl::tiling

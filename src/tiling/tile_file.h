@@ -38,9 +38,12 @@ struct Box {
   }
 
   Box grown(double by) const;
+
+  void add(const Box& other);
 };
 
-/** \brief The bytes of a file with the points of a tile, at least one. */
+/** \brief The bytes of a file with the points of a tile, at least one; in single
+ * precision if that is as they are. */
 Bytes encodeTile(const std::vector<Position>& points);
 
 /** \brief A file of points, of which some are read. */
@@ -58,8 +61,11 @@ public:
   /** \brief All points, as they were given. \throws TilingError if they are damaged */
   std::vector<Position> points() const;
 
-  /** \brief Append the points in a box, in an order of their own. */
-  void addPointsIn(const Box& box, std::vector<Position>& points) const;
+  /** \brief Append the points in a box, in an order of their own, and the place of
+   * each among those of the tile. */
+  void addPointsIn(const Box& box,
+                   std::vector<Position>& points,
+                   std::vector<std::uint32_t>& places) const;
 
 private:
   struct Block {
@@ -69,15 +75,23 @@ private:
     std::uint32_t padding = 0; ///< written as zero
   };
 
+  template <typename Coordinate>
+  static Bytes encoded(const std::vector<Position>& points);
+
   /** use(position, place) for each point of some blocks that follow each other. */
-  template <typename Use>
+  template <typename Coordinate, typename Use>
   void forEachOf(std::size_t first, std::size_t end, const Use& use) const;
+
+  /** The same for blocks that are wanted. */
+  template <typename Is, typename Use>
+  void forEachOfThose(const Is& isWanted, const Use& use) const;
 
   friend Bytes encodeTile(const std::vector<Position>& points);
 
   std::string path_;
   Box box_;
   std::uint64_t size_ = 0, data_begin_ = 0;
+  bool are_floats_ = false;
   std::vector<Block> blocks_;
 };
 

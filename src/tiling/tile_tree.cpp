@@ -16,18 +16,40 @@ constexpr int least_exponent = -20;          // a micrometer
 constexpr std::uint64_t points_of_cell = 64; // enough to know how dense they are
 constexpr double neighbors = 12.0, pi = 3.14159265358979;
 
+/** Of numbers that are whole: the bits at their end are mostly zeros, and each factor
+ * carries the others to the front. The factors are those of MurmurHash3's last mixing,
+ * and 2^64 over the golden ratio. */
 std::size_t
 hashOf(const CellKey& key)
 {
-  std::uint64_t hash = 0;
-  for (const double k : key) { // steps of SplitMix64
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &k, sizeof bits);
-    hash += bits + 0x9e3779b97f4a7c15U;
-    hash = (hash ^ hash >> 30) * 0xbf58476d1ce4e5b9U;
-    hash ^= hash >> 27;
-  }
-  return hash;
+  std::array<std::uint64_t, 3> bits{};
+  std::memcpy(bits.data(), key.data(), sizeof bits);
+  std::uint64_t hash = (bits[0] >> 32 ^ bits[0]) * 0xff51afd7ed558ccdU;
+  hash = (hash >> 29 ^ hash ^ bits[1]) * 0xc4ceb9fe1a85ec53U;
+  hash = (hash >> 29 ^ hash ^ bits[2]) * 0x9e3779b97f4a7c15U;
+  return hash ^ hash >> 32;
+}
+
+/** 2 to the power of an exponent, as std::ldexp() has it, for each point once. */
+double
+powerOfTwo(int exponent)
+{
+  constexpr int bias = 1023, digits = 52;
+  const std::uint64_t bits = static_cast<std::uint64_t>(bias + exponent) << digits;
+  double power = 0.0;
+  std::memcpy(&power, &bits, sizeof power);
+  return power;
+}
+
+/** std::floor(), but 0 has one sign: it is not a function of the library here. */
+double
+wholeBelow(double x)
+{
+  constexpr double all_are_whole = 4503599627370496.0; // 2^52
+  if (!(std::abs(x) < all_are_whole))
+    return x;
+  const auto whole = static_cast<double>(static_cast<std::int64_t>(x));
+  return whole > x ? whole - 1.0 : whole;
 }
 
 using Cells = std::vector<Cell>;
@@ -127,27 +149,27 @@ private:
 CellKey
 CellGrid::keyOf(const float* point) const
 {
+  const double scale = powerOfTwo(-exponent);
   CellKey key;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    key[axis] =
-        std::floor(std::ldexp(static_cast<double>(point[axis]), -exponent)) + 0.0;
+    key[axis] = wholeBelow(scale * static_cast<double>(point[axis]));
   return key;
 }
 
 CellKey
 CellGrid::keyOf(const CellGrid& finer, const CellKey& key) const
 {
+  const double scale = powerOfTwo(finer.exponent - exponent);
   CellKey result;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    result[axis] =
-        std::floor(std::ldexp(key[axis], finer.exponent - exponent)) + 0.0; // one zero
+    result[axis] = wholeBelow(scale * key[axis]);
   return result;
 }
 
 double
 CellGrid::size() const
 {
-  return std::ldexp(1.0, exponent);
+  return powerOfTwo(exponent);
 }
 
 void
@@ -194,10 +216,8 @@ CellCounts::sorted() const
 CellCounts
 CellCounts::coarser(int doublings) const
 {
-  const double share = std::ldexp(1.0, -doublings);
-  const auto larger = [&](double key) {
-    return std::floor(share * key) + 0.0; // 0 has one sign
-  };
+  const double share = powerOfTwo(-doublings);
+  const auto larger = [&](double key) { return wholeBelow(share * key); };
   CellCounts result(slots_.size());
   for (const auto& [key, count] : slots_)
     if (count > 0)
@@ -291,6 +311,19 @@ TileTree::tileOf(const CellKey& key) const
     node =
         &nodes_[key[static_cast<std::size_t>(node->axis)] < node->cut ? node->first
                                                                       : node->second];
+  return node->first;
+}
+
+std::size_t
+TileTree::tileOf(const float* point) const
+{
+  // A whole number is above the one below a point if and only if it is above the point.
+  const double cells = powerOfTwo(-grid_.exponent);
+  const Node* node = &nodes_.front();
+  while (node->axis >= 0) {
+    const double at = cells * static_cast<double>(point[node->axis]);
+    node = &nodes_[at < node->cut ? node->first : node->second];
+  }
   return node->first;
 }
 

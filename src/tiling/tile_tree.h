@@ -118,11 +118,8 @@ public:
 
   std::size_t tileOf(const CellKey& key) const;
 
-  std::size_t
-  tileOf(const float* point) const
-  {
-    return tileOf(grid_.keyOf(point));
-  }
+  /** \brief That of its cell. */
+  std::size_t tileOf(const float* point) const;
 
   const CellGrid&
   grid() const

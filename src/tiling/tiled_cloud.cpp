@@ -17,7 +17,7 @@
 namespace pcl::tiling {
 namespace {
 
-constexpr int format_version = 2;
+constexpr int format_version = 3;
 const std::string tiles_name = "tiles";
 // Of sections: their counts, their points by tile, and which rows of tiles these are.
 const std::string survey_name = "survey", sections_name = "sections",
@@ -336,11 +336,16 @@ TiledCloud::holds(const Position& point) const
 TilePoints
 TiledCloud::load(std::size_t tile, double halo) const
 {
-  TilePoints points{state_->fileOf(tile).points(), 0};
+  TilePoints points;
+  points.points = state_->fileOf(tile).points();
   points.own = points.points.size();
   const Box around = state_->boxAround(tile, halo);
-  for (const std::size_t other : tilesAround(tile, halo))
-    state_->fileOf(other).addPointsIn(around, points.points);
+  for (const std::size_t other : tilesAround(tile, halo)) {
+    std::vector<std::uint32_t> rows;
+    state_->fileOf(other).addPointsIn(around, points.points, rows);
+    for (const std::uint32_t row : rows)
+      points.around.push_back({static_cast<std::uint32_t>(other), row});
+  }
   return points;
 }
 

@@ -250,6 +250,18 @@ TEST_F(Tiles, HaveTheSurfacesAndInstancesOfACloudThatIsLongerThanTheyLook)
   EXPECT_GT(count("tiles"), 4U);
 }
 
+TEST_F(Tiles, HaveTheFlatWindowsOfTheWholeCloud)
+{
+  const std::string file = whole(wavyTableCloud());
+  const std::string expected = detected(file, {"-surfaces"});
+  const Bits surfaces = bitsOf(pcl::app::decodePcd("whole", expected), "surface");
+  const auto planar = std::count(surfaces.begin(), surfaces.end(), 1U);
+  EXPECT_GT(planar, static_cast<std::ptrdiff_t>(99 * surfaces.size() / 100));
+  expectSuccess(tiles({file}, {"-surfaces", "-tile", "0.35", "-json", path("json")}));
+  EXPECT_EQ(differences(readFile(path("out/cloud.pcd")), expected), 0U);
+  EXPECT_GT(count("tiles"), 7U);
+}
+
 TEST_F(Tiles, SayWhichResolutionStepsNeedAndHaveItsBits)
 {
   const std::string file = whole(stepsCloud());
@@ -293,6 +305,7 @@ TYPED_TEST(Selections, FindTheValueOfEachRank)
   std::sort(sorted.begin(), sorted.end());
   for (std::size_t rank = 0; rank < values.size(); ++rank) {
     Selection selection;
+    EXPECT_THROW(selection.value(), std::logic_error);
     for (int pass = 0; pass < Selection::passes; ++pass) {
       for (const TypeParam value : values)
         selection.add(value, 1);

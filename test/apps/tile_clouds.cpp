@@ -186,6 +186,34 @@ stepsCloud()
 }
 
 TilePointCloud
+wavyTableCloud()
+{
+  constexpr double length = 1.2, width = 0.4, spacing = 0.0025, turn = 6.2831853;
+  Random random(13);
+  struct Wave {
+    double along_x, along_y, phase;
+  };
+  std::array<Wave, 16> waves{};
+  for (Wave& wave : waves) {
+    const double direction = random(0.0, turn), number = turn / random(0.045, 0.07);
+    wave = {
+        number * std::cos(direction), number * std::sin(direction), random(0.0, turn)};
+  }
+  const double height = 0.002 * std::sqrt(2.0 / static_cast<double>(waves.size()));
+  TilePointCloud cloud;
+  for (double u = 0.0; u < length; u += spacing)
+    for (double v = 0.0; v < width; v += spacing) {
+      const double x = u + spacing * random(-0.3, 0.3);
+      const double y = v + spacing * random(-0.3, 0.3);
+      double sum = 0.0;
+      for (const Wave& wave : waves)
+        sum += std::sin(wave.along_x * x + wave.along_y * y + wave.phase);
+      cloud.push_back({x, y, 1.0 + height * sum + 0.0003 * random.normal()});
+    }
+  return cloud;
+}
+
+TilePointCloud
 withTrouble(TilePointCloud points)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();

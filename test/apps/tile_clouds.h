@@ -30,6 +30,10 @@ TilePointCloud pathCloud(std::size_t points);
 /** \brief A ridge whose heights have steps of 4 cm, points 1 cm apart. */
 TilePointCloud stepsCloud();
 
+/** \brief A table of 1.2 x 0.4 m, points 2.5 mm apart, seen by a stereo camera: heights
+ * of 2 mm change over 45 to 70 mm. Only large windows say that it is flat. */
+TilePointCloud wavyTableCloud();
+
 /** \brief With points that are not finite, equal points, and points far away. */
 TilePointCloud withTrouble(TilePointCloud points);
 

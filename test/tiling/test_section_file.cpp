@@ -35,10 +35,22 @@ protected:
     return i >= last_group ? 5 : i % 3;
   }
 
+  /** \brief Those of every other group are as they are in single precision. */
+  static std::vector<Position>
+  pointsOfGroups()
+  {
+    std::vector<Position> points = unevenPoints(95, 1);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (i / at_a_time % 2 == 0)
+        for (double& c : points[i])
+          c = static_cast<double>(static_cast<float>(c));
+    return points;
+  }
+
   static constexpr std::size_t tiles = 6, at_a_time = 10;
   TemporaryDirectory temporary;
   const std::string path = temporary.path() + "/section";
-  const std::vector<Position> points = unevenPoints(95, 1);
+  const std::vector<Position> points = pointsOfGroups();
 };
 
 TEST_F(SectionFiles, GiveThePointsOfTilesInTheirOrder)

@@ -39,6 +39,17 @@ protected:
   const std::string path;
 };
 
+/** \brief Points that are as they are in single precision. */
+std::vector<Position>
+roundedPoints(std::size_t count, unsigned seed)
+{
+  std::vector<Position> points = unevenPoints(count, seed);
+  for (Position& p : points)
+    for (double& c : p)
+      c = static_cast<double>(static_cast<float>(c));
+  return points;
+}
+
 TEST_F(TileFiles, GiveThePointsAsTheyWere)
 {
   const auto points = unevenPoints(5000, 1);
@@ -46,21 +57,38 @@ TEST_F(TileFiles, GiveThePointsAsTheyWere)
   EXPECT_EQ(TileFile(path).points(), points);
 }
 
-TEST_F(TileFiles, GiveThePointsInABox)
+TEST_F(TileFiles, OfFloatsTakeHalfOfTheBytesUnlessOneIsNone)
 {
-  const auto points = unevenPoints(5000, 2);
+  auto points = roundedPoints(5000, 1);
+  const std::size_t all = encodeTile(unevenPoints(5000, 1)).size();
   write(encodeTile(points));
-  const Box box{{1.0, 0.5, -1.0}, {9.0, 6.0, 3.0}};
-  std::vector<Position> expected, found;
-  std::copy_if(points.begin(),
-               points.end(),
-               std::back_inserter(expected),
-               [&](auto& p) { return box.holds(p); });
-  TileFile(path).addPointsIn(box, found);
-  std::sort(expected.begin(), expected.end());
-  std::sort(found.begin(), found.end());
-  EXPECT_GT(found.size(), 100U);
-  EXPECT_EQ(found, expected);
+  EXPECT_LT(sizeOfFile(path), static_cast<std::int64_t>(6 * all / 10));
+  EXPECT_EQ(TileFile(path).points(), points);
+  points[4321][1] = 0.1;
+  write(encodeTile(points));
+  EXPECT_EQ(TileFile(path).points(), points);
+}
+
+TEST_F(TileFiles, GiveThePointsInABoxAndWhichTheyAre)
+{
+  for (const auto& points : {unevenPoints(5000, 2), roundedPoints(5000, 2)}) {
+    write(encodeTile(points));
+    const Box box{{1.0, 0.5, -1.0}, {9.0, 6.0, 3.0}};
+    std::vector<Position> expected, found;
+    std::copy_if(points.begin(),
+                 points.end(),
+                 std::back_inserter(expected),
+                 [&](auto& p) { return box.holds(p); });
+    std::vector<std::uint32_t> places;
+    TileFile(path).addPointsIn(box, found, places);
+    ASSERT_EQ(found.size(), places.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+      EXPECT_EQ(found[i], points.at(places[i]));
+    std::sort(expected.begin(), expected.end());
+    std::sort(found.begin(), found.end());
+    EXPECT_GT(found.size(), 100U);
+    EXPECT_EQ(found, expected);
+  }
 }
 
 TEST_F(TileFiles, ThatAreDamagedAreErrors)

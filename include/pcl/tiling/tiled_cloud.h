@@ -20,11 +20,18 @@
 
 namespace pcl::tiling {
 
+/** \brief Which point of a tile, in the order of the sources. */
+struct PointOfTile {
+  std::uint32_t tile = 0;
+  std::uint32_t row = 0; ///< from 0 to TiledCloud::pointsOf() - 1
+};
+
 /** \brief Points of a tile, and those around it. */
 struct TilePoints {
   std::vector<Position> points; ///< those of the tile in the order of the sources, then
                                 ///< those around it
   std::size_t own = 0;          ///< how many are of the tile
+  std::vector<PointOfTile> around; ///< which points of other tiles those around it are
 };
 
 /** \brief How a cloud is divided. */
