@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // What the sorted index is made with: radix sort, cells, rows.
 
+#include "common/radix_sort.h"
 #include "support/kernel_targets.h"
 #include "support/random.h"
-#include "common/radix_sort.h"
 #include "sweep/index/row_index.h"
 #include "sweep/portable/targets.h"
 
