@@ -69,11 +69,11 @@ def room(points):
 
 
 def street(points):
-    """60 m of a road with kerbs, walls, poles and a car, denser near its middle."""
+    """60 m of a road with curbs, walls, poles and a car, denser near its middle."""
     surfaces = Surfaces(1.38 * points, 8)
     surfaces.rectangle((0, -3, 0), (60, 0, 0), (0, 6, 0))
-    for kerb, walk in ((3, 3), (-3, -5)):
-        surfaces.rectangle((0, kerb, 0), (60, 0, 0), (0, 0, 0.15))
+    for curb, walk in ((3, 3), (-3, -5)):
+        surfaces.rectangle((0, curb, 0), (60, 0, 0), (0, 0, 0.15))
         surfaces.rectangle((0, walk, 0.15), (60, 0, 0), (0, 2, 0))
     surfaces.rectangle((0, 5, 0.15), (60, 0, 0), (0, 0, 6))
     surfaces.rectangle((0, -5, 0.15), (40, 0, 0), (0, 0, 6))

@@ -125,7 +125,7 @@ lidarCloud(const Arguments& arguments, Report& report)
         std::count(scan.ground.begin(), scan.ground.end(), label));
   };
   report.setCount("counts", "ground", count(pcl::scene::GroundTrue));
-  report.setCount("counts", "kerb", count(pcl::scene::GroundVoid));
+  report.setCount("counts", "curb", count(pcl::scene::GroundVoid));
   report.setCount("counts", "objects", scan.objects);
   report.setText("parameters", "sensor", "lidar");
   report.setCount("parameters", "seed", options.seed);

@@ -25,7 +25,7 @@ constexpr int min_plane_points = 5; // fewer are no plane, as for normals
 constexpr float parallel = 0.05f;   // sine, 3 degrees: the line is anywhere
 constexpr float half_turn = 3.14159265f;
 // Spacings. Without noise neither is exact; what is less than this is no difference.
-constexpr double least_deviation = 0.03;
+constexpr double min_deviation = 0.03;
 
 /** The normal that differs most from a direction. */
 Vector3f
@@ -189,7 +189,7 @@ float
 wedgeOverQuadric(const Patch& patch, const CreaseFit& crease)
 {
   const auto count = static_cast<double>(patch.points.size());
-  const double floor = count * least_deviation * least_deviation;
+  const double floor = count * min_deviation * min_deviation;
   return static_cast<float>(0.5 * count *
                             std::log((quadricSquares(patch.points) + floor) /
                                      (crease.wedge_squares + floor)));

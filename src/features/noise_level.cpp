@@ -52,7 +52,7 @@ crossing(double low, float at_low, double high, float at_high)
   return low + share * (high - low);
 }
 
-/** Those that the INAD of some points needs the normals of. */
+/** Some points, and those that their INAD needs the normals of. */
 pcl::Indices
 neighborsOf(const pcl::Indices& chosen,
             const XYZView& points,
@@ -64,6 +64,8 @@ neighborsOf(const pcl::Indices& chosen,
     grid.forEachWithin(positionOf(points, static_cast<std::size_t>(chosen[k])),
                        1.001f * radii[k], // no rounding decides here
                        [&](std::uint32_t i, float) { is_near[i] = true; });
+  for (const pcl::index_t i : chosen) // even if squares of the radii are 0
+    is_near[static_cast<std::size_t>(i)] = true;
   pcl::Indices found;
   for (std::size_t i = 0; i < is_near.size(); ++i)
     if (is_near[i])

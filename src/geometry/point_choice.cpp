@@ -69,10 +69,10 @@ centralPoints(const XYZView& points,
   std::vector<std::uint32_t> chosen;
   forEachCell(sorted, [&](const auto begin, const auto end) {
     std::uint32_t nearest = begin->point;
-    float least = offCenter(nearest);
+    float min_off_center = offCenter(nearest);
     for (auto at = begin + 1; at != end; ++at)
-      if (const float off_center = offCenter(at->point); off_center < least) {
-        least = off_center;
+      if (const float off_center = offCenter(at->point); off_center < min_off_center) {
+        min_off_center = off_center;
         nearest = at->point;
       }
     chosen.push_back(nearest);

@@ -167,11 +167,11 @@ forEachMean(const FieldInput& input,
 } // namespace
 
 double
-averagingReach(double spacing, double most_spacing)
+averagingReach(double spacing, double max_spacing)
 {
   // Points that are beyond the radius, but in a cell within it, count nothing; sums
   // are rounded as they are where the same points are there.
-  return rounds * reach_spacings * most_spacing + reach_spacings * spacing;
+  return rounds * reach_spacings * max_spacing + reach_spacings * spacing;
 }
 
 double

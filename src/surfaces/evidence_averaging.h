@@ -16,7 +16,7 @@ namespace pcl::segmentation {
 
 /** \brief How far averageEvidence() looks from a point to those that stand for others.
  * \param[in] spacing median of the cloud */
-double averagingReach(double spacing, double most_spacing);
+double averagingReach(double spacing, double max_spacing);
 
 /** \brief How far the point is, at most, that stands for one. */
 double evidencePointReach(double spacing);

@@ -23,26 +23,26 @@ constexpr float window_cells = 3.3f;
 static_assert(window_cells < noise_cells_per_node);
 constexpr float same_window = 0.5f; // cosine of 60 degrees: beyond, a quadric is steep
 // Rounding and the sampling of exact data, in spacings: less is never noise.
-constexpr float least_noise = 0.03f;
+constexpr float min_noise = 0.03f;
 
 // A window's quadric holds for its middle if the residual is noise, or a tenth of the
 // bulge: of a fold between two planes it is a sixth.
-constexpr float most_residual = 2.5f;
+constexpr float max_residual = 2.5f;
 constexpr float unexplained_share = 0.1f;
-constexpr float least_inliers = 0.7f;
-constexpr float most_offset = 4.0f; // in noise: what one node in 10,000 is off
+constexpr float min_inliers = 0.7f;
+constexpr float max_offset = 4.0f; // in noise: what one node in 10,000 is off
 constexpr float offset_share = 0.2f;
-constexpr float least_cosine = 0.82f; // of 35 degrees, between node and quadric
+constexpr float min_cosine = 0.82f; // of 35 degrees, between node and quadric
 
 // Curved: the normal turns by 16 degrees, a ball's window of 1/7 of its radius; and the
 // bulge is five times what is not explained, since waves that a sensor makes bend
 // windows as wide as half a wave, and by three times their own deviation; and it is
 // four times its standard error, since there are many windows.
-constexpr float least_turn = 0.28f; // radians
-constexpr float least_bulge = 5.0f;
-constexpr float least_errors = 4.0f;
+constexpr float min_turn = 0.28f; // radians
+constexpr float min_bulge = 5.0f;
+constexpr float min_errors = 4.0f;
 constexpr float steepness = 3.0f; // of the evidence, for the logarithm of these ratios
-constexpr float most_evidence = 4.0f;
+constexpr float max_evidence = 4.0f;
 // In spacings: with less a node's window says as much as those of all nodes around it.
 constexpr double little_noise = 0.1;
 // Noise that averages out is in the standard error. What does not is at the next
@@ -52,18 +52,18 @@ constexpr float excess_residual = 1.5f; // squared, of the noise at the node's o
 
 // From one level to the next white noise falls by half, and what waves add to it grows,
 // on images of depth cameras by up to 1.6.
-constexpr float most_growth = 2.0f;
+constexpr float max_growth = 2.0f;
 
 // What bends a large window must bend the small ones in it, where they can see it.
 constexpr float visible_bulge = 4.0f; // in noise
-constexpr float least_share = 0.3f;
+constexpr float min_share = 0.3f;
 
 // Waves that neighbors share bend small windows. A large one that holds many of them is
 // flat: its bulge is no more than twice what its nodes are off it, and it turns by less
 // than half of what is curved.
 constexpr std::size_t flat_level = 2; // 13 spacings in radius, wider than waves
 constexpr float flat_bulge = 2.0f;
-constexpr float flat_turn = 0.5f * least_turn;
+constexpr float flat_turn = 0.5f * min_turn;
 
 struct LevelFits {
   FaceFits fits;
@@ -82,11 +82,11 @@ struct LevelFits {
 bool
 holds(const FaceFit& fit, float noise)
 {
-  return (fit.residual <= most_residual * noise ||
+  return (fit.residual <= max_residual * noise ||
           fit.residual < unexplained_share * fit.bulge) &&
-         fit.inliers > least_inliers &&
-         fit.center_offset <= std::max(most_offset * noise, offset_share * fit.bulge) &&
-         fit.center_cosine > least_cosine;
+         fit.inliers > min_inliers &&
+         fit.center_offset <= std::max(max_offset * noise, offset_share * fit.bulge) &&
+         fit.center_cosine > min_cosine;
 }
 
 /** \param[in] noise at the node's level \param[in] waves the noise at larger ones */
@@ -95,17 +95,17 @@ evidenceOf(const FaceFit& fit, float noise, float waves)
 {
   const float excess = fit.residual * fit.residual - excess_residual * noise * noise;
   const float unexplained = std::max(waves, std::sqrt(std::max(0.0f, excess)));
-  const float ratio = std::min({fit.turn() / least_turn,
-                                fit.bulge / (least_bulge * unexplained),
-                                fit.bulge / (least_errors * fit.bulge_error)});
+  const float ratio = std::min({fit.turn() / min_turn,
+                                fit.bulge / (min_bulge * unexplained),
+                                fit.bulge / (min_errors * fit.bulge_error)});
   // 0 for an exact plane: its logarithm is cut off like any other.
-  return std::clamp(steepness * std::log(ratio), -most_evidence, most_evidence);
+  return std::clamp(steepness * std::log(ratio), -max_evidence, max_evidence);
 }
 
 bool
 isFlat(const FaceFit& fit)
 {
-  return fit.inliers > least_inliers && fit.bulge <= flat_bulge * fit.residual &&
+  return fit.inliers > min_inliers && fit.bulge <= flat_bulge * fit.residual &&
          fit.turn() <= flat_turn;
 }
 
@@ -147,7 +147,7 @@ findFlatWindows(const FaceLevel& level, LevelFits& of_level, unsigned threads)
     for (const std::uint32_t i : nodes[window]) {
       const FaceFit& fit = *of_level.fits[window];
       const FaceFit*& flat = of_level.flat[i];
-      const bool is_noise = fit.residual <= most_residual * of_level.noise[i];
+      const bool is_noise = fit.residual <= max_residual * of_level.noise[i];
       if (is_noise && (!flat || fit.residual > flat->residual))
         flat = &fit;
     }
@@ -204,7 +204,7 @@ findEvidence(const FacePyramid& pyramid, std::vector<LevelFits>& levels, float s
     level.evidence.assign(level.fits.size(), nan);
     for (std::uint32_t i = 0; i < level.fits.size(); ++i)
       if (const auto& fit = level.fits[i]; fit) {
-        const float least = least_noise * spacing;
+        const float least = min_noise * spacing;
         const float noise = level.noise[i];
         const float waves = std::max(least, wavesAt(pyramid, levels, l, i));
         if (holds(*fit, std::max(noise, waves)))
@@ -222,7 +222,7 @@ contradicts(const FaceFit& small, float noise, const FaceFit& large)
   const float expected = large.bulge * scale * scale;
   const float visible =
       visible_bulge * std::max({noise, small.residual, small.bulge_error});
-  return expected > visible && small.bulge < least_share * expected;
+  return expected > visible && small.bulge < min_share * expected;
 }
 
 /** The most of the evidence at a node and those above it, of windows that agree. */
@@ -236,7 +236,7 @@ mostAt(const FacePyramid& pyramid,
   std::vector<std::pair<const FaceFit*, float>> smaller; // and the noise of each
   for (std::size_t l = 0; l < levels.size(); ++l) {
     const LevelFits& level = levels[l];
-    const float least = std::max(level.noise[node], least_noise * spacing);
+    const float least = std::max(level.noise[node], min_noise * spacing);
     if (const FaceFit* const flat = level.flatAt(node); flat)
       smaller.emplace_back(flat, least);
     if (const float evidence = level.evidence[node]; !std::isnan(evidence)) {
@@ -301,15 +301,19 @@ keepMiddles(const FacePyramid& pyramid, float spacing, std::vector<bool>& chosen
     chosen[i] = chosen[i] && middles[first.parents[i]] == i;
 }
 
-/** The noise of the cloud at each level, without what grows faster than noise does: if
- * windows are so large that all hold several faces, nodes are off these, not off one.
- */
+/** The noise of the cloud at each level, 0 without a window, but no more than it can
+ * grow from the levels below. Where it seems to grow faster, windows are so large that
+ * each holds several faces: residuals are then of their shape. */
 std::vector<float>
 boundedNoise(std::vector<float> noise, float spacing)
 {
-  for (std::size_t l = 1; l < noise.size(); ++l)
-    noise[l] =
-        std::min(noise[l], most_growth * std::max(noise[l - 1], least_noise * spacing));
+  float bound = std::numeric_limits<float>::infinity();
+  for (float& of_level : noise) {
+    of_level = std::min(of_level, bound);
+    if (of_level > 0.0f)
+      bound = std::max(of_level, min_noise * spacing);
+    bound *= max_growth;
+  }
   return noise;
 }
 

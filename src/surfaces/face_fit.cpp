@@ -26,9 +26,9 @@ constexpr float biweight_reach = 4.685f; // 95 % efficient for normal noise
 constexpr float deviation_of_median = 1.4826f;
 constexpr float min_weight = 0.1f; // of a node that counts
 // Least pivot of the normal equations, in cells: below it nodes are nearly on a curve.
-constexpr double least_pivot = 1e-4;
+constexpr double min_pivot = 1e-4;
 // In cells: rounding of coordinates.
-constexpr float least_residual = 1e-6f;
+constexpr float min_residual = 1e-6f;
 
 /** The sums that make the normal equations: of weight * x^i * y^j up to the fourth
  * order, and of the same times z up to the second. */
@@ -132,7 +132,7 @@ FaceFitter::solve()
   Vector6d heights;
   heights << s.z00, s.z10, s.z01, s.z20, s.z11, s.z02;
   equations_.compute(products.cast<double>());
-  if (!(equations_.vectorD().minCoeff() > least_pivot))
+  if (!(equations_.vectorD().minCoeff() > min_pivot))
     return false;
   solution_ = equations_.solve(heights);
   const Eigen::Matrix<float, 6, 1> c = solution_.cast<float>();
@@ -159,7 +159,7 @@ FaceFitter::setWeights()
   const auto freedom =
       static_cast<float>(std::sqrt(count / std::max(1.0, count - coefficients)));
   const float deviation = deviation_of_median * freedom * *middle;
-  const float reach = biweight_reach * std::max(least_residual, deviation);
+  const float reach = biweight_reach * std::max(min_residual, deviation);
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     const float off = residuals_[k] / reach;
     const float near = std::max(0.0f, 1.0f - off * off);
@@ -201,7 +201,7 @@ FaceFitter::describe() const
   const Vector6d& c = solution_;
   const double residual =
       std::max(std::sqrt(squares / std::max(1.0, weight - coefficients)),
-               static_cast<double>(least_residual));
+               static_cast<double>(min_residual));
 
   // In units of the spread along each direction the largest curvature is the largest
   // bulge, so that a strip does not bulge most across itself, where nodes say little.

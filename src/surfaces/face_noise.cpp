@@ -19,8 +19,8 @@ constexpr std::size_t min_residuals = 20; // of which a quartile is worth someth
 constexpr double share = 0.25;
 // Where all faces are rough, or all are parts of one solid, the cloud's noise bounds
 // it.
-constexpr float least_of_cloud = 0.6f;
-constexpr float most_of_cloud = 2.0f;
+constexpr float min_of_cloud = 0.6f;
+constexpr float max_of_cloud = 2.0f;
 
 using Place = std::array<int, 3>;
 using Residuals = std::map<Place, std::vector<float>>;
@@ -58,8 +58,8 @@ noiseAt(const Place& place, const Residuals& residuals, float of_cloud)
   if (near.size() < min_residuals)
     return of_cloud;
   return std::clamp(quantile(std::move(near), share),
-                    least_of_cloud * of_cloud,
-                    most_of_cloud * of_cloud);
+                    min_of_cloud * of_cloud,
+                    max_of_cloud * of_cloud);
 }
 
 } // namespace

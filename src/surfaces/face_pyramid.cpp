@@ -34,7 +34,7 @@ constexpr float cell_per_noise = 5.0f;
 constexpr float link_cells = 1.6f;
 constexpr float same_face = 0.7071f; // cosine of 45 degrees: of two normals
 // Sine of 37 degrees, from the tangent plane: above it is another sheet.
-constexpr float most_rise = 0.6f;
+constexpr float max_rise = 0.6f;
 // Spacings: with less noise, layers are nearer to each other than a fourteenth of a
 // cell.
 constexpr double layer_noise = 0.1;
@@ -144,7 +144,7 @@ bool
 areOfOneFace(const FaceNode& a, const FaceNode& b)
 {
   const Vector3f offset = b.position - a.position;
-  const float rise = most_rise * offset.norm();
+  const float rise = max_rise * offset.norm();
   return std::abs(a.normal.dot(b.normal)) > same_face &&
          std::abs(offset.dot(a.normal)) < rise && std::abs(offset.dot(b.normal)) < rise;
 }
@@ -169,7 +169,7 @@ layersAround(const FaceLevel& level, const PointGrid& grid, std::uint32_t i)
       node.position, link_cells * level.cell, [&](std::uint32_t j, float squared) {
         const FaceNode& other = level.nodes[j];
         const float height = std::abs(node.normal.dot(other.position - node.position));
-        if (j != i && height > most_rise * std::sqrt(squared) &&
+        if (j != i && height > max_rise * std::sqrt(squared) &&
             std::abs(node.normal.dot(other.normal)) > same_face &&
             height < layer_deviations * std::max(own, thickness(level, j, node.normal)))
           layers.push_back(j);
@@ -399,9 +399,9 @@ firstCell(double noise, float spacing)
 }
 
 double
-firstLink(double cell, double most_spacing)
+firstLink(double cell, double max_spacing)
 {
-  return link_cells * std::max(cell, most_spacing);
+  return link_cells * std::max(cell, max_spacing);
 }
 
 double
@@ -454,7 +454,7 @@ addLevels(std::size_t levels, FacePyramid& pyramid, unsigned threads)
 }
 
 const std::vector<std::uint32_t>&
-FaceWindow::around(std::uint32_t node, float radius, float least_cosine)
+FaceWindow::around(std::uint32_t node, float radius, float min_cosine)
 {
   ++search_;
   found_.assign(1, node);
@@ -470,7 +470,7 @@ FaceWindow::around(std::uint32_t node, float radius, float least_cosine)
       visits_[to] = search_;
       const FaceNode& other = level_.nodes[to];
       if ((other.position - center.position).squaredNorm() < radius * radius &&
-          std::abs(other.normal.dot(center.normal)) > least_cosine)
+          std::abs(other.normal.dot(center.normal)) > min_cosine)
         found_.push_back(to);
     }
   }

@@ -65,7 +65,7 @@ void addLevels(std::size_t levels, FacePyramid& pyramid, unsigned threads);
 float firstCell(double noise, float spacing);
 
 /** \brief How far a node of it and one that follows it are apart, at most. */
-double firstLink(double cell, double most_spacing);
+double firstLink(double cell, double max_spacing);
 
 /** \brief How far a node of it is from the mean of its points, at most.
  * \param[in] noise in spacings */
@@ -86,7 +86,7 @@ public:
   /** \brief The node, then those that links lead to within the radius, by normals that
    * differ from the node's by less than an angle. */
   const std::vector<std::uint32_t>&
-  around(std::uint32_t node, float radius, float least_cosine);
+  around(std::uint32_t node, float radius, float min_cosine);
 
 private:
   const FaceLevel& level_;

@@ -146,8 +146,8 @@ joinedEvidence(const std::vector<float>& of_model, const FaceEvidence& of_faces)
   // none says little: it looks no farther than 7 spacings. For the same reason it has
   // nothing to add where a large window is flat.
   constexpr float model_weight = 0.6f;
-  constexpr float least_of_model = -2.0f;
-  constexpr float most_of_model = 4.8f;
+  constexpr float min_of_model = -2.0f;
+  constexpr float max_of_model = 4.8f;
   std::vector<float> evidence(2 * of_model.size(),
                               std::numeric_limits<float>::quiet_NaN());
   for (std::size_t i = 0; i < of_model.size(); ++i) {
@@ -159,9 +159,9 @@ joinedEvidence(const std::vector<float>& of_model, const FaceEvidence& of_faces)
       evidence[2 * i + 1] = difference;
       continue;
     }
-    const float most = most_of_model * (1.0f - of_faces.flat[i]);
-    evidence[2 * i + 1] = of_faces.curved[i] +
-                          std::clamp(model_weight * difference, least_of_model, most);
+    const float most = max_of_model * (1.0f - of_faces.flat[i]);
+    evidence[2 * i + 1] =
+        of_faces.curved[i] + std::clamp(model_weight * difference, min_of_model, most);
   }
   return evidence;
 }

@@ -226,7 +226,7 @@ TEST_F(AppGround, StreetsHaveTheirTruth)
   }
   const Json json = Json::parse(readFile(path("json")));
   EXPECT_EQ(json["counts"]["ground"], std::count(ground.begin(), ground.end(), 1u));
-  EXPECT_EQ(json["counts"]["kerb"], std::count(ground.begin(), ground.end(), 255u));
+  EXPECT_EQ(json["counts"]["curb"], std::count(ground.begin(), ground.end(), 255u));
   EXPECT_EQ(json["parameters"]["beams"], 16);
 }
 

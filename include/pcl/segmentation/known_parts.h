@@ -23,7 +23,7 @@ namespace pcl {
 /** \brief Places of a part of a cloud whose neighbors were found before. No two may be
  * equal. \ingroup segmentation */
 struct KnownPart {
-  XYZView places;
+  XYZView places;                ///< meters, all finite
   std::vector<bool> is_measured; ///< one for each place; the others are around them
   /** \brief Of each place to its 12th neighbor in the cloud; infinite if it is beyond
    * CloudReach::spacing, see PartOfCloud::measureDistances(). */

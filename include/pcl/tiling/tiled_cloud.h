@@ -22,8 +22,8 @@ namespace pcl::tiling {
 
 /** \brief Which point of a tile, in the order of the sources. */
 struct PointOfTile {
-  std::uint32_t tile = 0;
-  std::uint32_t row = 0; ///< from 0 to TiledCloud::pointsOf() - 1
+  std::uint32_t tile = 0; ///< its number
+  std::uint32_t row = 0;  ///< from 0 to TiledCloud::pointsOf() - 1
 };
 
 /** \brief Points of a tile, and those around it. */
