@@ -3,7 +3,9 @@
 // pcl_shape_detect: edges, their kinds, surfaces and instances from one field.
 
 #include "cli/command_line.h"
+#include "cli/filter_app.h"
 #include "detection/detection.h"
+#include "detection/lines_app.h"
 #include "detection/results.h"
 
 namespace {

@@ -4,6 +4,8 @@
 
 #include "cli/command_line.h"
 #include "cli/errors.h"
+#include "cli/filter_app.h"
+#include "detection/lines_app.h"
 #include "detection/results.h"
 
 namespace {

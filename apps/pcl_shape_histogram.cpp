@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // pcl_shape_histogram: makes a model file from samples of surfaces.
 
+#include "cli/batch.h"
 #include "cli/command_line.h"
 #include "cli/errors.h"
 #include "cli/files.h"

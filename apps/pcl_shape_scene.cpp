@@ -7,8 +7,10 @@
 #include "cli/filter_app.h"
 #include "io/pcd.h"
 #include "scene/lidar_scene.h"
-#include "scene/scene_cloud.h"
+#include "scene/part_scene.h"
+#include "scene/room_scene.h"
 #include "scene/scene_kind.h"
+#include "scene/table_scene.h"
 
 #include <functional>
 

@@ -7,6 +7,7 @@
 #include "cli/files.h"
 #include "cli/filter_app.h"
 #include "viewer/page.h"
+#include "viewer/page_points.h"
 #include "viewer/window.h"
 
 #include <iostream>

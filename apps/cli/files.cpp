@@ -153,6 +153,27 @@ temporaryName(const std::string& target)
   return target + '.' + word + '.' + std::to_string(::getpid()) + ".tmp";
 }
 
+/** Until the end, which a pipe does not say before. */
+std::string
+readDescriptor(int descriptor)
+{
+  constexpr std::size_t block = std::size_t{1} << 20; // few calls, little memory
+  std::string contents;
+  for (std::size_t size = 0;;) {
+    contents.resize(size + block);
+    const ssize_t count = ::read(descriptor, contents.data() + size, block);
+    if (count < 0 && errno == EINTR)
+      continue;
+    if (count < 0)
+      throw std::system_error(errno, std::generic_category());
+    size += static_cast<std::size_t>(count);
+    if (count == 0) {
+      contents.resize(size);
+      return contents;
+    }
+  }
+}
+
 } // namespace
 
 AtomicFile::AtomicFile(const std::string& path) : path_(path)
@@ -246,31 +267,6 @@ removeTemporaryFilesOnSignals()
     if (std::signal(ending.number, removePendingAndEnd) == SIG_IGN)
       std::signal(ending.number, SIG_IGN);
 }
-
-namespace {
-
-/** Until the end, which a pipe does not say before. */
-std::string
-readDescriptor(int descriptor)
-{
-  constexpr std::size_t block = std::size_t{1} << 20; // few calls, little memory
-  std::string contents;
-  for (std::size_t size = 0;;) {
-    contents.resize(size + block);
-    const ssize_t count = ::read(descriptor, contents.data() + size, block);
-    if (count < 0 && errno == EINTR)
-      continue;
-    if (count < 0)
-      throw std::system_error(errno, std::generic_category());
-    size += static_cast<std::size_t>(count);
-    if (count == 0) {
-      contents.resize(size);
-      return contents;
-    }
-  }
-}
-
-} // namespace
 
 std::string
 readFile(const std::string& path, const std::string& expected)

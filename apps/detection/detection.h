@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Which method detects with which settings, the field it makes, and points left
-// unknown.
+// Which method detects with which settings, and the field that it makes.
 
 #pragma once
 
@@ -10,7 +9,6 @@
 #include "detection/inad.h"
 #include "io/cloud_file.h"
 
-#include <pcl/features/inad_point.h>
 #include <pcl/features/shape_model.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -19,6 +17,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pcl::app {
 
@@ -86,20 +85,5 @@ pcl::ShapeField::ConstPtr surfaceFieldOf(const CloudFile& file,
                                          double resolution,
                                          unsigned threads,
                                          Report& report);
-
-/** \brief If more than 5 % of the finite points are unknown, a line on standard error
- * that says why, and the counts by reason in the section "unknown". */
-void reportUnknown(const std::string& path,
-                   const pcl::ShapeField& field,
-                   unsigned threads,
-                   Report& report);
-
-/** \brief The same for INAD of a cloud. */
-void reportUnknown(const std::string& path,
-                   const pcl::PointCloud<pcl::PointXYZ>& points,
-                   const pcl::PointCloud<pcl::INAD>& inad,
-                   const pcl::INADParameters& parameters,
-                   unsigned threads,
-                   Report& report);
 
 } // namespace pcl::app

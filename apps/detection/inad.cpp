@@ -7,7 +7,7 @@
 #include "cli/errors.h"
 #include "cli/filter_app.h"
 #include "cli/pcl_errors.h"
-#include "detection/detection.h"
+#include "detection/unknown.h"
 
 #include <pcl/features/distinct_points.h>
 #include <pcl/features/inad.h>
@@ -22,6 +22,58 @@ namespace {
 
 const std::vector<std::string> scales{
     "fixed", "depth", "density"}; // RadiusMode's order
+
+/** \throws InputError if k is above the number of finite points */
+void
+requireEnoughPoints(const INADParameters& parameters,
+                    const CloudFile& cloud,
+                    const pcl::PointCloud<pcl::PointXYZ>& points)
+{
+  const std::size_t finite = countFinite(points);
+  if (parameters.k > 0 && static_cast<std::size_t>(parameters.k) > finite)
+    throw InputError(cloud.path + ": -k '" + std::to_string(parameters.k) +
+                     "': expected 1 to the number of its finite points, " +
+                     std::to_string(finite));
+}
+
+template <typename Estimation>
+void
+setNeighborhood(Estimation& estimation, double radius, const INADParameters& parameters)
+{
+  if (parameters.k > 0)
+    estimation.setKSearch(parameters.k);
+  else
+    estimation.setRadiusSearch(radius);
+  estimation.setRadiusMode(parameters.radius_mode);
+}
+
+pcl::PointCloud<pcl::Normal>::Ptr
+estimateNormals(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& points,
+                const INADParameters& parameters,
+                unsigned threads)
+{
+  pcl::NormalEstimationSweep<pcl::PointXYZ, pcl::Normal> estimation(threads);
+  estimation.setInputCloud(points);
+  setNeighborhood(estimation, parameters.normal_radius, parameters);
+  pcl::PointCloud<pcl::Normal>::Ptr normals(new pcl::PointCloud<pcl::Normal>);
+  estimation.compute(*normals);
+  return normals;
+}
+
+pcl::PointCloud<pcl::INAD>::Ptr
+estimateAngles(const InadCloud& cloud,
+               const INADParameters& parameters,
+               unsigned threads)
+{
+  pcl::INADEstimation<pcl::PointXYZ, pcl::Normal> estimation(threads);
+  estimation.setInputCloud(cloud.points);
+  estimation.setInputNormals(cloud.normals);
+  estimation.setOutlierRate(parameters.outlier_rate);
+  setNeighborhood(estimation, parameters.radius, parameters);
+  pcl::PointCloud<pcl::INAD>::Ptr inad(new pcl::PointCloud<pcl::INAD>);
+  estimation.compute(*inad);
+  return inad;
+}
 
 } // namespace
 
@@ -96,62 +148,6 @@ reportParameters(const INADParameters& parameters, Report& report)
   report.setText("parameters", "scale", nameOfScale(parameters.radius_mode));
   report.setNumber("parameters", "outlier_rate", parameters.outlier_rate);
 }
-
-namespace {
-
-/** \throws InputError if k is above the number of finite points */
-void
-requireEnoughPoints(const INADParameters& parameters,
-                    const CloudFile& cloud,
-                    const pcl::PointCloud<pcl::PointXYZ>& points)
-{
-  const std::size_t finite = countFinite(points);
-  if (parameters.k > 0 && static_cast<std::size_t>(parameters.k) > finite)
-    throw InputError(cloud.path + ": -k '" + std::to_string(parameters.k) +
-                     "': expected 1 to the number of its finite points, " +
-                     std::to_string(finite));
-}
-
-template <typename Estimation>
-void
-setNeighborhood(Estimation& estimation, double radius, const INADParameters& parameters)
-{
-  if (parameters.k > 0)
-    estimation.setKSearch(parameters.k);
-  else
-    estimation.setRadiusSearch(radius);
-  estimation.setRadiusMode(parameters.radius_mode);
-}
-
-pcl::PointCloud<pcl::Normal>::Ptr
-estimateNormals(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& points,
-                const INADParameters& parameters,
-                unsigned threads)
-{
-  pcl::NormalEstimationSweep<pcl::PointXYZ, pcl::Normal> estimation(threads);
-  estimation.setInputCloud(points);
-  setNeighborhood(estimation, parameters.normal_radius, parameters);
-  pcl::PointCloud<pcl::Normal>::Ptr normals(new pcl::PointCloud<pcl::Normal>);
-  estimation.compute(*normals);
-  return normals;
-}
-
-pcl::PointCloud<pcl::INAD>::Ptr
-estimateAngles(const InadCloud& cloud,
-               const INADParameters& parameters,
-               unsigned threads)
-{
-  pcl::INADEstimation<pcl::PointXYZ, pcl::Normal> estimation(threads);
-  estimation.setInputCloud(cloud.points);
-  estimation.setInputNormals(cloud.normals);
-  estimation.setOutlierRate(parameters.outlier_rate);
-  setNeighborhood(estimation, parameters.radius, parameters);
-  pcl::PointCloud<pcl::INAD>::Ptr inad(new pcl::PointCloud<pcl::INAD>);
-  estimation.compute(*inad);
-  return inad;
-}
-
-} // namespace
 
 void
 addNormals(CloudFile& file,

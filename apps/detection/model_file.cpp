@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// A model file that samples are added to, and which points count for which class.
+// Reads, extends and writes model files.
 
 #include "detection/model_file.h"
 
 #include "cli/errors.h"
+#include "detection/class_histogram.h"
 #include "detection/inad.h"
 
 #include <pcl/exceptions.h>
 
-#include <algorithm>
-#include <cctype>
-#include <cmath>
 #include <filesystem>
-#include <limits>
-#include <sstream>
 
 namespace pcl::app {
 namespace {
@@ -28,83 +24,6 @@ messageOf(const pcl::PCLException& error)
 {
   const std::string text = error.what();
   return text.rfind(": ", 0) == 0 ? text.substr(2) : text;
-}
-
-constexpr double degrees_per_radian = 180.0 / 3.14159265358979323846;
-
-double
-radians(const Arguments& arguments, const std::string& name, double fallback)
-{
-  const auto degrees = arguments.number(name, right_angle);
-  return degrees ? *degrees / degrees_per_radian : fallback;
-}
-
-struct Peak {
-  std::size_t mu_bin = 0;
-  std::size_t sigma_bin = 0;
-};
-
-Peak
-peakOf(const pcl::ShapeHistogram& histogram)
-{
-  Peak peak;
-  for (std::size_t i = 0; i < histogram.muBins(); ++i)
-    for (std::size_t j = 0; j < histogram.sigmaBins(); ++j)
-      if (histogram.count(i, j) > histogram.count(peak.mu_bin, peak.sigma_bin))
-        peak = {i, j};
-  return peak;
-}
-
-pcl::ShapeHistogram
-emptyHistogram(const pcl::ShapeModel& model,
-               const std::string& path,
-               const Arguments& arguments)
-{
-  constexpr std::uint64_t max_bins = 4096;
-  const pcl::ShapeHistogram like = model.classes().empty()
-                                       ? pcl::ShapeHistogram()
-                                       : model.classes().front().histogram;
-  const auto bins = arguments.integer("bins", 1, max_bins);
-  pcl::ShapeHistogram histogram(bins.value_or(like.muBins()),
-                                bins.value_or(like.sigmaBins()),
-                                radians(arguments, "mu_range", like.muRange()),
-                                radians(arguments, "sigma_range", like.sigmaRange()));
-  if (!model.classes().empty() && !histogram.sameBins(like))
-    throw InputError(path + ": " + std::to_string(histogram.muBins()) + " x " +
-                     std::to_string(histogram.sigmaBins()) + " bins over " +
-                     std::to_string(histogram.muRange() * degrees_per_radian) + " x " +
-                     std::to_string(histogram.sigmaRange() * degrees_per_radian) +
-                     " degrees are asked for; expected the model's " +
-                     std::to_string(like.muBins()) + " x " +
-                     std::to_string(like.sigmaBins()) + " over " +
-                     std::to_string(like.muRange() * degrees_per_radian) + " x " +
-                     std::to_string(like.sigmaRange() * degrees_per_radian));
-  return histogram;
-}
-
-void
-reportHistogram(const pcl::ShapeHistogram& histogram, Report& report)
-{
-  const Peak peak = peakOf(histogram);
-  const auto middle = [](std::size_t bin, std::size_t bins, double range) {
-    return (static_cast<double>(bin) + 0.5) / static_cast<double>(bins) * range *
-           degrees_per_radian;
-  };
-  report.setCount("histogram", "mu_bins", histogram.muBins());
-  report.setCount("histogram", "sigma_bins", histogram.sigmaBins());
-  report.setNumber("histogram", "mu_range", histogram.muRange() * degrees_per_radian);
-  report.setNumber(
-      "histogram", "sigma_range", histogram.sigmaRange() * degrees_per_radian);
-  report.setCount("histogram", "total", histogram.total());
-  report.setCount("histogram", "outside", histogram.outside());
-  report.setCount("histogram", "peak", histogram.peak());
-  report.setNumber("histogram",
-                   "peak_mu",
-                   middle(peak.mu_bin, histogram.muBins(), histogram.muRange()));
-  report.setNumber(
-      "histogram",
-      "peak_sigma",
-      middle(peak.sigma_bin, histogram.sigmaBins(), histogram.sigmaRange()));
 }
 
 pcl::ShapeModel
@@ -240,74 +159,6 @@ ModelFile::save(Report& report)
   for (const auto& of : model_.classes())
     if (of.name == name)
       reportHistogram(of.histogram, report);
-}
-
-namespace {
-
-bool
-isName(const std::string& text)
-{
-  return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_' || c == '-';
-  });
-}
-
-/** -classes NAME=VALUE[:PRIOR],... of -field. */
-std::vector<SampleOptions>
-classesOf(const Arguments& arguments)
-{
-  const std::string text = arguments.text("classes");
-  const auto fail = [&](const std::string& part) {
-    throw UsageError(
-        "-classes '" + text + "': '" + part +
-        "' is not NAME=VALUE[:PRIOR]; expected letters, digits, _ and - for a "
-        "name, a whole number of -field for a value, and commas between");
-  };
-  if (!arguments.has("field"))
-    throw UsageError("-classes '" + text +
-                     "' without -field; expected a field of the samples");
-  std::vector<SampleOptions> classes;
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ',');) {
-    const std::size_t equals = std::min(part.find('='), part.size());
-    const std::size_t colon = std::min(part.find(':', equals), part.size());
-    const std::string name = part.substr(0, equals);
-    const std::string number =
-        equals < colon ? part.substr(equals + 1, colon - equals - 1) : "";
-    const double value = parseNumber(number).value_or(-1.0);
-    const double prior =
-        colon < part.size() ? parseNumber(part.substr(colon + 1)).value_or(0.0) : 1.0;
-    constexpr double most = 4294967295.0;
-    if (!isName(name) || value < 0.0 || value > most || value != std::floor(value) ||
-        prior <= 0.0)
-      fail(part);
-    classes.push_back(
-        {name, arguments.text("field"), static_cast<std::uint32_t>(value), prior});
-  }
-  return classes;
-}
-
-} // namespace
-
-std::vector<SampleOptions>
-sampleOptions(const Arguments& arguments)
-{
-  for (const char* single : {"name", "value", "prior"})
-    arguments.exclude("classes", single);
-  if (arguments.has("classes"))
-    return classesOf(arguments);
-  SampleOptions options;
-  options.name = arguments.text("name", options.name);
-  if (!isName(options.name))
-    throw UsageError("-name '" + options.name + "': expected letters, digits, _ and -");
-  if (arguments.has("field") != arguments.has("value"))
-    throw UsageError("-field '" + arguments.text("field") + "' and -value '" +
-                     arguments.text("value") + "': expected both or neither");
-  options.field = arguments.text("field");
-  options.value = static_cast<std::uint32_t>(
-      arguments.integer("value", 0, std::numeric_limits<std::uint32_t>::max())
-          .value_or(0));
-  return {options};
 }
 
 } // namespace pcl::app

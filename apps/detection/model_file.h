@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// A model file that samples are added to, and which points count for which class.
+// A model file that samples are added to.
 
 #pragma once
 
-#include "cli/command_line.h"
+#include "cli/arguments.h"
 #include "cli/report.h"
+#include "detection/sample_options.h"
 #include "io/cloud_file.h"
 
 #include <pcl/features/shape_model.h>
 
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,14 +18,6 @@ namespace pcl::app {
 
 /** \brief Read a model file. \throws InputError that names it and what is wrong */
 pcl::ShapeModel loadModel(const std::string& path);
-
-/** \brief Which points of a sample are counted, and how its class is called. */
-struct SampleOptions {
-  std::string name = "plane";
-  std::string field; ///< empty: all points
-  std::uint32_t value = 0;
-  std::optional<double> prior; ///< else that of -prior, or of the model
-};
 
 /** \brief A model file that is made, or extended, with labeled samples. */
 class ModelFile {
@@ -61,11 +52,5 @@ private:
   std::vector<SampleOptions> classes_;
   std::vector<pcl::ShapeHistogram> histograms_; ///< one a class
 };
-
-/** \brief One for each class: that of -name and -value, or those of -classes.
- * \throws UsageError for a name that could not be part of a field's name, for one of
- * -field and -value without the other, or for -classes that are not
- * NAME=VALUE[:PRIOR],... */
-std::vector<SampleOptions> sampleOptions(const Arguments& arguments);
 
 } // namespace pcl::app

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// What detectors found, as fields, lines and counts.
+// What detectors found, as fields and counts.
 
 #pragma once
 
-#include "cli/command_line.h"
-#include "cli/filter_app.h"
 #include "cli/report.h"
 #include "detection/detection.h"
 #include "io/cloud_file.h"
 
 #include <pcl/segmentation/shape_back_projection.h>
 #include <pcl/segmentation/shape_edge_detection.h>
-#include <pcl/segmentation/shape_field.h>
 #include <pcl/segmentation/shape_instance_segmentation.h>
 
-#include <functional>
 #include <vector>
 
 namespace pcl::app {
@@ -52,12 +48,5 @@ using InstanceSegmentation = pcl::ShapeInstanceSegmentation<pcl::PointXYZ>;
 /** \brief Add the field instance. \param[in] segmentation ready for segment()
  * \throws InputError with the reason if the cloud is refused */
 void addInstances(CloudFile& file, InstanceSegmentation& segmentation, Report& report);
-
-/** \brief Adds fields to a cloud. \return its creases, if -lines is given */
-using LineFilter =
-    std::function<std::vector<pcl::CreaseLine>(CloudFile& cloud, Report& report)>;
-
-/** \brief runFilter() that also writes the -lines file, if it is asked for. */
-int runFilterWithLines(const Arguments& arguments, const LineFilter& filter);
 
 } // namespace pcl::app

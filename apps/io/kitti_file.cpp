@@ -58,10 +58,6 @@ appendMap(const char* key,
     text += "  " + std::to_string(label) + ": " + valueOf(label) + '\n';
 }
 
-} // namespace
-
-namespace {
-
 /** As many as fit the size of the file; if both do, nobody can tell. */
 unsigned
 floatsOfPoint(const std::string& path, std::size_t bytes)

@@ -4,6 +4,7 @@
 
 #include "labels/label_directory.h"
 
+#include "cli/batch.h"
 #include "cli/errors.h"
 #include "cli/files.h"
 #include "cli/filter_app.h"

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "cli/command_line.h"
+#include "cli/arguments.h"
 #include "io/cloud_stream.h"
 
 #include <pcl/tiling/point_source.h>

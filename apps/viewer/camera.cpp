@@ -4,7 +4,7 @@
 
 #include "viewer/camera.h"
 
-#include "cli/command_line.h"
+#include "cli/arguments.h"
 #include "cli/errors.h"
 #include "io/text.h"
 

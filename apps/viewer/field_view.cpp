@@ -33,27 +33,6 @@ colorsSeenOnWhite()
   return seen;
 }
 
-} // namespace
-
-Color
-viridis(double share)
-{
-  const auto last = static_cast<double>(pcl::ViridisLUT::size() - 1);
-  const double position = std::clamp(share, 0.0, 1.0) * last;
-  const pcl::RGB color =
-      pcl::ViridisLUT::at(static_cast<std::size_t>(std::lround(position)));
-  return {color.r, color.g, color.b};
-}
-
-Color
-distinctColor(std::size_t position)
-{
-  static const std::vector<Color> seen = colorsSeenOnWhite();
-  return seen[position % seen.size()];
-}
-
-namespace {
-
 constexpr double degrees_per_radian = 180.0 / 3.14159265358979323846;
 
 /** What the applications write. */
@@ -326,6 +305,23 @@ colorView(const CloudFile& cloud, const std::string& field)
 }
 
 } // namespace
+
+Color
+viridis(double share)
+{
+  const auto last = static_cast<double>(pcl::ViridisLUT::size() - 1);
+  const double position = std::clamp(share, 0.0, 1.0) * last;
+  const pcl::RGB color =
+      pcl::ViridisLUT::at(static_cast<std::size_t>(std::lround(position)));
+  return {color.r, color.g, color.b};
+}
+
+Color
+distinctColor(std::size_t position)
+{
+  static const std::vector<Color> seen = colorsSeenOnWhite();
+  return seen[position % seen.size()];
+}
 
 FieldView
 viewOf(const CloudFile& cloud,

@@ -35,19 +35,4 @@ struct PageContents {
 /** \brief The page. \throws InputError if this application cannot make pages */
 std::string drawPage(const PageContents& contents);
 
-/** \brief The bytes in base64, with padding, in one line. */
-std::string toBase64(const void* bytes, std::size_t size);
-
-/** \brief An even choice of at most `max_points` points with finite coordinates, in an
- * order that looks random: any first part of it is an even choice as well. It depends
- * on the values of the points, not on their order. \param[in] points of the cloud;
- * those that are NaN are left out */
-std::vector<std::size_t> choosePoints(const CloudFile& cloud,
-                                      const pcl::PointCloud<pcl::PointXYZ>& points,
-                                      std::size_t max_points);
-
-/** \brief The median distance from some of the points to their nearest neighbor at
- * another place, meters; 1 if there is only one place. */
-float spacingOf(const pcl::PointCloud<pcl::PointXYZ>& points);
-
 } // namespace pcl::app

@@ -3,6 +3,7 @@
 // Which creases count, and how far points are from them.
 
 #include "scene/creases.h"
+#include "scene/labels.h"
 
 #include <gtest/gtest.h>
 

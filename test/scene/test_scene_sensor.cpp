@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // The noise and the gaps of the virtual depth camera.
 
-#include "scene/creases.h"
 #include "scene/depth_cameras.h"
+#include "scene/labels.h"
 #include "scene/scene.h"
 
 #include <gtest/gtest.h>

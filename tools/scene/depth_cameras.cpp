@@ -5,7 +5,7 @@
 
 #include "scene/depth_cameras.h"
 
-#include "scene/creases.h"
+#include "scene/labels.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "scene/curve.h"
+#include "scene/loop.h"
 #include "scene/random.h"
 
 #include <functional>

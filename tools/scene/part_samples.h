@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Points all over a machined part, sampled or reconstructed, with the truth about each.
+// Points all over a machined part, evenly or at random, with the truth about each.
 
 #pragma once
 
 #include "scene/part.h"
 #include "scene/scene.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -48,21 +49,17 @@ PartSamples samplePart(const PartOptions& options);
 /** \brief The same of a part that is given; options.size is not used. */
 PartSamples samplePart(const Part& part, const PartOptions& options);
 
-/** \brief What dense matching of photographs makes of a part, from options of which
- * spread and sigma do not count. The spacing s is that of the best texture.
- *
- * - Poor texture has fewer points: the density varies smoothly by a factor of 30.
- * - Windows of matching average over creases: a point is the mean of the surface on its
- *   side of the part within 2.5 s, half of a window of 5 pixels an s apart.
- * - Matches are off by .3 s (one sigma) in each coordinate; a third of a pixel is what
- *   they usually reach.
- * - One point in 200 is a wrong match, up to 20 s from the surface; its labels are
- * void.
- *
- * Labels follow the local spacing, and lengths are those of the exact points.
- *
- * \throws std::invalid_argument that names the parameter, its value and what it must be
- */
-PartSamples reconstructPart(const PartOptions& options);
+/** \throws std::invalid_argument that names the parameter, its value and what it must
+ * be */
+void checkPartOptions(const PartOptions& options);
+
+/** \brief A point of a part, exact. */
+struct SurfacePoint {
+  Vec3 point;
+  std::size_t face; /**< its index in the part */
+};
+
+/** \brief Points spread over all faces, as many for each piece of surface. */
+std::vector<SurfacePoint> spreadPoints(const Part& part, const PartOptions& options);
 
 } // namespace pcl::scene

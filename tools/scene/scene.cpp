@@ -4,8 +4,8 @@
 
 #include "scene/scene.h"
 
-#include "scene/creases.h"
 #include "scene/depth_cameras.h"
+#include "scene/labels.h"
 #include "scene/random_world.h"
 
 #include <cmath>

@@ -6,6 +6,7 @@
 #include "scene/station_scan.h"
 
 #include "scene/creases.h"
+#include "scene/labels.h"
 #include "scene/place.h"
 
 #include <algorithm>

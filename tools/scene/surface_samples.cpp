@@ -5,6 +5,7 @@
 #include "scene/surface_samples.h"
 
 #include "scene/creases.h"
+#include "scene/labels.h"
 #include "scene/random.h"
 #include "scene/random_world.h"
 

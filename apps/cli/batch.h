@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Runs over the files of a directory, of which some may fail.
+
+#pragma once
+
+#include "cli/arguments.h"
+#include "cli/report.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pcl::app {
+
+/** \brief The files of a directory with one of these endings, in whatever case, sorted.
+ * \throws InputError if there is none */
+std::vector<std::string> cloudsIn(const std::string& directory,
+                                  const std::vector<std::string>& endings);
+
+/** \brief Make a directory unless it is there. \throws InputError if it cannot be made
+ */
+void makeDirectory(const std::string& directory);
+
+/** \brief The same. \throws UsageError if it is the input directory */
+void prepareOutputDirectory(const std::string& output, const std::string& input);
+
+/** \brief Process a file; its report is printed and goes to the -json file. \return
+ * false if there was nothing to do, because it was done before */
+using FileJob = std::function<bool(const std::string& input, Report& report)>;
+
+/** \brief Do a job for each file. Standard error says which one it is, and how long the
+ * others will take, as far as time goes with bytes. Files that fail do not stop the
+ * others. The -json file lists all.
+ * \param[in] finish called after the last file
+ * \return the exit status */
+int runBatch(
+    const Arguments& arguments,
+    const std::vector<std::string>& inputs,
+    const FileJob& job,
+    const std::function<void()>& finish = [] {});
+
+} // namespace pcl::app
