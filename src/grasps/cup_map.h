@@ -5,7 +5,7 @@
 #pragma once
 
 #include "grasps/quadric_fit.h"
-#include "grasps/target_surface.h"
+#include "grasps/surface_gaps.h"
 
 #include <algorithm>
 #include <optional>

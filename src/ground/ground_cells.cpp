@@ -83,50 +83,6 @@ fillersOf(const std::array<std::size_t, 3>& counts, std::size_t places)
   return are;
 }
 
-} // namespace
-
-GroundPlaces
-groundPlaces(const detail::GroundQuery& query, const Eigen::Vector3f& up)
-{
-  const Eigen::Matrix3f turn =
-      Eigen::Quaternionf::FromTwoVectors(up, Eigen::Vector3f::UnitZ())
-          .toRotationMatrix();
-  const Eigen::Vector3f origin(query.origin);
-  GroundPlaces places;
-  for (auto* values : {&places.x, &places.y, &places.z})
-    values->reserve(query.size);
-  places.of_points.assign(query.size, no_place);
-  PlaceTable table(query.size);
-  std::array<std::size_t, 3> counts{};
-  std::array<std::vector<std::size_t>, 2> maybe_fillers;
-  for (std::size_t i = 0; i < query.size; ++i) {
-    const Eigen::Map<const Eigen::Vector3f> point(
-        query.points[static_cast<std::size_t>(query.indices[i])]);
-    const Eigen::Vector3f p = turn * (point - origin);
-    const float squared = p.x() * p.x() + p.y() * p.y();
-    if ((squared - squared) + (p.z() - p.z()) != 0.0f)
-      continue; // not finite
-    const FillerPlace at = fillerPlaceOf(point, origin);
-    ++counts[at];
-    if (at != Elsewhere)
-      maybe_fillers[at].push_back(i);
-    else
-      places.of_points[i] = table.placeOf(p.x(), p.y(), p.z(), places);
-  }
-  const std::array<bool, 2> are_fillers = fillersOf(counts, places.x.size());
-  for (const FillerPlace at : {AtSensor, AtZero})
-    for (const std::size_t i : maybe_fillers[at]) {
-      if (are_fillers[at])
-        break;
-      const Eigen::Vector3f p =
-          at == AtSensor ? Eigen::Vector3f(Eigen::Vector3f::Zero()) : turn * -origin;
-      places.of_points[i] = table.placeOf(p.x(), p.y(), p.z(), places);
-    }
-  return places;
-}
-
-namespace {
-
 // The first bits of a squared range as a float, its exponent and three of its mantissa,
 // are a scale of 8 steps per octave, 16 per octave of the range.
 constexpr int key_shift = 20;
@@ -272,6 +228,46 @@ sortIntoCells(const Points& points, const Layout& layout, GroundCells& cells)
 }
 
 } // namespace
+
+GroundPlaces
+groundPlaces(const detail::GroundQuery& query, const Eigen::Vector3f& up)
+{
+  const Eigen::Matrix3f turn =
+      Eigen::Quaternionf::FromTwoVectors(up, Eigen::Vector3f::UnitZ())
+          .toRotationMatrix();
+  const Eigen::Vector3f origin(query.origin);
+  GroundPlaces places;
+  for (auto* values : {&places.x, &places.y, &places.z})
+    values->reserve(query.size);
+  places.of_points.assign(query.size, no_place);
+  PlaceTable table(query.size);
+  std::array<std::size_t, 3> counts{};
+  std::array<std::vector<std::size_t>, 2> maybe_fillers;
+  for (std::size_t i = 0; i < query.size; ++i) {
+    const Eigen::Map<const Eigen::Vector3f> point(
+        query.points[static_cast<std::size_t>(query.indices[i])]);
+    const Eigen::Vector3f p = turn * (point - origin);
+    const float squared = p.x() * p.x() + p.y() * p.y();
+    if ((squared - squared) + (p.z() - p.z()) != 0.0f)
+      continue; // not finite
+    const FillerPlace at = fillerPlaceOf(point, origin);
+    ++counts[at];
+    if (at != Elsewhere)
+      maybe_fillers[at].push_back(i);
+    else
+      places.of_points[i] = table.placeOf(p.x(), p.y(), p.z(), places);
+  }
+  const std::array<bool, 2> are_fillers = fillersOf(counts, places.x.size());
+  for (const FillerPlace at : {AtSensor, AtZero})
+    for (const std::size_t i : maybe_fillers[at]) {
+      if (are_fillers[at])
+        break;
+      const Eigen::Vector3f p =
+          at == AtSensor ? Eigen::Vector3f(Eigen::Vector3f::Zero()) : turn * -origin;
+      places.of_points[i] = table.placeOf(p.x(), p.y(), p.z(), places);
+    }
+  return places;
+}
 
 GroundCells
 groundCells(const GroundPlaces& places, unsigned threads)

@@ -62,36 +62,6 @@ isBeneath(const GroundCells& cells, std::size_t point, const Column& column, flo
   return false;
 }
 
-} // namespace
-
-std::vector<char>
-feetOf(const GroundCells& cells, float max_step, unsigned threads)
-{
-  std::vector<float> lowest(cells.size()), highest(cells.size());
-  forEachCell(cells, threads, [&](std::size_t i) {
-    const auto [low, high] = std::minmax_element(cells.z.begin() + cells.begins[i],
-                                                 cells.z.begin() + cells.begins[i + 1]);
-    lowest[i] = *low;
-    highest[i] = *high;
-  });
-  std::vector<char> feet(cells.places.size(), 0);
-  forEachCell(cells, threads, [&](std::size_t cell) {
-    const Column column = columnOf(cells, cell);
-    const float low = lowest[cell];
-    const float high = *std::max_element(
-        highest.begin() + static_cast<std::ptrdiff_t>(column.first),
-        highest.begin() + static_cast<std::ptrdiff_t>(column.last) + 1);
-    if (high - low <= min_above * max_step)
-      return;
-    for (std::size_t i = cells.begins[cell]; i < cells.begins[cell + 1]; ++i)
-      if (cells.z[i] - low < max_step)
-        feet[i] = isBeneath(cells, i, column, max_step);
-  });
-  return feet;
-}
-
-namespace {
-
 /** The rays to the points of a sector, or line of cells. */
 struct Sector {
   const GroundCells& cells;
@@ -175,6 +145,32 @@ markOverhangs(const Sector& sector, float max_step, std::vector<char>& hangs)
 }
 
 } // namespace
+
+std::vector<char>
+feetOf(const GroundCells& cells, float max_step, unsigned threads)
+{
+  std::vector<float> lowest(cells.size()), highest(cells.size());
+  forEachCell(cells, threads, [&](std::size_t i) {
+    const auto [low, high] = std::minmax_element(cells.z.begin() + cells.begins[i],
+                                                 cells.z.begin() + cells.begins[i + 1]);
+    lowest[i] = *low;
+    highest[i] = *high;
+  });
+  std::vector<char> feet(cells.places.size(), 0);
+  forEachCell(cells, threads, [&](std::size_t cell) {
+    const Column column = columnOf(cells, cell);
+    const float low = lowest[cell];
+    const float high = *std::max_element(
+        highest.begin() + static_cast<std::ptrdiff_t>(column.first),
+        highest.begin() + static_cast<std::ptrdiff_t>(column.last) + 1);
+    if (high - low <= min_above * max_step)
+      return;
+    for (std::size_t i = cells.begins[cell]; i < cells.begins[cell + 1]; ++i)
+      if (cells.z[i] - low < max_step)
+        feet[i] = isBeneath(cells, i, column, max_step);
+  });
+  return feet;
+}
 
 std::vector<char>
 overhangsOf(const GroundCells& cells, float max_step, unsigned threads)

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Holes, slots and gaps of generated plates: which are seen, and that none is made up.
 
-#include "grasps/target_surface.h"
+#include "grasps/surface_gaps.h"
 #include "support/random.h"
 
 #include <Eigen/Geometry>

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Faces as a whole: how large they are, whether planar, and their primitives.
+
+#include "instances/faces.h"
+
+#include "common/parallel.h"
+#include "common/quiet.h"
+#include "geometry/point_choice.h"
+#include "geometry/point_grid.h"
+#include "instances/instance_primitive.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::segmentation {
+namespace {
+
+using detail::InstanceInput;
+
+constexpr std::size_t max_points = 500; // to fit: there may be hundreds of faces
+constexpr double area_per_point = 0.26; // 12 of 13 points are within one spacing
+
+/** The simplest primitive that is as near to the points as their noise lets it. */
+ShapePrimitive
+surfaceOf(const InstanceInput& input, const SurfaceSample& sample, double planar)
+{
+  for (const PrimitiveType type :
+       {PrimitiveType::Plane, PrimitiveType::Cylinder, PrimitiveType::Sphere}) {
+    ShapePrimitive surface = fitTo(sample, type);
+    if (surface.type != PrimitiveType::None && surface.residual < stepLimit(input)) {
+      enlarge(sample.unit, surface);
+      return surface;
+    }
+    if (planar > planar_threshold)
+      break;
+  }
+  return {};
+}
+
+} // namespace
+
+std::vector<Face>
+facesOf(const InstanceInput& input, const Labels& labels)
+{
+  const std::int32_t last = *std::max_element(labels.begin(), labels.end());
+  std::vector<Face> faces(static_cast<std::size_t>(last + 1));
+  std::vector<std::vector<std::uint32_t>> members(faces.size());
+  const double usual = medianSpacing(input);
+  for (std::uint32_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] < 0)
+      continue;
+    const auto label = static_cast<std::size_t>(labels[i]);
+    members[label].push_back(i);
+    Face& face = faces[label];
+    const double d = input.spacings[i] / usual;
+    face.area += area_per_point * d * d;
+    face.planar += std::isnan(input.likelihood[i]) ? 0.0 : input.likelihood[i];
+    ++face.points;
+  }
+  const detail::Quiet quiet;
+  kernels::parallelFor(faces.size(), input.threads, [&](std::size_t f) {
+    Face& face = faces[f];
+    face.planar /= static_cast<double>(face.points);
+    sortByPosition(input.points, members[f]);
+    face.origin = positionOf(input.points, members[f].front());
+    const SurfaceSample sample = sampleOf(input, members[f], max_points, face.origin);
+    face.surface = surfaceOf(input, sample, face.planar);
+  });
+  return faces;
+}
+
+} // namespace pcl::segmentation
