@@ -114,6 +114,8 @@ evaluateInstancePoints(const TaskPoints& selected, Report& report)
   report.setNumber("", "mean_matched_iou", evaluation.mean_matched_iou);
 }
 
+constexpr std::uint64_t max_count = std::numeric_limits<std::uint32_t>::max();
+
 /** \throws UsageError for an option of another task */
 ObjectRules
 objectRules(const Arguments& arguments, const std::string& task)
@@ -122,11 +124,11 @@ objectRules(const Arguments& arguments, const std::string& task)
     if (arguments.has(option) && task != "objects" && task != "grasps")
       throw UsageError("-" + std::string(option) + " with -task '" + task +
                        "'; expected -task objects or grasps");
-  constexpr std::uint64_t max = std::numeric_limits<std::uint32_t>::max();
   ObjectRules rules;
   rules.parts = static_cast<std::uint32_t>(
-      arguments.integer("parts", 1, max).value_or(rules.parts));
-  rules.min_points = arguments.integer("min_points", 1, max).value_or(rules.min_points);
+      arguments.integer("parts", 1, max_count).value_or(rules.parts));
+  rules.min_points =
+      arguments.integer("min_points", 1, max_count).value_or(rules.min_points);
   return rules;
 }
 
@@ -204,31 +206,10 @@ reportGrasps(const std::vector<ObjectGrasp>& objects, Report& report)
   report.setJson("", "objects", list);
 }
 
-/** The grasps of a report on the objects of the truth. */
-int
-evaluateGraspFile(const Arguments& arguments, const ObjectRules& rules)
+/** The lists, and how many objects have a face for the cup and a right grasp. */
+void
+showGrasps(const std::vector<ObjectGrasp>& objects, Report& report)
 {
-  const auto& operands = arguments.operands(2);
-  checkJsonPath(arguments, operands);
-  checkInputOptions(arguments);
-  Report report;
-  report.setText("", "predicted", operands[0]);
-  report.setText("", "truth", operands[1]);
-  report.setText("parameters", "task", "grasps");
-  report.setCount("parameters", "parts", rules.parts);
-  report.setCount("parameters", "min_points", rules.min_points);
-  const Grasps grasps = report.time("read", [&] { return readGrasps(operands[0]); });
-  const CloudFile truth = report.time(
-      "read_truth", [&] { return readInput(arguments, operands[1], report); });
-  report.setNumber("parameters", "cup_radius", static_cast<double>(grasps.cup_radius));
-  const std::vector<ObjectGrasp> objects = report.time("evaluate", [&] {
-    return evaluateGrasps(
-        *pointsOf(truth), labelsOf(truth, fieldOfObjects(truth)), grasps, rules);
-  });
-  if (objects.empty())
-    throw InputError(truth.path + ": no object has " +
-                     std::to_string(rules.min_points) +
-                     " points; expected at least one");
   std::uint64_t with_face = 0, right = 0;
   for (const ObjectGrasp& of : objects) {
     with_face += of.has_face;
@@ -244,6 +225,52 @@ evaluateGraspFile(const Arguments& arguments, const ObjectRules& rules)
   report.setCount("counts", "with_face", with_face);
   report.setCount("counts", "right", right);
   reportGrasps(objects, report);
+}
+
+/** The parts of the truth are those that the grasps were found with.
+ * \throws InputError if -parts says otherwise */
+GraspsOfObjects
+readJudged(const Arguments& arguments, const std::string& path)
+{
+  GraspsOfObjects grasps = readGraspsOfObjects(path);
+  const auto parts = arguments.integer("parts", 1, max_count);
+  if (parts && *parts != grasps.parts)
+    throw InputError(path + ": 'parameters.parts' is '" + std::to_string(grasps.parts) +
+                     "', but -parts is '" + std::to_string(*parts) +
+                     "'; expected the same, or no -parts");
+  return grasps;
+}
+
+/** The grasps of a report on the objects of the truth. */
+int
+evaluateGraspFile(const Arguments& arguments, const ObjectRules& rules)
+{
+  const auto& operands = arguments.operands(2);
+  checkJsonPath(arguments, operands);
+  checkInputOptions(arguments);
+  Report report;
+  report.setText("", "predicted", operands[0]);
+  report.setText("", "truth", operands[1]);
+  const GraspsOfObjects grasps =
+      report.time("read", [&] { return readJudged(arguments, operands[0]); });
+  const CloudFile truth = report.time(
+      "read_truth", [&] { return readInput(arguments, operands[1], report); });
+  report.setText("parameters", "task", "grasps");
+  report.setCount("parameters", "parts", grasps.parts);
+  report.setCount("parameters", "min_points", rules.min_points);
+  report.setNumber("parameters", "cup_radius", static_cast<double>(grasps.cup_radius));
+  report.setNumber("parameters", "compliance", grasps.compliance);
+  const std::vector<ObjectGrasp> objects = report.time("evaluate", [&] {
+    return evaluateGrasps(*pointsOf(truth),
+                          labelsOf(truth, fieldOfObjects(truth)),
+                          grasps,
+                          rules.min_points);
+  });
+  if (objects.empty())
+    throw InputError(truth.path + ": no object has " +
+                     std::to_string(rules.min_points) +
+                     " points; expected at least one");
+  showGrasps(objects, report);
   writeJson(arguments, toJson(arguments.app(), report));
   return 0;
 }
@@ -273,20 +300,58 @@ writeOutcomes(const Arguments& arguments,
       arguments, arguments.text("out"), predicted, outputFormat(arguments)));
 }
 
-int
-run(const Arguments& arguments)
+/** What two clouds are compared by. */
+struct Comparison {
+  std::string task;
+  std::string convention;
+  ObjectRules rules;
+};
+
+/** Both clouds, and the points of them that the task evaluates. */
+struct ComparedClouds {
+  CloudFile predicted, truth;
+  TaskPoints selected;
+};
+
+ComparedClouds
+readClouds(const Arguments& arguments, const Comparison& comparison, Report& report)
 {
   const auto& operands = arguments.operands(2);
-  const std::string task = arguments.choice("task", taskNames());
-  checkOut(arguments, task);
-  const ObjectRules rules = objectRules(arguments, task);
-  const std::string convention = arguments.choice("convention", {"strict", "paper"});
-  arguments.threads();
-  if (task == "grasps") {
-    if (convention == "paper")
-      throw UsageError("-convention 'paper' with -task 'grasps'; expected strict");
-    return evaluateGraspFile(arguments, rules);
-  }
+  ComparedClouds clouds;
+  clouds.predicted =
+      report.time("read", [&] { return readInput(arguments, operands[0], report); });
+  clouds.truth = report.time(
+      "read_truth", [&] { return readAnyCloud(operands[1], floatsOfBin(arguments)); });
+  clouds.truth.offset = clouds.predicted.offset; // to compare the same points
+  clouds.selected = selectPoints(comparison.task,
+                                 comparison.convention == "paper" ? Convention::paper
+                                                                  : Convention::strict,
+                                 clouds.predicted,
+                                 clouds.truth);
+  if (!clouds.selected.copied_field.empty())
+    logLine(arguments.app() + ": " + operands[0] + ": warning: field '" +
+            clouds.selected.copied_field + "' is the same as in " + operands[1] +
+            " at all points; was it copied with the cloud instead of predicted?");
+  return clouds;
+}
+
+void
+evaluateTask(const Comparison& comparison, const TaskPoints& selected, Report& report)
+{
+  if (comparison.task == "instance")
+    evaluateInstancePoints(selected, report);
+  else if (comparison.task == "objects")
+    evaluateObjectPoints(selected, comparison.rules, report);
+  else
+    evaluateClasses(selected, report);
+  if (comparison.task == "label")
+    evaluateKept(selected, report);
+}
+
+int
+compareClouds(const Arguments& arguments, const Comparison& comparison)
+{
+  const auto& operands = arguments.operands(2);
   checkJsonPath(arguments, {operands[0], operands[1], arguments.text("out")});
   outputFormat(arguments);
   checkInputOptions(arguments);
@@ -294,44 +359,44 @@ run(const Arguments& arguments)
   Report report;
   report.setText("", "predicted", operands[0]);
   report.setText("", "truth", operands[1]);
-  report.setText("parameters", "task", task);
-  report.setText("parameters", "convention", convention);
-  const CloudFile predicted =
-      report.time("read", [&] { return readInput(arguments, operands[0], report); });
-  CloudFile truth = report.time(
-      "read_truth", [&] { return readAnyCloud(operands[1], floatsOfBin(arguments)); });
-  truth.offset = predicted.offset; // to compare the same points
-  const TaskPoints selected =
-      selectPoints(task,
-                   convention == "paper" ? Convention::paper : Convention::strict,
-                   predicted,
-                   truth);
-  if (!selected.copied_field.empty())
-    logLine(arguments.app() + ": " + operands[0] + ": warning: field '" +
-            selected.copied_field + "' is the same as in " + operands[1] +
-            " at all points; was it copied with the cloud instead of predicted?");
+  report.setText("parameters", "task", comparison.task);
+  report.setText("parameters", "convention", comparison.convention);
+  const ComparedClouds clouds = readClouds(arguments, comparison, report);
   std::optional<AtomicFile> outcomes;
   if (arguments.has("out"))
-    writeOutcomes(
-        arguments, predicted, selected, outcomes.emplace(arguments.text("out")));
-  report.setCount("", "points", truth.size());
-  report.setCount("", "evaluated_points", selected.points.size());
-  report.setCount("", "unknown_points", selected.unknown);
+    writeOutcomes(arguments,
+                  clouds.predicted,
+                  clouds.selected,
+                  outcomes.emplace(arguments.text("out")));
+  report.setCount("", "points", clouds.truth.size());
+  report.setCount("", "evaluated_points", clouds.selected.points.size());
+  report.setCount("", "unknown_points", clouds.selected.unknown);
 
-  std::printf("task %s, convention %s: ", task.c_str(), convention.c_str());
-  printHeading(selected, truth.size());
-  if (task == "instance")
-    evaluateInstancePoints(selected, report);
-  else if (task == "objects")
-    evaluateObjectPoints(selected, rules, report);
-  else
-    evaluateClasses(selected, report);
-  if (task == "label")
-    evaluateKept(selected, report);
+  std::printf("task %s, convention %s: ",
+              comparison.task.c_str(),
+              comparison.convention.c_str());
+  printHeading(clouds.selected, clouds.truth.size());
+  evaluateTask(comparison, clouds.selected, report);
   writeJson(arguments, toJson(arguments.app(), report));
   if (outcomes)
     outcomes->commit();
   return 0;
+}
+
+int
+run(const Arguments& arguments)
+{
+  arguments.operands(2);
+  const std::string task = arguments.choice("task", taskNames());
+  checkOut(arguments, task);
+  const ObjectRules rules = objectRules(arguments, task);
+  const std::string convention = arguments.choice("convention", {"strict", "paper"});
+  arguments.threads();
+  if (task != "grasps")
+    return compareClouds(arguments, {task, convention, rules});
+  if (convention == "paper")
+    throw UsageError("-convention 'paper' with -task 'grasps'; expected strict");
+  return evaluateGraspFile(arguments, rules);
 }
 
 } // namespace
@@ -353,8 +418,8 @@ main(int argc, char** argv)
               "grasps")
       .option("parts",
               "N",
-              "of -task objects and grasps: the truth's labels are N * object + part, "
-              "e.g. 10 (default 1)")
+              "of -task objects: the truth's labels are N * object + part, e.g. 10 "
+              "(default 1); of -task grasps as in their file")
       .option("min_points",
               "N",
               "of -task objects and grasps: objects of fewer points need not be found "

@@ -15,7 +15,7 @@ import tempfile
 
 from evaluate_sensors import fields_of, generate
 
-# Seeds of no choosing; sensors and kinds of objects vary.
+# Nothing was chosen by these seeds; sensors and kinds of objects vary.
 GENERATED = [(f"generated {seed}, {sensor}", seed, ("-sensor", sensor, "-objects", "6"))
              for seed, sensor in ((951, "camera"), (952, "camera"), (953, "stereo"), (954, "tof"), (955, "structured"))]
 

@@ -4,7 +4,7 @@
 """Make the table of whole objects in generated scenes in doc/evaluation.md: objects of all kinds that touch and stand on
 each other, seen by four cameras, no options. Markdown goes to standard output, a line for each scene to standard error.
 Usage: scripts/evaluate_objects.py BUILD_DIR [FIRST_SEED [SEEDS]]
-Seeds are 961 to 968, of no choosing: 4 objects if the seed is a multiple of 3, 8 or 12 if the rest is 1 or 2.
+Seeds are 961 to 968 unless others are given; nothing was chosen by them. Scenes have 4, 8 and 12 objects in turn.
 Needs python3-numpy and python3-scipy.
 """
 import json

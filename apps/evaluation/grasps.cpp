@@ -4,6 +4,9 @@
 
 #include "evaluation/grasps.h"
 
+#include "evaluation/covered_disc.h"
+#include "results/points_by_object.h"
+
 #include <pcl/common/point_tests.h>
 #include <pcl/octree/octree_search.h>
 #include <pcl/pcl_base.h>
@@ -14,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace pcl::app {
 namespace {
@@ -26,14 +28,15 @@ using Eigen::Vector3d;
 // In radii of the cup.
 constexpr double fit_radius = 1.5; // smaller discs turn by degrees in a camera's noise
 constexpr double face_radius = 1.4142135623730951; // of a disc of twice the cup's area
-constexpr double compliance = 0.2;    // of pcl_shape_grasp: how far a lip may bend
 constexpr double max_residual = 0.15; // 1.5 mm of a cup of 10: a Kinect's noise at 1 m
 constexpr double surface_band = 2.0 * max_residual; // what is on the surface
 constexpr std::size_t min_fitted = 20;              // of the six unknowns of a quadric
 constexpr std::size_t face_step = 20; // every so many points a face is looked for
-// A disc of this radius holds 12 points on average, and none by chance once in 160,000.
-constexpr double hole_spacings = 2.0;
-constexpr double max_steps = 200.0; // across a disc; usually half spacings
+
+struct Cup {
+  double radius;     ///< meters
+  double compliance; ///< in radii, by which the lip may bend
+};
 
 /** The points of an object, or of all, and those near a place. */
 class Points {
@@ -164,68 +167,36 @@ placesOn(const Quadric& quadric, const std::vector<Vector3d>& points, double ban
   return places;
 }
 
-/** The mean distance between points: the median over some of them, by the area that the
- * six nearest ones of each take. */
-double
-spacingOf(const std::vector<Vector2d>& places)
-{
-  constexpr std::size_t nearest = 6, max_looked_at = 50;
-  constexpr double pi = 3.14159265358979323846;
-  const std::size_t step = (places.size() + max_looked_at - 1) / max_looked_at;
-  std::vector<double> spacings, squares;
-  for (std::size_t i = 0; i < places.size(); i += step) {
-    squares.clear();
-    for (const Vector2d& place : places)
-      squares.push_back((place - places[i]).squaredNorm());
-    std::nth_element(squares.begin(), squares.begin() + nearest, squares.end());
-    spacings.push_back(std::sqrt(squares[nearest] * pi / nearest));
-  }
-  const auto middle =
-      spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
-  std::nth_element(spacings.begin(), middle, spacings.end());
-  return *middle;
-}
-
-/** Whether a disc has points everywhere. */
-bool
-isCovered(const std::vector<Vector2d>& places, double radius)
-{
-  if (places.size() < min_fitted)
-    return false;
-  const double spacing = spacingOf(places);
-  const double reach = hole_spacings * spacing;
-  const auto isNearSome = [&](const Vector2d& at) {
-    return std::any_of(places.begin(), places.end(), [&](const Vector2d& place) {
-      return (place - at).squaredNorm() < reach * reach;
-    });
-  };
-  const double step = std::max(0.5 * spacing, 2.0 * radius / max_steps);
-  for (double x = -radius; x <= radius; x += step)
-    for (double y = -radius; y <= radius; y += step)
-      if (x * x + y * y <= radius * radius && !isNearSome({x, y}))
-        return false;
-  return true;
-}
-
 bool
 hasFace(const Points& object,
         const Cloud& cloud,
         const pcl::Indices& indices,
-        double radius)
+        const Cup& cup)
 {
+  const double radius = cup.radius;
   for (std::size_t k = 0; k < indices.size(); k += face_step) {
     const Vector3d center = cloud[static_cast<std::size_t>(indices[k])]
                                 .getVector3fMap()
                                 .template cast<double>();
     const std::vector<Vector3d> near = object.near(center, fit_radius * radius);
     const std::optional<Quadric> quadric = quadricOf(near, center);
-    if (quadric && quadric->sag(radius) <= compliance * radius &&
+    if (quadric && quadric->sag(radius) <= cup.compliance * radius &&
         quadric->residual <= max_residual * radius &&
         isCovered(placesOn(*quadric, near, surface_band * radius),
                   face_radius * radius))
       return true;
   }
   return false;
+}
+
+pcl::IndicesPtr
+finitePoints(const Cloud& cloud)
+{
+  auto finite = pcl::make_shared<pcl::Indices>();
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (pcl::isXYZFinite(cloud[i]))
+      finite->push_back(static_cast<pcl::index_t>(i));
+  return finite;
 }
 
 Vector3d
@@ -249,53 +220,52 @@ judge(const Points& object, double radius, ObjectGrasp& result)
   result.is_whole = isCovered(placesOn(*quadric, near, surface_band * radius), radius);
 }
 
+/** What became of one object.
+ * \param[in] nearest the object at a place of the scene, 0 if none */
+template <typename Nearest>
+ObjectGrasp
+resultOf(std::uint32_t object,
+         const Cloud::ConstPtr& cloud,
+         const pcl::IndicesPtr& indices,
+         const GraspsOfObjects& grasps,
+         const Nearest& nearest)
+{
+  const Cup cup{static_cast<double>(grasps.cup_radius), grasps.compliance};
+  ObjectGrasp result;
+  result.object = object;
+  result.points = indices->size();
+  result.angle = std::numeric_limits<double>::quiet_NaN();
+  const Points of_object(cloud, indices, cup.radius);
+  result.has_face = hasFace(of_object, *cloud, *indices, cup);
+  const auto first =
+      std::find_if(grasps.grasps.begin(), grasps.grasps.end(), [&](const Grasp& grasp) {
+        return grasp.object == object;
+      });
+  if (first != grasps.grasps.end()) {
+    result.first = *first;
+    result.is_on_object = nearest(toVector(first->position)) == object;
+    judge(of_object, cup.radius, result);
+  }
+  return result;
+}
+
 } // namespace
 
 std::vector<ObjectGrasp>
 evaluateGrasps(const Cloud& cloud,
                const std::vector<std::uint32_t>& labels,
-               const Grasps& grasps,
-               const ObjectRules& rules)
+               const GraspsOfObjects& grasps,
+               std::uint64_t min_points)
 {
-  const double radius = static_cast<double>(grasps.cup_radius);
   const Cloud::ConstPtr points(&cloud, [](const Cloud*) {}); // the caller keeps it
-  std::map<std::uint32_t, pcl::IndicesPtr> objects;
-  const auto all = pcl::make_shared<pcl::Indices>();
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (!pcl::isXYZFinite(cloud[i]))
-      continue;
-    all->push_back(static_cast<pcl::index_t>(i));
-    const std::uint32_t object = labels[i] / rules.parts;
-    if (object == 0)
-      continue;
-    pcl::IndicesPtr& indices = objects[object];
-    if (!indices)
-      indices = pcl::make_shared<pcl::Indices>();
-    indices->push_back(static_cast<pcl::index_t>(i));
-  }
-  Points scene(points, all, radius);
+  Points scene(points, finitePoints(cloud), static_cast<double>(grasps.cup_radius));
+  const auto nearestObject = [&](const Vector3d& place) {
+    return labels[scene.nearest(place)] / grasps.parts;
+  };
   std::vector<ObjectGrasp> results;
-  for (const auto& [object, indices] : objects) {
-    if (indices->size() < rules.min_points)
-      continue;
-    ObjectGrasp result;
-    result.object = object;
-    result.points = indices->size();
-    result.angle = std::numeric_limits<double>::quiet_NaN();
-    const Points of_object(points, indices, radius);
-    result.has_face = hasFace(of_object, cloud, *indices, radius);
-    const auto first = std::find_if(
-        grasps.grasps.begin(),
-        grasps.grasps.end(),
-        [object = object](const Grasp& grasp) { return grasp.object == object; });
-    if (first != grasps.grasps.end()) {
-      result.first = *first;
-      result.is_on_object =
-          labels[scene.nearest(toVector(first->position))] / rules.parts == object;
-      judge(of_object, radius, result);
-    }
-    results.push_back(result);
-  }
+  for (const auto& [object, indices] : pointsByObject(cloud, labels, grasps.parts))
+    if (indices->size() >= min_points)
+      results.push_back(resultOf(object, points, indices, grasps, nearestObject));
   return results;
 }
 

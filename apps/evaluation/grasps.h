@@ -4,7 +4,6 @@
 
 #pragma once
 
-#include "evaluation/objects.h"
 #include "results/scene_files.h"
 
 #include <pcl/point_cloud.h>
@@ -39,12 +38,14 @@ struct ObjectGrasp {
 };
 
 /** \brief Judge grasps by fits and counts over the points of the truth alone.
+ * \param[in] cloud the points of the truth
  * \param[in] labels of the objects, one a point; 0 is none
- * \param[in] grasps with their objects, the best of each first
+ * \param[in] grasps the best of each object first
+ * \param[in] min_points of an object that is judged
  * \return one of each object with enough points, in the order of their numbers */
 std::vector<ObjectGrasp> evaluateGrasps(const pcl::PointCloud<pcl::PointXYZ>& cloud,
                                         const std::vector<std::uint32_t>& labels,
-                                        const Grasps& grasps,
-                                        const ObjectRules& rules);
+                                        const GraspsOfObjects& grasps,
+                                        std::uint64_t min_points);
 
 } // namespace pcl::app

@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace pcl::app {
 namespace {
@@ -117,12 +118,13 @@ lineOf(const Value& value)
 }
 
 std::uint32_t
-numberOf(const Value& value)
+numberOf(const Value& value, std::uint64_t min = 0)
 {
-  constexpr std::uint64_t max_number = std::numeric_limits<std::uint32_t>::max();
+  constexpr std::uint64_t max = std::numeric_limits<std::uint32_t>::max();
   value.require(value.json.is_number_unsigned() &&
-                    value.json.get<std::uint64_t>() <= max_number,
-                "a whole number from 0 to 4294967295");
+                    value.json.get<std::uint64_t>() >= min &&
+                    value.json.get<std::uint64_t>() <= max,
+                "a whole number from " + std::to_string(min) + " to 4294967295");
   return value.json.get<std::uint32_t>();
 }
 
@@ -145,8 +147,6 @@ graspOf(const Value& value)
               seals.json.get<bool>()};
   const float length = Eigen::Map<const Eigen::Vector3f>(grasp.approach.data()).norm();
   value.at("approach").require(std::abs(length - 1.0f) < 0.01f, "a vector of length 1");
-  if (value.has("object"))
-    grasp.object = numberOf(value.at("object"));
   if (value.has("problems"))
     for (const Value& problem : value.at("problems").array())
       grasp.problems.push_back(problem.text());
@@ -154,15 +154,28 @@ graspOf(const Value& value)
 }
 
 /** The member of the file, or of its "parameters". */
-float
+std::optional<float>
 cupRadiusOf(const Value& file)
 {
-  constexpr float default_cup_radius = 0.02f; // meters, as pcl_shape_grasp's
   if (file.has("cup_radius"))
     return file.at("cup_radius").length();
   if (file.has("parameters") && file.at("parameters").has("cup_radius"))
     return file.at("parameters").at("cup_radius").length();
-  return default_cup_radius;
+  return std::nullopt;
+}
+
+/** Without grasps. */
+GraspsOfObjects
+cupOf(const Value& parameters)
+{
+  GraspsOfObjects grasps{};
+  grasps.parts = numberOf(parameters.at("parts"), 1);
+  grasps.cup_radius = parameters.at("cup_radius").length();
+  const Value compliance = parameters.at("compliance");
+  compliance.require(compliance.number() >= 0.0f && compliance.number() <= 1.0f,
+                     "a number from 0 to 1");
+  grasps.compliance = compliance.json.get<double>();
+  return grasps;
 }
 
 } // namespace
@@ -196,9 +209,27 @@ readGrasps(const std::string& path)
 {
   const Json json = readJson(path);
   const Value file{path, "", json};
-  Grasps grasps{{}, cupRadiusOf(file)};
+  constexpr float default_cup_radius = 0.01f; // meters, as pcl_shape_grasp's
+  Grasps grasps{{}, cupRadiusOf(file).value_or(default_cup_radius)};
   for (const Value& grasp : file.at("grasps").array())
     grasps.grasps.push_back(graspOf(grasp));
+  return grasps;
+}
+
+GraspsOfObjects
+readGraspsOfObjects(const std::string& path)
+{
+  const Json json = readJson(path);
+  const Value file{path, "", json};
+  const std::vector<Value> values = file.at("grasps").array();
+  if (!file.at("parameters").has("each"))
+    throw InputError(path + ": 'parameters.each' is missing; expected what "
+                            "pcl_shape_grasp -each wrote with -json");
+  GraspsOfObjects grasps = cupOf(file.at("parameters"));
+  for (const Value& value : values) {
+    grasps.grasps.push_back(graspOf(value));
+    grasps.grasps.back().object = numberOf(value.at("object"), 1);
+  }
   return grasps;
 }
 

@@ -31,13 +31,22 @@ struct Grasp {
   Vector position; ///< meters, on the surface
   Vector approach; ///< unit, into the surface
   bool seals;
-  std::uint32_t object = 0;            ///< of pcl_shape_grasp -each; 0 without
+  std::uint32_t object = 0;            ///< if readGraspsOfObjects() read it
   std::vector<std::string> problems{}; ///< why it does not seal
 };
 
+/** \brief Grasps to be drawn. */
 struct Grasps {
   std::vector<Grasp> grasps; ///< the best first
-  float cup_radius;          ///< meters; of the file, or 20 mm
+  float cup_radius;          ///< meters; of the file, or pcl_shape_grasp's default
+};
+
+/** \brief What pcl_shape_grasp -each wrote, complete. */
+struct GraspsOfObjects {
+  std::vector<Grasp> grasps; ///< each with its object, the best of each first
+  float cup_radius;          ///< meters
+  double compliance;         ///< in radii, by which the lip may bend
+  std::uint32_t parts;       ///< labels to an object
 };
 
 /** \brief Read one of these files.
@@ -47,5 +56,7 @@ std::vector<Line> readLines(const std::string& path);
 std::vector<Instance> readInstances(const std::string& path);
 
 Grasps readGrasps(const std::string& path);
+
+GraspsOfObjects readGraspsOfObjects(const std::string& path);
 
 } // namespace pcl::app

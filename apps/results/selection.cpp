@@ -5,6 +5,7 @@
 #include "results/selection.h"
 
 #include "cli/errors.h"
+#include "results/points_by_object.h"
 
 #include <pcl/common/point_tests.h>
 
@@ -77,7 +78,8 @@ checkSelection(const Arguments& arguments)
   for (const char* other : {"field", "box"})
     arguments.exclude("each", other);
   if (arguments.has("parts") && !arguments.has("each"))
-    arguments.fail("parts", "-each with it");
+    throw UsageError("-parts '" + arguments.text("parts") +
+                     "' without -each; expected -each and the field of the objects");
   partsOf(arguments);
   arguments.hasBoth("field", "value");
   arguments.integer("value", 0, max_label);
@@ -134,16 +136,7 @@ selectedObjects(const CloudFile& file,
 {
   const std::vector<std::uint32_t> labels = labelsOf(file, arguments.text("each"));
   const std::uint32_t parts = partsOf(arguments);
-  std::map<std::uint32_t, pcl::IndicesPtr> objects;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::uint32_t object = labels[i] / parts;
-    if (object == 0 || !pcl::isFinite(points[i]))
-      continue;
-    pcl::IndicesPtr& indices = objects[object];
-    if (!indices)
-      indices = pcl::make_shared<pcl::Indices>();
-    indices->push_back(static_cast<pcl::index_t>(i));
-  }
+  auto objects = pointsByObject(points, labels, parts);
   if (objects.empty())
     throw InputError(file.path + ": no finite point is of an object by -each '" +
                      arguments.text("each") + "' -parts " + std::to_string(parts) +

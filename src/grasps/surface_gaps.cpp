@@ -152,6 +152,20 @@ struct Hollow {
   int column, row; ///< of the cell that is farthest from all points
   float depth;     ///< its distance, meters
 
+  void
+  add(int at_column, int at_row, float distance)
+  {
+    min_column = std::min(min_column, at_column);
+    max_column = std::max(max_column, at_column);
+    min_row = std::min(min_row, at_row);
+    max_row = std::max(max_row, at_row);
+    if (distance > depth) {
+      depth = distance;
+      column = at_column;
+      row = at_row;
+    }
+  }
+
   /** The area without points around it: of its largest circle, or of a slot of the
    * smallest width that is as long, whichever is more. */
   float
@@ -227,6 +241,111 @@ evenness(const Image& image, float radius, float s, float spacing)
   return std::max(min_evenness, -std::log(far / inside) / (pi * far_off * far_off));
 }
 
+/** The smallest area without points that is none by chance. */
+float
+minArea(const Image& image, float radius, float s, float spacing)
+{
+  // Of n points at random the circles that touch three and hold none are 2 n; the
+  // chance that one is larger than a s^2 is (1 + a) exp(-a), with 1 + a of some 20.
+  const float count = pi * radius * radius / (s * s);
+  const float area = std::log(2.0f * count * 20.0f / max_chance);
+  const float min_radius = min_gap * s;
+  return std::max(pi * min_radius * min_radius,
+                  s * s * area /
+                      evenness(image, radius + evenness_beyond * s, s, spacing));
+}
+
+/** What tells gaps from the places between points: lengths and an area. */
+struct GapRules {
+  float s; ///< the mean distance between points
+  float spacing;
+  float min_radius;
+  float min_area;
+};
+
+/** The cells of a disc that are far from all points, by the sets of those that touch.
+ */
+class FarCells {
+public:
+  FarCells(const Image& image, float reach, float min_distance)
+  : image_(image)
+  , reach_(reach)
+  , marks_(marksOf(image, reach, min_distance))
+  , sets_(connected(marks_, image.side()))
+  {}
+
+  bool
+  empty() const
+  {
+    return std::find(marks_.begin(), marks_.end(), 1) == marks_.end();
+  }
+
+  /** visit(set, distance to the nearest point, column, row) */
+  template <typename Visit>
+  void
+  forEach(const Visit& visit)
+  {
+    image_.forEachWithin(reach_, [&](std::size_t at, int column, int row) {
+      if (marks_[at])
+        visit(sets_.find(static_cast<std::uint32_t>(at)),
+              image_.distance(at),
+              column,
+              row);
+    });
+  }
+
+private:
+  static std::vector<char>
+  marksOf(const Image& image, float reach, float min_distance)
+  {
+    std::vector<char> marks(image.distances.size(), 0);
+    image.forEachWithin(reach, [&](std::size_t at, int, int) {
+      marks[at] = image.distance(at) >= min_distance;
+    });
+    return marks;
+  }
+
+  const Image& image_;
+  float reach_;
+  std::vector<char> marks_;
+  DisjointSets sets_;
+};
+
+std::map<std::uint32_t, Hollow>
+hollowsOf(FarCells& cells)
+{
+  std::map<std::uint32_t, Hollow> hollows;
+  cells.forEach([&](std::uint32_t set, float distance, int column, int row) {
+    hollows.try_emplace(set, Hollow{column, column, row, row, column, row, 0.0f})
+        .first->second.add(column, row, distance);
+  });
+  return hollows;
+}
+
+/** Whether a hollow is a gap. Where only its exact circle tells, that is added. */
+bool
+isGap(const Hollow& hollow,
+      const Image& image,
+      const std::vector<Vector2f>& points,
+      const GapRules& rules,
+      std::vector<Gap>& exact_gaps)
+{
+  const auto isLarge = [&](float radius) {
+    return hollow.area(image.cell, rules.min_radius, radius) >= rules.min_area;
+  };
+  if (isLarge(hollow.depth) && hollow.depth > rules.spacing)
+    return true;
+  const float off = 1.414f * image.cell; // the image tells the depth to a diagonal
+  if (!isLarge(hollow.depth + off))
+    return false;
+  const Vector2f middle = image.center(hollow.column, hollow.row);
+  const Gap exact = largestCircle(points, middle, rules.s, hollow.depth + off);
+  if (!isLarge(exact.radius))
+    return false;
+  exact_gaps.push_back(exact);
+  return true;
+}
+
 } // namespace
 
 std::vector<Gap>
@@ -235,71 +354,21 @@ gapsWithin(float radius, const std::vector<Vector2f>& points, float spacing)
   const float expected = per_spacing * spacing;
   const Image image =
       imageOf(points, radius + points_beyond * expected, cell_size * expected);
-  const float cell = image.cell;
   const float s = meanDistance(image, points, radius, spacing);
   if (s == 0.0f)
     return {};
   const float min_radius = min_gap * s;
-  const float reach = radius + centers_beyond * s;
-  std::vector<char> is_far(image.distances.size(), 0);
-  bool has_far = false;
-  image.forEachWithin(reach, [&](std::size_t at, int, int) {
-    is_far[at] = image.distance(at) >= min_radius;
-    has_far = has_far || is_far[at];
-  });
-  if (!has_far)
+  FarCells cells(image, radius + centers_beyond * s, min_radius);
+  if (cells.empty())
     return {};
-  // Of n points at random the circles that touch three and hold none are 2 n; the
-  // chance that one is larger than a s^2 is (1 + a) exp(-a), with 1 + a of some 20.
-  const float count = pi * radius * radius / (s * s);
-  const float area = std::log(2.0f * count * 20.0f / max_chance);
-  const float min_area = std::max(
-      pi * min_radius * min_radius,
-      s * s * area / evenness(image, radius + evenness_beyond * s, s, spacing));
-
-  DisjointSets sets = connected(is_far, image.side());
-  std::map<std::uint32_t, Hollow> hollows;
-  image.forEachWithin(reach, [&](std::size_t at, int column, int row) {
-    if (!is_far[at])
-      return;
-    const float distance = image.distance(at);
-    const auto set = sets.find(static_cast<std::uint32_t>(at));
-    Hollow& of_set =
-        hollows.try_emplace(set, Hollow{column, column, row, row, column, row, 0.0f})
-            .first->second;
-    of_set.min_column = std::min(of_set.min_column, column);
-    of_set.max_column = std::max(of_set.max_column, column);
-    of_set.min_row = std::min(of_set.min_row, row);
-    of_set.max_row = std::max(of_set.max_row, row);
-    if (distance > of_set.depth) {
-      of_set.depth = distance;
-      of_set.column = column;
-      of_set.row = row;
-    }
-  });
-
+  const GapRules rules{s, spacing, min_radius, minArea(image, radius, s, spacing)};
   std::vector<Gap> gaps;
   std::map<std::uint32_t, float> ball; // of each hollow that is a gap: what rolls in it
-  for (const auto& [set, hollow] : hollows) {
-    // The image tells the depth to a diagonal of a cell.
-    const float off = 1.414f * cell;
-    const Vector2f middle = image.center(hollow.column, hollow.row);
-    bool is_gap = hollow.area(cell, min_radius, hollow.depth) >= min_area &&
-                  hollow.depth > spacing;
-    if (!is_gap && hollow.area(cell, min_radius, hollow.depth + off) >= min_area) {
-      const Gap exact = largestCircle(points, middle, s, hollow.depth + off);
-      is_gap = hollow.area(cell, min_radius, exact.radius) >= min_area;
-      if (is_gap)
-        gaps.push_back(exact);
-    }
-    if (is_gap)
+  for (const auto& [set, hollow] : hollowsOf(cells))
+    if (isGap(hollow, image, points, rules, gaps))
       ball[set] = std::min(hollow.depth, spacing);
-  }
-  image.forEachWithin(reach, [&](std::size_t at, int column, int row) {
-    if (!is_far[at])
-      return;
-    const float distance = image.distance(at);
-    const auto found = ball.find(sets.find(static_cast<std::uint32_t>(at)));
+  cells.forEach([&](std::uint32_t set, float distance, int column, int row) {
+    const auto found = ball.find(set);
     if (found != ball.end() && distance >= found->second)
       gaps.push_back({image.center(column, row), distance});
   });

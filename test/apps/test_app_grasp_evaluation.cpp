@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <filesystem>
 
 using namespace pcl::app;
 using namespace pcl_shape_test;
@@ -17,6 +18,7 @@ namespace {
 
 constexpr float radius = 0.01f, height = 0.05f;
 constexpr std::uint32_t table = 1, plate = 20, parts = 10;
+constexpr std::uint64_t min_points = 300;
 
 /** \brief A table and a plate above it, seen from above. */
 struct Scene {
@@ -59,16 +61,18 @@ plateScene(float half, float hole = 0.0f)
 
 /** \brief Straight down unless it leans. */
 ObjectGrasp
-judged(const Scene& scene, const Vector& position, double lean_degrees = 0.0)
+judged(const Scene& scene,
+       const Vector& position,
+       double lean_degrees = 0.0,
+       double compliance = 0.2)
 {
   const double lean = lean_degrees * M_PI / 180.0;
   const Vector approach{
       static_cast<float>(std::sin(lean)), 0.0f, static_cast<float>(-std::cos(lean))};
   Grasp grasp{position, approach, true};
   grasp.object = plate / parts;
-  ObjectRules rules;
-  rules.parts = parts;
-  const auto all = evaluateGrasps(scene.cloud, scene.labels, {{grasp}, radius}, rules);
+  const auto all = evaluateGrasps(
+      scene.cloud, scene.labels, {{grasp}, radius, compliance, parts}, min_points);
   EXPECT_EQ(1u, all.size());
   return all.empty() ? ObjectGrasp() : all.front();
 }
@@ -119,16 +123,18 @@ TEST(GraspEvaluation, AFaceHoldsADiscOfTwiceTheCupsArea)
   // Of a radius of 14 mm, and of no more than the two spacings that a hole may have.
   EXPECT_TRUE(judged(plateScene(0.015f), {0.0f, 0.0f, height}).has_face);
   EXPECT_FALSE(judged(plateScene(0.011f), {0.0f, 0.0f, height}).has_face);
-  const auto isFaceOfCylinder = [](float of_radius) {
+  const auto isFaceOfCylinder = [](float of_radius, double compliance = 0.2) {
     Scene scene;
     const auto is_on = [=](float x, float) { return std::abs(x) < 0.95f * of_radius; };
     scene.add(plate, 0.03f, is_on, [=](float x, float) {
       return height + std::sqrt(of_radius * of_radius - x * x);
     });
-    return judged(scene, {0.0f, 0.0f, height + of_radius}).has_face;
+    return judged(scene, {0.0f, 0.0f, height + of_radius}, 0.0, compliance).has_face;
   };
   EXPECT_TRUE(isFaceOfCylinder(0.035f)) << "1.4 mm in 10";
+  EXPECT_FALSE(isFaceOfCylinder(0.035f, 0.1)) << "of a stiffer cup";
   EXPECT_FALSE(isFaceOfCylinder(0.02f)) << "2.5 mm in 10";
+  EXPECT_TRUE(isFaceOfCylinder(0.02f, 0.3)) << "of a softer cup";
 }
 
 TEST(GraspEvaluation, OnlyTheFirstGraspOfAnObjectCounts)
@@ -142,17 +148,15 @@ TEST(GraspEvaluation, OnlyTheFirstGraspOfAnObjectCounts)
   second.seals = true;
   Grasp other = second;
   other.object = 7;
-  ObjectRules rules;
-  rules.parts = parts;
-  const auto all = evaluateGrasps(
-      scene.cloud, scene.labels, {{other, first, second}, radius}, rules);
+  const auto evaluate = [&](const std::vector<Grasp>& grasps, std::uint64_t least) {
+    return evaluateGrasps(
+        scene.cloud, scene.labels, {grasps, radius, 0.2, parts}, least);
+  };
+  const auto all = evaluate({other, first, second}, min_points);
   ASSERT_EQ(1u, all.size());
   EXPECT_FALSE(all.front().isRight());
-  rules.min_points = 61 * 61 + 1;
-  EXPECT_TRUE(
-      evaluateGrasps(scene.cloud, scene.labels, {{first}, radius}, rules).empty());
-  rules.min_points = 300;
-  const auto none = evaluateGrasps(scene.cloud, scene.labels, {{}, radius}, rules);
+  EXPECT_TRUE(evaluate({first}, 61 * 61 + 1).empty());
+  const auto none = evaluate({}, min_points);
   ASSERT_EQ(1u, none.size());
   EXPECT_TRUE(none.front().has_face);
   EXPECT_FALSE(none.front().first || none.front().isRight());
@@ -170,6 +174,20 @@ protected:
     return file("in.pcd", asciiCloud("x y z label", "F F F U", rows));
   }
 };
+
+/** \brief Without the member that is left out. */
+std::string
+reportOf(const std::string& grasp, const std::string& left_out = "")
+{
+  nlohmann::json json = {
+      {"parameters",
+       {{"each", "label"}, {"parts", 10}, {"cup_radius", 0.02}, {"compliance", 0.2}}},
+      {"grasps", nlohmann::json::array()}};
+  json["parameters"].erase(left_out);
+  if (!grasp.empty())
+    json["grasps"].push_back(nlohmann::json::parse(grasp));
+  return json.dump();
+}
 
 TEST_F(GraspTask, JudgesWhatTheOtherAppWrote)
 {
@@ -192,15 +210,16 @@ TEST_F(GraspTask, JudgesWhatTheOtherAppWrote)
   EXPECT_EQ("label", written["parameters"]["each"]);
   EXPECT_EQ(10, written["parameters"]["parts"]);
   EXPECT_EQ(1, written["grasps"][0]["object"]);
-  const auto outcome =
-      runApp("pcl_shape_evaluate",
-             {grasps, cloud, "-task", "grasps", "-parts", "10", "-json", path("json")});
+  const auto outcome = runApp(
+      "pcl_shape_evaluate", {grasps, cloud, "-task", "grasps", "-json", path("json")});
   expectSuccess(outcome);
   EXPECT_NE(std::string::npos,
             outcome.out.find("objects 2, with a face for the cup 2, of these with a "
                              "right first grasp 2"));
   const auto report = nlohmann::json::parse(readFile(path("json")));
   EXPECT_EQ(2, report["counts"]["right"]);
+  EXPECT_EQ(10, report["parameters"]["parts"]) << "of the grasps";
+  EXPECT_EQ(0.2, report["parameters"]["compliance"]);
   ASSERT_EQ(2u, report["objects"].size());
   EXPECT_EQ(800, report["objects"][1]["points"]);
   EXPECT_EQ("seals", report["objects"][1]["first_grasp"]);
@@ -215,14 +234,28 @@ TEST_F(GraspTask, RefusesWhatItCannotJudge)
     words.insert(words.end(), options.begin(), options.end());
     return runApp("pcl_shape_evaluate", words);
   };
-  const std::string good = file("good.json", "{\"grasps\": []}");
+  const std::string good = file("good.json", reportOf(""));
+  expectSuccess(evaluate(good, {"-parts", "10"}));
+  std::filesystem::remove(path("json"));
   expectRefused(evaluate(cloud, {}), 1, {cloud, "no JSON object"});
   expectRefused(evaluate(file("none.json", "{}"), {}), 1, {"none.json", "'grasps'"});
-  const std::string bad =
-      R"({"grasps": [{"object": -1, "seals": true, "position": [0, 0, 1],
-                      "approach": [0, 0, 1]}]})";
-  expectRefused(
-      evaluate(file("bad.json", bad), {}), 1, {"bad.json", "object", "whole number"});
+  for (const char* member : {"each", "parts", "cup_radius", "compliance"})
+    expectRefused(evaluate(file("less.json", reportOf("", member)), {}),
+                  1,
+                  {"less.json", "parameters." + std::string(member), "missing"});
+  const std::string place =
+      R"("seals": true, "position": [0, 0, 1], "approach": [0, 0, 1])";
+  expectRefused(evaluate(file("bad.json", reportOf("{" + place + "}")), {}),
+                1,
+                {"bad.json", "grasps[0].object", "missing"});
+  for (const char* object : {"-1", "0"})
+    expectRefused(evaluate(file("bad.json",
+                                reportOf(R"({"object": )" + std::string(object) + ", " +
+                                         place + "}")),
+                           {}),
+                  1,
+                  {"bad.json", "object", "whole number"});
+  expectRefused(evaluate(good, {"-parts", "1"}), 1, {good, "'10'", "-parts is '1'"});
   expectRefused(evaluate(good, {"-min_points", "1601"}), 1, {cloud, "1601 points"});
   expectRefused(evaluate(good, {"-convention", "paper"}), 2, {"-convention", "grasps"});
   expectRefused(evaluate(good, {"-out", path("o.pcd")}), 2, {"-out", "grasps"});
@@ -231,8 +264,9 @@ TEST_F(GraspTask, RefusesWhatItCannotJudge)
       runApp("pcl_shape_grasp", {cloud, "-each", "label", "-box", "0,0,0,1,1,2"}),
       2,
       {"-each", "-box", "only one"});
-  expectRefused(
-      runApp("pcl_shape_grasp", {cloud, "-parts", "10"}), 2, {"-parts", "-each"});
+  expectRefused(runApp("pcl_shape_grasp", {cloud, "-parts", "10"}),
+                2,
+                {"-parts '10' without -each", "expected -each"});
   expectRefused(runApp("pcl_shape_grasp", {cloud, "-each", "label", "-parts", "100"}),
                 1,
                 {cloud, "label", "100", "no finite point"});

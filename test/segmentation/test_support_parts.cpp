@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace {
 
@@ -68,15 +69,19 @@ TEST(SupportParts, GoOnBehindAGapOfAQuarterOfTheirWidth)
     addPatch({60.0f + gap, 0, 0}, 20, 40, nodes);
     const std::vector<SupportPart> parts = supportParts(nodes, min_offset, 1.0f);
     ASSERT_FALSE(parts.empty());
-    EXPECT_EQ(gap<15.0f, parts.front().nodes.size()> 1600u) << gap;
+    const bool is_narrow = gap < 15.0f;
+    const bool goes_on = parts.front().nodes.size() > 1600u;
+    EXPECT_EQ(is_narrow, goes_on) << gap;
   }
 }
 
 TEST(SupportParts, LargestAreaAndMostPointsMayBeOfTwoParts)
 {
   SupportPart near, far;
-  near.area = 1.0, near.points = 1000.0;
-  far.area = 10.0, far.points = 100.0;
+  near.area = 1.0;
+  near.points = 1000.0;
+  far.area = 10.0;
+  far.points = 100.0;
   const PartSize largest = largestOf({near, far});
   EXPECT_EQ(10.0, largest.area);
   EXPECT_EQ(1000.0, largest.points);
