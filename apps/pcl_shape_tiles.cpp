@@ -36,17 +36,18 @@ using pcl::tiling::Team;
 using pcl::tiling::TiledCloud;
 using pcl::tiling::TileSettings;
 
-// Of a point of a tile, measured: its coordinates, what is computed of it, and its
-// share of the points around the tile.
+// Of a point of a tile: its coordinates, what is computed of it, and its share of the
+// points around the tile. Some 190 were measured, and 270 with surfaces; smaller tiles
+// have larger shares around them.
 constexpr double bytes_of_point = 250.0;
 // Its halo is wider, and one in four is a piece of a face, with those around the tile.
 constexpr double bytes_with_surfaces = 350.0;
 constexpr double fixed_bytes = 200e6; // of the program, and of points on their way
-constexpr double least_memory = 300e6;
+constexpr double min_memory = 300e6;
 // Pieces of faces reach farther than a small tile. This much holds those of a surface
 // that are within reach of a tile, see doc/tiles.md.
-constexpr double least_memory_with_surfaces = 800e6;
-constexpr double most_points = 1e9; // of a tile: they are counted in 32 bits
+constexpr double min_memory_with_surfaces = 800e6;
+constexpr double max_points_of_tile = 1e9; // of a tile: they are counted in 32 bits
 
 TileWanted
 wantedOf(const Arguments& arguments)
@@ -84,9 +85,9 @@ memoryOf(const Arguments& arguments, const TileWanted& wanted)
     number.pop_back();
   }
   const auto value = parseNumber(number);
-  if (!value || !(*value * unit >= least_memory))
+  if (!value || !(*value * unit >= min_memory))
     arguments.fail("memory", "a number of bytes, such as 2G or 500M, of at least 300M");
-  if (wanted.needsSurfaces() && *value * unit < least_memory_with_surfaces)
+  if (wanted.needsSurfaces() && *value * unit < min_memory_with_surfaces)
     arguments.fail(
         "memory",
         "at least 800M with -surfaces or -instances, which look far beyond a tile, "
@@ -99,8 +100,8 @@ settingsOf(const Arguments& arguments, const TileWanted& wanted)
 {
   TileSettings settings;
   const double bytes = wanted.needsSurfaces() ? bytes_with_surfaces : bytes_of_point;
-  settings.max_points = static_cast<std::uint64_t>(
-      std::min((memoryOf(arguments, wanted) - fixed_bytes) / bytes, most_points));
+  settings.max_points = static_cast<std::uint64_t>(std::min(
+      (memoryOf(arguments, wanted) - fixed_bytes) / bytes, max_points_of_tile));
   settings.max_edge = arguments.number("tile", positive_length).value_or(0.0);
   nlohmann::ordered_json parameters;
   for (const TileField& field : fieldsOf(wanted))

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace pcl::detail {
 namespace {
@@ -180,10 +181,19 @@ weakenWhatDoesNotPersist(const std::vector<CreasePoint>& next,
 MeasuredCloud
 measureCloud(const FieldInput& input, ShapeField& field)
 {
+  const std::size_t count = input.points.size;
+  return measureCloud(input,
+                      input.of_cloud
+                          ? localSpacings(input.neighborhoods, count, *input.of_cloud)
+                          : localSpacings(input.neighborhoods, count, input.is_even),
+                      field);
+}
+
+MeasuredCloud
+measureCloud(const FieldInput& input, std::vector<float> spacings, ShapeField& field)
+{
   const CloudNumbers* const of_cloud = input.of_cloud;
-  field.spacings =
-      of_cloud ? localSpacings(input.neighborhoods, input.points.size, *of_cloud)
-               : localSpacings(input.neighborhoods, input.points.size, input.is_even);
+  field.spacings = std::move(spacings);
   const Bounds bounds = boundsOf(input);
   const float spacing = spacingOfCloud(input, field.spacings);
   MeasuredCloud measured{bounds,

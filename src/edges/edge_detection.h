@@ -11,6 +11,8 @@
 #include <pcl/features/shape_model.h>
 #include <pcl/segmentation/shape_field.h>
 
+#include <vector>
+
 namespace pcl::detail {
 
 /** \brief What finding edges needs to know of a cloud. */
@@ -24,6 +26,10 @@ struct MeasuredCloud {
 
 /** \brief Measure a cloud: sets the spacings, noise and noise level of a field. */
 MeasuredCloud measureCloud(const FieldInput& input, ShapeField& field);
+
+/** \brief The same with spacings that are known. */
+MeasuredCloud
+measureCloud(const FieldInput& input, std::vector<float> spacings, ShapeField& field);
 
 /** \brief Find the creases of a cloud: sets normals, edge likelihood and creases. See
  * doc/method.md for the steps.

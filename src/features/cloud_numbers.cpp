@@ -5,6 +5,7 @@
 #include "common/finite.h"
 #include "features/local_spacing.h"
 #include "features/noise_level.h"
+#include "features/part_noise.h"
 
 #include <pcl/features/cloud_numbers.h>
 #include <pcl/features/impl/neighborhoods.hpp>
@@ -12,77 +13,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace pcl {
 namespace {
 
 using namespace detail;
-
-pcl::Indices
-allOf(const XYZView& points)
-{
-  pcl::Indices all(points.size);
-  std::iota(all.begin(), all.end(), 0);
-  return all;
-}
-
-/** Some points, and at least those that are within a distance of them. */
-class Surroundings {
-public:
-  Surroundings(const XYZView& points, const pcl::Indices& chosen_points, double reach)
-  {
-    // Wider than the reach: what is rounded is not missed.
-    constexpr double wider = 1.01;
-    const auto cell = static_cast<float>(wider * reach);
-    const std::vector<Cell> cells = cellsAround(points, chosen_points, cell);
-    std::size_t next = 0;
-    for (std::size_t i = 0; !cells.empty() && i < points.size; ++i) {
-      const bool is_chosen = next < chosen_points.size() &&
-                             static_cast<std::size_t>(chosen_points[next]) == i;
-      next += is_chosen ? 1 : 0;
-      if (is_chosen)
-        chosen.push_back(static_cast<pcl::index_t>(positions_.size() / 3));
-      if (std::binary_search(cells.begin(), cells.end(), cellOf(points[i], cell)))
-        positions_.insert(positions_.end(), points[i], points[i] + 3);
-    }
-  }
-
-  XYZView
-  view() const
-  {
-    return {positions_.data(), 3, positions_.size() / 3};
-  }
-
-  pcl::Indices chosen; ///< of the points in view()
-
-private:
-  using Cell = std::array<float, 3>;
-
-  static Cell
-  cellOf(const float* p, float cell)
-  {
-    return {std::floor(p[0] / cell), std::floor(p[1] / cell), std::floor(p[2] / cell)};
-  }
-
-  static std::vector<Cell>
-  cellsAround(const XYZView& points, const pcl::Indices& chosen, float cell)
-  {
-    std::vector<Cell> cells;
-    for (const pcl::index_t i : chosen) {
-      const Cell c = cellOf(points[static_cast<std::size_t>(i)], cell);
-      for (const float x : {-1.0f, 0.0f, 1.0f})
-        for (const float y : {-1.0f, 0.0f, 1.0f})
-          for (const float z : {-1.0f, 0.0f, 1.0f})
-            cells.push_back({c[0] + x, c[1] + y, c[2] + z});
-    }
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-    return cells;
-  }
-
-  std::vector<float> positions_;
-};
 
 void
 append(const std::vector<float>& from, std::vector<float>& to)
@@ -123,7 +58,9 @@ PartOfCloud::PartOfCloud(const XYZView& places,
 : places_(places)
 , is_measured_(is_measured)
 , threads_(threads)
-{}
+{
+  requireOneEach(places.size, is_measured.size(), "values of is_measured");
+}
 
 std::vector<float>
 PartOfCloud::measureDistances(double reach) const
@@ -147,35 +84,15 @@ PartOfCloud::measureDistances(double reach) const
 NoiseMeasures
 PartOfCloud::measureNoise(const CloudNumbers& numbers, std::uint64_t places) const
 {
-  const auto around = [&](const pcl::Indices& chosen, double spacings) {
-    pcl::Indices measured;
-    for (const pcl::index_t i : chosen)
-      if (is_measured_[static_cast<std::size_t>(i)])
-        measured.push_back(i);
-    return Surroundings(places_,
-                        measured,
-                        spacingReach(numbers.distance) +
-                            spacings * mostSpacing(numbers.distance));
+  const auto measured = [&](const PointsNear& near, const Neighborhoods& among) {
+    return localSpacings(among, near.view().size, numbers);
   };
-  NoiseMeasures measures;
-  const Surroundings flat = around(noisePoints(places_, places), variationReach());
-  if (!flat.chosen.empty()) {
-    const pcl::Indices all = allOf(flat.view());
-    const Neighborhoods neighborhoods(flat.view(), flat.view(), all, threads_);
-    measures.variations = variationsAt(
-        flat.chosen, neighborhoods, localSpacings(neighborhoods, all.size(), numbers));
-  }
-  const Surroundings wide = around(anglePoints(places_, places), angleReach());
-  if (!wide.chosen.empty()) {
-    const pcl::Indices all = allOf(wide.view());
-    const Neighborhoods neighborhoods(wide.view(), wide.view(), all, threads_);
-    measures.angles =
-        normalAngles(wide.chosen,
-                     neighborhoods,
-                     localSpacings(neighborhoods, all.size(), numbers),
-                     segmentation::PointGrid(wide.view(), 2.0f * numbers.spacing));
-  }
-  return measures;
+  return noiseOfPart(places_,
+                     is_measured_,
+                     {spacingReach(numbers.distance), measured},
+                     numbers,
+                     places,
+                     threads_);
 }
 
 std::vector<float>

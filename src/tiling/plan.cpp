@@ -41,7 +41,7 @@ Survey::ofSection()
   // Cells grow from a micrometer, and each time all are counted anew: these do not
   // leave the cache. A million points are 32 in a cell then, and tiles have thousands.
   // Eight sections have as many cells as there may be of all.
-  constexpr std::size_t max_cells = DensityCells::most_cells / 8;
+  constexpr std::size_t max_cells = DensityCells::default_max_cells / 8;
   return Survey(max_cells);
 }
 

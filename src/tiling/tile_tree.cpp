@@ -12,7 +12,7 @@
 namespace pcl::tiling {
 namespace {
 
-constexpr int least_exponent = -20;          // a micrometer
+constexpr int min_exponent = -20;            // a micrometer
 constexpr std::uint64_t points_of_cell = 64; // enough to know how dense they are
 constexpr double neighbors = 12.0, pi = 3.14159265358979;
 
@@ -227,7 +227,7 @@ CellCounts::coarser(int doublings) const
 
 DensityCells::DensityCells(std::size_t max_cells)
 : max_cells_(max_cells)
-, grid_{least_exponent}
+, grid_{min_exponent}
 {}
 
 void

@@ -62,9 +62,9 @@ private:
  * the memory is bounded, and the order of points does not matter. */
 class DensityCells {
 public:
-  static constexpr std::size_t most_cells = 1 << 18; ///< some 30 MB, if all are used
+  static constexpr std::size_t default_max_cells = 1 << 18; ///< some 30 MB, if used
 
-  explicit DensityCells(std::size_t max_cells = most_cells);
+  explicit DensityCells(std::size_t max_cells = default_max_cells);
 
   /** \param[in] point finite */
   void add(const float* point);

@@ -29,6 +29,7 @@ using namespace pcl::test;
 
 using Cloud = PointCloud<PointXYZ>;
 constexpr float infinite = std::numeric_limits<float>::infinity();
+constexpr unsigned numbers_of_threads[] = {1, 2, 3};
 
 /** A strip of floor with a wall along it, 4 m long, and some points that are far from
  * the others. */
@@ -140,12 +141,15 @@ TEST_F(KnownDistances, GiveTheNoiseThatIsMeasuredWithoutThem)
 {
   const NoiseMeasures expected = PartOfCloud(part.places, part.is_measured, 1)
                                      .measureNoise(numbers, cloud->size());
-  const NoiseMeasures found = measureNoise(part, numbers, cloud->size(), 1);
   EXPECT_GT(expected.variations.size(), 1000U);
-  EXPECT_TRUE(sameBits(found.variations, expected.variations));
-  for (std::size_t level = 0; level < expected.angles.size(); ++level) {
-    EXPECT_GT(expected.angles[level].size(), 50U);
-    EXPECT_TRUE(sameBits(found.angles[level], expected.angles[level])) << level;
+  for (const std::vector<float>& of_level : expected.angles)
+    EXPECT_GT(of_level.size(), 50U);
+  for (const unsigned threads : numbers_of_threads) {
+    SCOPED_TRACE(threads);
+    const NoiseMeasures found = measureNoise(part, numbers, cloud->size(), threads);
+    EXPECT_TRUE(sameBits(found.variations, expected.variations));
+    for (std::size_t level = 0; level < expected.angles.size(); ++level)
+      EXPECT_TRUE(sameBits(found.angles[level], expected.angles[level])) << level;
   }
 }
 
@@ -155,9 +159,12 @@ TEST_F(KnownDistances, GiveTheEdgesThatAreFoundWithoutThem)
   EXPECT_GT(
       std::count_if(expected.begin(), expected.end(), [](float e) { return e > 0.5f; }),
       100);
-  const ShapeField found = edgesOf(part, near, numbers, 1);
-  EXPECT_TRUE(found.isOf(near.get(), near->size()));
-  EXPECT_TRUE(sameBits(ofOwn(found.edge_likelihood), expected));
+  for (const unsigned threads : numbers_of_threads) {
+    SCOPED_TRACE(threads);
+    const ShapeField found = edgesOf(part, near, numbers, threads);
+    EXPECT_TRUE(found.isOf(near.get(), near->size()));
+    EXPECT_TRUE(sameBits(ofOwn(found.edge_likelihood), expected));
+  }
   // They count: wrong ones give other edges.
   KnownPart wrong = part;
   wrong.distances.assign(near->size(), 2.0f * static_cast<float>(numbers.distance));
@@ -165,13 +172,41 @@ TEST_F(KnownDistances, GiveTheEdgesThatAreFoundWithoutThem)
       sameBits(ofOwn(edgesOf(wrong, near, numbers, 1).edge_likelihood), expected));
 }
 
-TEST_F(KnownDistances, AreRefusedForOtherPlaces)
+class RefusedKnownParts : public KnownDistances {
+protected:
+  void
+  expectRefusals(const std::string& count) const
+  {
+    const std::vector<std::string> parts{count,
+                                         std::to_string(near->size()) + " places"};
+    expectParts(
+        exceptionOf<std::invalid_argument>([&] { edgesOf(part, near, numbers, 1); }),
+        parts);
+    expectParts(exceptionOf<std::invalid_argument>(
+                    [&] { measureNoise(part, numbers, cloud->size(), 1); }),
+                parts);
+  }
+};
+
+TEST_F(RefusedKnownParts, HaveTooFewDistances)
 {
   part.distances.pop_back();
-  expectParts(
-      exceptionOf<std::invalid_argument>([&] { edgesOf(part, near, numbers, 1); }),
-      {std::to_string(near->size() - 1) + " distances",
-       std::to_string(near->size()) + " places"});
+  expectRefusals(std::to_string(near->size() - 1) + " distances");
+}
+
+TEST_F(RefusedKnownParts, HaveTooManyDistances)
+{
+  part.distances.push_back(1.0f);
+  expectRefusals(std::to_string(near->size() + 1) + " distances");
+}
+
+TEST_F(RefusedKnownParts, DoNotSayOfEachPlaceWhetherItIsMeasured)
+{
+  part.is_measured.pop_back();
+  expectRefusals(std::to_string(near->size() - 1) + " values of is_measured");
+  expectParts(exceptionOf<std::invalid_argument>(
+                  [&] { PartOfCloud(part.places, part.is_measured, 1); }),
+              {std::to_string(near->size() - 1) + " values of is_measured"});
 }
 
 } // namespace

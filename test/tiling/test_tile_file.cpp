@@ -57,7 +57,7 @@ TEST_F(TileFiles, GiveThePointsAsTheyWere)
   EXPECT_EQ(TileFile(path).points(), points);
 }
 
-TEST_F(TileFiles, OfFloatsTakeHalfOfTheBytesUnlessOneIsNone)
+TEST_F(TileFiles, TakeHalfOfTheBytesIfAllCoordinatesAreFloats)
 {
   auto points = roundedPoints(5000, 1);
   const std::size_t all = encodeTile(unevenPoints(5000, 1)).size();

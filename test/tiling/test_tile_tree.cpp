@@ -110,8 +110,8 @@ TEST(Survey, SectionsHaveFewCellsAndTilesFewPointsAllTheSame)
     Survey section = Survey::ofSection();
     for (auto p = points.begin() + begin; p != points.begin() + end; ++p)
       section.add(*p, {});
-    EXPECT_GT(section.cells().counts().size(), DensityCells::most_cells / 64);
-    EXPECT_LE(section.cells().counts().size(), DensityCells::most_cells / 8);
+    EXPECT_GT(section.cells().counts().size(), DensityCells::default_max_cells / 64);
+    EXPECT_LE(section.cells().counts().size(), DensityCells::default_max_cells / 8);
     all.add(section.toBytes());
   }
   EXPECT_EQ(all.finite(), points.size());

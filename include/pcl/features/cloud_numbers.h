@@ -56,7 +56,7 @@ class PCL_SHAPE_EXPORTS PartOfCloud {
 public:
   /** \param[in] places they are not copied
    * \param[in] is_measured one for each place
-   * \param[in] threads 0 for all */
+   * \param[in] threads 0 for all \throws std::invalid_argument if sizes differ */
   PartOfCloud(const XYZView& places,
               const std::vector<bool>& is_measured,
               unsigned threads);

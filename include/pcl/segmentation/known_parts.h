@@ -20,10 +20,10 @@
 
 namespace pcl {
 
-/** \brief Places of a part of a cloud whose neighbors were found before. No two may be
- * equal. \ingroup segmentation */
+/** \brief A part of a cloud whose neighbors were found before, such as a tile with what
+ * is around it. \ingroup segmentation */
 struct KnownPart {
-  XYZView places;                ///< meters, all finite
+  XYZView places;                ///< finite, no two equal; that is not checked
   std::vector<bool> is_measured; ///< one for each place; the others are around them
   /** \brief Of each place to its 12th neighbor in the cloud; infinite if it is beyond
    * CloudReach::spacing, see PartOfCloud::measureDistances(). */
@@ -33,7 +33,8 @@ struct KnownPart {
 /** \brief What PartOfCloud::measureNoise() measures, in a fraction of its time.
  * \param[in] part not changed \param[in] numbers with distance, spacing and bounds
  * \param[in] places how many finite ones the cloud has
- * \param[in] threads 0 for all cores */
+ * \param[in] threads 0 for all cores
+ * \throws std::invalid_argument if there is not one value for each place */
 PCL_SHAPE_EXPORTS NoiseMeasures measureNoise(const KnownPart& part,
                                              const CloudNumbers& numbers,
                                              std::uint64_t places,
@@ -44,7 +45,7 @@ PCL_SHAPE_EXPORTS NoiseMeasures measureNoise(const KnownPart& part,
  * \param[in] part all places are computed, whether they are measured or not
  * \param[in] cloud what the places are of: kept by the field
  * \param[in] numbers of the whole cloud \param[in] threads 0 for all cores
- * \throws std::invalid_argument if there is not one distance for each place */
+ * \throws std::invalid_argument if there is not one value for each place */
 PCL_SHAPE_EXPORTS ShapeField edgesOf(const KnownPart& part,
                                      const shared_ptr<const void>& cloud,
                                      const CloudNumbers& numbers,
