@@ -36,10 +36,10 @@ gridPlaces(int steps_per_radius, const Vector2d& hole, double hole_radius)
 TEST(CoveredDisc, HolesOfMoreThanTwoSpacingsAreSeenWhereverTheyAre)
 {
   // A place that is looked at is within 0.7 steps of the middle of each hole.
-  for (const int steps : {10, 40, 90})
+  for (const int steps : {10, 30, 60})
     for (const double share : {0.0, 0.3, 0.7, 0.95})
-      for (int turn = 0; turn < 8; ++turn) {
-        const double angle = 0.1 + M_PI / 4.0 * turn;
+      for (int turn = 0; turn < 4; ++turn) {
+        const double angle = 0.1 + M_PI / 2.0 * turn;
         const Vector2d hole =
             share * radius * Vector2d(std::cos(angle), std::sin(angle));
         const double step = radius / steps;
