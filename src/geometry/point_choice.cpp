@@ -51,7 +51,7 @@ centralPoints(const XYZView& points,
               float cell,
               unsigned threads)
 {
-  constexpr float far = 1 << 30; // what lies farther shares the outermost cells
+  constexpr float far = 0x1p30f; // what lies farther shares the outermost cells
   const auto inCells = [&](std::uint32_t i) -> Eigen::Array3f {
     return positionOf(points, i).array() / cell;
   };

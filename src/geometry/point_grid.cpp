@@ -13,7 +13,7 @@
 namespace pcl::segmentation {
 namespace {
 
-constexpr float max_cells = 1 << 20;      // in each direction: a key has 21 bits for it
+constexpr float max_cells = 0x1p20f;      // in each direction: a key has 21 bits for it
 constexpr std::size_t max_rows = 1 << 16; // and one for each point: little memory
 
 } // namespace

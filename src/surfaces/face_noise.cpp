@@ -28,7 +28,7 @@ using Residuals = std::map<Place, std::vector<float>>;
 Place
 placeOf(const Eigen::Vector3f& position, float cell)
 {
-  constexpr float far = 1 << 30;
+  constexpr float far = 0x1p30f;
   Place place;
   for (int axis = 0; axis < 3; ++axis)
     place[static_cast<std::size_t>(axis)] =

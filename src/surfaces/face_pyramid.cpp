@@ -47,7 +47,7 @@ using Link = FaceLink;
 Cell
 cellOf(const Vector3f& p, float size)
 {
-  constexpr float far = 1 << 30; // what lies farther shares the outermost cells
+  constexpr float far = 0x1p30f; // what lies farther shares the outermost cells
   Cell cell;
   for (int axis = 0; axis < 3; ++axis)
     cell[static_cast<std::size_t>(axis)] =
