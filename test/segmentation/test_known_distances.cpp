@@ -3,6 +3,7 @@
 // Parts of a cloud whose distances are known have what they have when distances are
 // measured.
 
+#include "measured_numbers.h"
 #include "support/bits.h"
 #include "support/errors.h"
 #include "support/random.h"
@@ -62,32 +63,10 @@ distancesOf(const Cloud& cloud)
       .measureDistances(std::numeric_limits<double>::infinity());
 }
 
-CloudNumbers
-numbersOf(const Cloud& cloud, std::vector<float> distances)
-{
-  CloudNumbers numbers;
-  const auto middle =
-      distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  numbers.distance = static_cast<double>(*middle);
-  numbers.spacing = spacingAt(*middle, numbers.distance);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto [low, high] = std::minmax_element(
-        cloud.begin(), cloud.end(), [axis](const PointXYZ& a, const PointXYZ& b) {
-          return a.data[axis] < b.data[axis];
-        });
-    numbers.low[axis] = low->data[axis];
-    numbers.high[axis] = high->data[axis];
-  }
-  const PartOfCloud all(detail::xyzOf(cloud), std::vector<bool>(cloud.size(), true), 1);
-  setNoise(all.measureNoise(numbers, cloud.size()), numbers);
-  return numbers;
-}
-
 /** The points of the strip around its middle, which are its own within 0.5 m. */
 class KnownDistances : public ::testing::Test {
 protected:
-  KnownDistances() : cloud(strip()), numbers(numbersOf(*cloud, distancesOf(*cloud)))
+  KnownDistances() : cloud(strip()), numbers(measuredNumbers(*cloud))
   {
     const CloudReach reach = reachOf(numbers, ShapeModel::defaultEdges());
     const double halo = std::max(reach.edges, reach.noise);

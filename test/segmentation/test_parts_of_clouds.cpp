@@ -5,6 +5,7 @@
 
 #include "bumpy_plane.h"
 #include "common/disjoint_sets.h"
+#include "measured_numbers.h"
 #include "support/bits.h"
 #include "support/errors.h"
 #include "support/random.h"
@@ -59,31 +60,6 @@ corner()
       add(x, 0.4 + 0.1 * std::cos(angle), 0.1 * std::sin(angle));
   }
   return cloud;
-}
-
-CloudNumbers
-numbersOf(const Cloud& cloud)
-{
-  CloudNumbers numbers;
-  const XYZView places = detail::xyzOf(cloud);
-  const PartOfCloud all(places, std::vector<bool>(cloud.size(), true), 1);
-  std::vector<float> distances =
-      all.measureDistances(std::numeric_limits<double>::infinity());
-  const auto middle =
-      distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  numbers.distance = static_cast<double>(*middle);
-  numbers.spacing = spacingAt(*middle, numbers.distance);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto [low, high] = std::minmax_element(
-        cloud.begin(), cloud.end(), [axis](const PointXYZ& a, const PointXYZ& b) {
-          return a.data[axis] < b.data[axis];
-        });
-    numbers.low[axis] = low->data[axis];
-    numbers.high[axis] = high->data[axis];
-  }
-  setNoise(all.measureNoise(numbers, cloud.size()), numbers);
-  return numbers;
 }
 
 /** A part of a cloud: its own places, and what is computed of them. */
@@ -305,7 +281,7 @@ private:
 
 class PartsOfClouds : public ::testing::Test {
 protected:
-  PartsOfClouds() : cloud(corner()), numbers(numbersOf(*cloud))
+  PartsOfClouds() : cloud(corner()), numbers(measuredNumbers(*cloud))
   {
     ShapeFieldEstimation<PointXYZ> estimation;
     estimation.setInputCloud(cloud);
@@ -521,7 +497,7 @@ edgesOf(const Cloud::Ptr& cloud, const CloudNumbers* numbers)
 TEST(PartsOfNoisyClouds, KnowWhichEdgesPersist)
 {
   const Cloud::Ptr cloud = bumpyPlane(4.0);
-  const CloudNumbers numbers = numbersOf(*cloud);
+  const CloudNumbers numbers = measuredNumbers(*cloud);
   EXPECT_EQ(1.0, numbers.noise_correlation);
   const auto reach =
       static_cast<float>(reachOf(numbers, ShapeModel::defaultEdges()).edges);
