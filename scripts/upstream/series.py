@@ -48,9 +48,9 @@ SERIES = [
                "unknown_points"),
         "tools/scene/*", "test/features/*",
         *named("test/segmentation/{}*", "bumpy_plane", "crease_truth", "detect", "field_of", "measured_numbers",
-               "test_adaptive", "test_close", "test_coincident", "test_crease", "test_detection", "test_edge", "test_generated",
-               "test_known", "test_own", "test_paper", "test_sensor", "test_shape_detection", "test_uneven",
-               "test_unknown"),
+               "test_adaptive", "test_close", "test_coincident", "test_crease", "test_detection", "test_edge",
+               "test_generated", "test_known", "test_own", "test_paper", "test_sensor", "test_shape_detection",
+               "test_uneven", "test_unknown"),
         *named("doc/tutorials/content/{}.rst", "shape_edge_detection", "shape_back_projection")]),
     ("`ShapeInstanceSegmentation`", [
         "src/instances/*", SEGMENTATION + "*instance*", SEGMENTATION + "impl/*instance*", "src/segmentation/*instance*",
