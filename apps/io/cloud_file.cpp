@@ -87,6 +87,31 @@ copyFloats(const CloudFile& cloud,
 
 constexpr std::array<const char*, 3> coordinate_names{"x", "y", "z"};
 
+/** Bytes of a point that are copied together. */
+struct Run {
+  const std::uint8_t* values; ///< of the first point
+  std::size_t step;           ///< from one point to the next
+  std::size_t bytes;
+};
+
+/** Fields that follow one another where they are read from make one run. */
+std::vector<Run>
+runsOf(const std::vector<FieldSource>& sources)
+{
+  std::vector<Run> runs;
+  for (const FieldSource& source : sources) {
+    const std::size_t bytes = valueSize(source.field.datatype) * source.field.count;
+    const bool follows = !runs.empty() && runs.back().step == source.step &&
+                         runs.back().values + runs.back().bytes == source.values &&
+                         runs.back().bytes + bytes <= source.step;
+    if (follows)
+      runs.back().bytes += bytes;
+    else
+      runs.push_back({source.values, source.step, bytes});
+  }
+  return runs;
+}
+
 /** The new values of a field, packed. */
 struct Column {
   std::string name;
@@ -218,13 +243,18 @@ setFields(CloudFile& cloud, const std::vector<FieldSource>& sources)
     step += static_cast<std::uint32_t>(valueSize(source.field.datatype)) *
             source.field.count;
   }
+  const std::vector<Run> runs = runsOf(sources);
   std::vector<std::uint8_t> data(cloud.size() * step);
-  for (std::size_t f = 0; f < fields.size(); ++f) {
-    const std::size_t bytes = valueSize(fields[f].datatype) * fields[f].count;
-    std::uint8_t* const to = data.data() + fields[f].offset;
-    for (std::size_t i = 0; i < cloud.size(); ++i)
-      std::memcpy(to + i * step, sources[f].values + i * sources[f].step, bytes);
-  }
+  std::uint8_t* to = data.data();
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    for (const Run& run : runs) {
+      const std::uint8_t* const from = run.values + i * run.step;
+      if (run.bytes == sizeof(float)) // no call for so little
+        std::memcpy(to, from, sizeof(float));
+      else
+        std::memcpy(to, from, run.bytes);
+      to += run.bytes;
+    }
   cloud.blob.fields = std::move(fields);
   cloud.blob.data = std::move(data);
   cloud.blob.point_step = step;

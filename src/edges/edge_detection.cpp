@@ -105,9 +105,16 @@ markBands(const std::vector<Agreement>& agreements,
   }
 }
 
+PointGrid
+gridOf(const FieldInput& input, const MeasuredCloud& measured)
+{
+  return {input.points, 2.0f * measured.spacing, measured.bounds, input.threads};
+}
+
 std::vector<Agreement>
 agreementsOf(const FieldInput& input,
              const MeasuredCloud& measured,
+             const PointGrid& grid,
              float whiteness,
              const ShapeModel& model,
              ShapeField& field)
@@ -117,8 +124,7 @@ agreementsOf(const FieldInput& input,
   for (const float e : evidence)
     field.edge_likelihood.push_back(
         std::isnan(e) ? std::numeric_limits<float>::quiet_NaN() : 0.0f);
-  const std::vector<Vote> votes =
-      collectVotes(input, field, evidence, whiteness, measured.grid);
+  const std::vector<Vote> votes = collectVotes(input, field, evidence, whiteness, grid);
   return countVotes(votes, measured.spacing, measured.bounds, input.threads);
 }
 
@@ -145,13 +151,15 @@ creasesOfNextLevel(const FieldInput& input,
   field.noise = level.numbers.noise;
   field.noise_level = level.numbers.noise_level;
   const float spacing = level.numbers.spacing;
-  const MeasuredCloud measured_means{measured.bounds,
-                                     spacing,
-                                     PointGrid(points, 2.0f * spacing, measured.bounds),
-                                     {field.noise_level, 1.0},
-                                     points.size};
+  const MeasuredCloud measured_means{
+      measured.bounds, spacing, {field.noise_level, 1.0}, points.size};
   constexpr float whiteness = 0.0f;
-  return creasesAmong(agreementsOf(of_means, measured_means, whiteness, model, field),
+  return creasesAmong(agreementsOf(of_means,
+                                   measured_means,
+                                   gridOf(of_means, measured_means),
+                                   whiteness,
+                                   model,
+                                   field),
                       neededEvidence(whiteness, field.noise_level));
 }
 
@@ -196,11 +204,7 @@ measureCloud(const FieldInput& input, std::vector<float> spacings, ShapeField& f
   field.spacings = std::move(spacings);
   const Bounds bounds = boundsOf(input);
   const float spacing = spacingOfCloud(input, field.spacings);
-  MeasuredCloud measured{bounds,
-                         spacing,
-                         PointGrid(input.points, 2.0f * spacing, bounds, input.threads),
-                         {},
-                         countFinite(input.points)};
+  MeasuredCloud measured{bounds, spacing, {}, countFinite(input.points)};
   field.noise =
       of_cloud ? of_cloud->noise : noiseOf(input.neighborhoods, field.spacings);
   // Of normals of one's own it is not known which noise is left in them.
@@ -209,7 +213,7 @@ measureCloud(const FieldInput& input, std::vector<float> spacings, ShapeField& f
       : input.normals.size > 0
           ? NoiseLevel{field.noise, 1.0}
           : noiseLevelOf(
-                input.neighborhoods, field.spacings, field.noise, measured.grid);
+                input.neighborhoods, field.spacings, field.noise, input.threads);
   field.noise_level = measured.noise.level;
   return measured;
 }
@@ -221,13 +225,14 @@ findEdges(const FieldInput& input,
           ShapeField& field)
 {
   const float whiteness = whitenessOf(measured.noise, field.noise);
+  const PointGrid grid = gridOf(input, measured);
   std::vector<Agreement> agreements =
-      agreementsOf(input, measured, whiteness, model, field);
+      agreementsOf(input, measured, grid, whiteness, model, field);
   if (measured.noise.correlation > 0.0 && input.normals.size == 0)
     weakenWhatDoesNotPersist(
         creasesOfNextLevel(input, measured, model, field.noise), measured, agreements);
   const float needed = neededEvidence(whiteness, field.noise_level);
-  markBands(agreements, needed, measured.grid, field);
+  markBands(agreements, needed, grid, field);
   field.creases = creasesAmong(agreements, needed);
 }
 

@@ -19,7 +19,6 @@ namespace pcl::detail {
 struct MeasuredCloud {
   segmentation::Bounds bounds;
   float spacing; ///< the median, meters
-  segmentation::PointGrid grid;
   NoiseLevel noise;
   std::size_t places; ///< that are finite
 };

@@ -95,6 +95,18 @@ spacingsOf(std::vector<float> distances)
 }
 
 std::vector<float>
+evenSpacingsOf(std::vector<float> distances)
+{
+  const double median = medianOf(distances);
+  for (float& d : distances)
+    d = static_cast<float>(
+        median * (std::isfinite(d)
+                      ? std::clamp(d / median, 1.0 / max_contrast, max_contrast)
+                      : 1.0));
+  return distances;
+}
+
+std::vector<float>
 distancesToTwelfth(const Neighborhoods& neighborhoods, std::size_t count)
 {
   std::vector<float> distances(count);
@@ -121,15 +133,8 @@ std::vector<float>
 localSpacings(const Neighborhoods& neighborhoods, std::size_t count, bool is_even)
 {
   std::vector<float> distances = distancesToTwelfth(neighborhoods, count);
-  if (!is_even)
-    return spacingsOf(std::move(distances));
-  const double median = medianOf(distances);
-  for (float& d : distances)
-    d = static_cast<float>(
-        median * (std::isfinite(d)
-                      ? std::clamp(d / median, 1.0 / max_contrast, max_contrast)
-                      : 1.0));
-  return distances;
+  return is_even ? evenSpacingsOf(std::move(distances))
+                 : spacingsOf(std::move(distances));
 }
 
 std::vector<float>

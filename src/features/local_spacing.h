@@ -20,6 +20,10 @@ class Neighborhoods;
  * finite */
 PCL_SHAPE_EXPORTS std::vector<float> spacingsOf(std::vector<float> distances);
 
+/** \brief Those of a cloud whose spacing changes slowly: the distances as they are, to
+ * a tenth of the median or ten times as much. */
+std::vector<float> evenSpacingsOf(std::vector<float> distances);
+
 /** \brief The distance from each point of some neighborhoods to its 12th neighbor, NaN
  * unknown. \param[in] count how many they are */
 std::vector<float> distancesToTwelfth(const Neighborhoods& neighborhoods,

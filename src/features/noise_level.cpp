@@ -4,8 +4,11 @@
 
 #include "features/noise_level.h"
 
+#include "common/finite.h"
+#include "common/parallel.h"
 #include "common/statistics.h"
 #include "features/some_points.h"
+#include "geometry/point_grid.h"
 
 #include <pcl/features/impl/neighborhoods.hpp>
 
@@ -14,6 +17,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace pcl::detail {
 namespace {
@@ -26,9 +30,8 @@ constexpr double normal_radius = 1.2, normal_radius_noise = 10.0;
 constexpr double inad_radius = 1.0, inad_radius_noise = 5.0;
 // From one to the next the angles between the normals of white noise fall by a third.
 constexpr std::array<double, 8> levels{0.0, 0.05, 0.075, 0.1, 0.15, 0.2, 0.25, 0.3};
-constexpr std::size_t some = 500;     // a tenth of them is known to 1.4 % of the points
-constexpr double flattest = 0.1;      // away from creases even where they are crowded
-constexpr float grid_spacings = 2.0f; // the cell, about the radii of queries
+constexpr std::size_t some = 500; // a tenth of them is known to 1.4 % of the points
+constexpr double flattest = 0.1;  // away from creases even where they are crowded
 
 // Radians, 2 degrees: a fifteenth of the least crease, and normals still tell its
 // sides.
@@ -52,20 +55,27 @@ crossing(double low, float at_low, double high, float at_high)
   return low + share * (high - low);
 }
 
-/** Some points, and those that their INAD needs the normals of. */
+/** The points that are nearer than a reach to some of them, these among them. */
 pcl::Indices
-neighborsOf(const pcl::Indices& chosen,
-            const XYZView& points,
-            const std::vector<float>& radii,
-            const PointGrid& grid)
+pointsNear(const pcl::Indices& some,
+           const XYZView& points,
+           float reach,
+           unsigned threads)
 {
-  std::vector<bool> is_near(points.size, false);
-  for (std::size_t k = 0; k < chosen.size(); ++k)
-    grid.forEachWithin(positionOf(points, static_cast<std::size_t>(chosen[k])),
-                       1.001f * radii[k], // no rounding decides here
-                       [&](std::uint32_t i, float) { is_near[i] = true; });
-  for (const pcl::index_t i : chosen) // even if squares of the radii are 0
-    is_near[static_cast<std::size_t>(i)] = true;
+  std::vector<Vector3f> places;
+  places.reserve(some.size());
+  for (const pcl::index_t i : some)
+    places.push_back(positionOf(points, static_cast<std::size_t>(i)));
+  const PointGrid grid({places.data()->data(), 3, places.size()}, reach);
+  std::vector<char> is_near(points.size, 0);
+  kernels::parallelForEach(points.size, threads, [&](std::size_t i) {
+    is_near[i] = kernels::isFinite(points[i]) &&
+                 grid.anyWithin(positionOf(points, i),
+                                reach,
+                                [](std::uint32_t, const Vector3f&) { return true; });
+  });
+  for (const pcl::index_t i : some) // even if the square of the reach is 0
+    is_near[static_cast<std::size_t>(i)] = 1;
   pcl::Indices found;
   for (std::size_t i = 0; i < is_near.size(); ++i)
     if (is_near[i])
@@ -78,24 +88,32 @@ class NormalScatter {
 public:
   NormalScatter(const Neighborhoods& neighborhoods,
                 const std::vector<float>& spacings,
-                const PointGrid& grid,
-                pcl::Indices chosen)
+                pcl::Indices chosen,
+                unsigned threads)
   : neighborhoods_(neighborhoods)
   , spacings_(spacings)
-  , grid_(grid)
   , chosen_(std::move(chosen))
-  {}
+  {
+    if (chosen_.empty())
+      return;
+    std::vector<float> reaches = radiiOf(chosen_, inadRadius(levels.back()));
+    near_ = pointsNear(chosen_,
+                       neighborhoods.input(),
+                       rounding * *std::max_element(reaches.begin(), reaches.end()),
+                       threads);
+    places_ = placesOf(near_);
+    const float cell = median(std::move(reaches));
+    grid_.emplace(XYZView{places_.data()->data(), 3, places_.size()}, cell);
+  }
 
-  /** Radians, with the radii for a noise. */
+  /** Radians, with the radii for a noise; NaN where no neighbor has a normal. */
   std::vector<float>
   operator()(double noise) const
   {
     if (chosen_.empty())
       return {};
-    const XYZView& points = neighborhoods_.input();
-    const std::vector<float> radii =
-        radiiOf(chosen_, inad_radius + inad_radius_noise * noise);
-    const pcl::Indices near = neighborsOf(chosen_, points, radii, grid_);
+    const std::vector<float> radii = radiiOf(chosen_, inadRadius(noise));
+    const pcl::Indices near = neighborsOf(radii);
     const std::vector<float> normal_radii =
         radiiOf(near, normal_radius + normal_radius_noise * noise);
     std::vector<float> normals(4 * near.size());
@@ -117,10 +135,38 @@ public:
     std::vector<float> mu;
     for (std::size_t k = 0; k < chosen_.size(); ++k)
       mu.push_back(mu_sigma[2 * k]);
-    return finiteOf(std::move(mu));
+    return mu;
   }
 
 private:
+  static constexpr float rounding = 1.001f; // none decides whose normals are needed
+
+  static double
+  inadRadius(double noise)
+  {
+    return inad_radius + inad_radius_noise * noise;
+  }
+
+  /** The chosen points, and those that their INAD needs the normals of. */
+  pcl::Indices
+  neighborsOf(const std::vector<float>& radii) const
+  {
+    std::vector<bool> is_needed(near_.size(), false);
+    const pcl::Indices chosen = positionsAmong(near_);
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+      const auto at = static_cast<std::size_t>(chosen[k]);
+      is_needed[at] = true; // even if squares of the radii are 0
+      grid_->forEachWithin(places_[at],
+                           rounding * radii[k],
+                           [&](std::uint32_t i, float) { is_needed[i] = true; });
+    }
+    pcl::Indices needed;
+    for (std::size_t i = 0; i < near_.size(); ++i)
+      if (is_needed[i])
+        needed.push_back(near_[i]);
+    return needed;
+  }
+
   std::vector<Eigen::Vector3f>
   placesOf(const pcl::Indices& points) const
   {
@@ -156,8 +202,10 @@ private:
 
   const Neighborhoods& neighborhoods_;
   const std::vector<float>& spacings_;
-  const PointGrid& grid_;
   pcl::Indices chosen_;
+  pcl::Indices near_;             ///< those whose normals some level may need
+  std::vector<Vector3f> places_;  ///< of these
+  std::optional<PointGrid> grid_; ///< of these, if any
 };
 
 /** Those on the flattest part of a cloud, 0 if nothing is known. */
@@ -274,12 +322,30 @@ NoiseLevel
 noiseLevelOf(const Neighborhoods& neighborhoods,
              const std::vector<float>& spacings,
              double noise,
-             const PointGrid& grid)
+             unsigned threads)
 {
   const NormalScatter scatter(
-      neighborhoods, spacings, grid, somePoints(neighborhoods.input(), some));
-  return levelOf(noise,
-                 [&](std::size_t level) { return flattestOf(scatter(levels[level])); });
+      neighborhoods, spacings, somePoints(neighborhoods.input(), some), threads);
+  return levelOf(noise, [&](std::size_t level) {
+    return flattestOf(finiteOf(scatter(levels[level])));
+  });
+}
+
+double
+shareUnknown(const Neighborhoods& neighborhoods,
+             const std::vector<float>& spacings,
+             std::size_t points,
+             double noise_level,
+             unsigned threads)
+{
+  const NormalScatter scatter(
+      neighborhoods, spacings, somePoints(neighborhoods.input(), points), threads);
+  const std::vector<float> angles = scatter(noise_level);
+  const auto unknown = std::count_if(
+      angles.begin(), angles.end(), [](float angle) { return std::isnan(angle); });
+  return angles.empty()
+             ? 0.0
+             : static_cast<double>(unknown) / static_cast<double>(angles.size());
 }
 
 pcl::Indices
@@ -292,12 +358,12 @@ NormalAngles
 normalAngles(const pcl::Indices& chosen,
              const Neighborhoods& neighborhoods,
              const std::vector<float>& spacings,
-             const PointGrid& grid)
+             unsigned threads)
 {
-  const NormalScatter scatter(neighborhoods, spacings, grid, chosen);
+  const NormalScatter scatter(neighborhoods, spacings, chosen, threads);
   NormalAngles angles;
   for (std::size_t level = 0; level < levels.size(); ++level)
-    angles[level] = scatter(levels[level]);
+    angles[level] = finiteOf(scatter(levels[level]));
   return angles;
 }
 
@@ -326,10 +392,9 @@ withNoiseOfCloud(const INADParameters& parameters,
   const Neighborhoods neighborhoods(cloud, cloud, all, threads);
   const std::vector<float> spacings =
       adaptiveRadii(AdaptiveRadius::DENSITY, 1.0, neighborhoods, all);
-  const segmentation::PointGrid grid(cloud, grid_spacings * medianSpacing(spacings));
   const double noise = noiseOf(neighborhoods, spacings);
   return withNoise(parameters,
-                   noiseLevelOf(neighborhoods, spacings, noise, grid).level);
+                   noiseLevelOf(neighborhoods, spacings, noise, threads).level);
 }
 
 } // namespace pcl::detail

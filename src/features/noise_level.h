@@ -5,7 +5,6 @@
 #pragma once
 
 #include "features/local_spacing.h"
-#include "geometry/point_grid.h"
 
 #include <array>
 
@@ -33,11 +32,19 @@ struct NoiseLevel {
  * radii normals agree on the flattest tenth of the cloud, or the one for whose radii
  * they differ least. See doc/method.md. \param[in] neighborhoods of all points of a
  * cloud among themselves \param[in] spacings one for each point \param[in] noise see
- * noiseOf() \param[in] grid of the points */
+ * noiseOf() \param[in] threads 0 for all cores */
 PCL_SHAPE_EXPORTS NoiseLevel noiseLevelOf(const Neighborhoods& neighborhoods,
                                           const std::vector<float>& spacings,
                                           double noise,
-                                          const segmentation::PointGrid& grid);
+                                          unsigned threads);
+
+/** \brief The share of a cloud's points whose INAD is unknown with the radii of a noise
+ * level, as far as some of them tell. \param[in] points about how many of them */
+double shareUnknown(const Neighborhoods& neighborhoods,
+                    const std::vector<float>& spacings,
+                    std::size_t points,
+                    double noise_level,
+                    unsigned threads);
 
 /** \brief What noiseLevelOf() measures of a part of a cloud: at each of its levels the
  * angles between the normals around some points, radians. */
@@ -50,7 +57,7 @@ pcl::Indices anglePoints(const XYZView& points, std::uint64_t of_points);
 NormalAngles normalAngles(const pcl::Indices& chosen,
                           const Neighborhoods& neighborhoods,
                           const std::vector<float>& spacings,
-                          const segmentation::PointGrid& grid);
+                          unsigned threads);
 
 /** \brief How far it looks from a point, in the largest local spacing. */
 double angleReach();

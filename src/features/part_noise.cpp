@@ -186,10 +186,7 @@ noiseOfPart(const XYZView& places,
   if (!wide.some().empty()) {
     const Neighborhoods neighborhoods = wide.neighborhoods(threads);
     measures.angles = normalAngles(
-        wide.some(),
-        neighborhoods,
-        spacings.of(wide, neighborhoods),
-        segmentation::PointGrid(wide.view(), 2.0f * numbers.spacing, threads));
+        wide.some(), neighborhoods, spacings.of(wide, neighborhoods), threads);
   }
   return measures;
 }

@@ -14,6 +14,42 @@
 namespace pcl::detail {
 namespace {
 
+constexpr int significand_bits = std::numeric_limits<float>::digits - 1;
+constexpr int exponent_bias = std::numeric_limits<float>::max_exponent - 1;
+
+std::uint32_t
+bitsOf(float value)
+{
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+/** The exponent as it is stored: 0 for subnormal numbers. */
+int
+storedExponent(float value)
+{
+  return static_cast<int>(bitsOf(value) >> significand_bits & 0xffU);
+}
+
+/** As std::ilogb, which is a call. */
+int
+exponentOf(float value)
+{
+  const int stored = storedExponent(value);
+  return stored > 0 ? stored - exponent_bias : std::ilogb(value);
+}
+
+/** The bits of value / 2^exponent: a smaller exponent if the number stays normal. */
+std::uint32_t
+bitsOfScaled(float value, int exponent)
+{
+  const int stored = storedExponent(value);
+  if (stored > 0 && stored - exponent > 0)
+    return bitsOf(value) - (static_cast<std::uint32_t>(exponent) << significand_bits);
+  return bitsOf(std::scalbn(value, -exponent));
+}
+
 /** A number that is the same wherever the point stands in the cloud, and in units that
  * are a power of two times others: from the significands, and the exponents but for
  * what the coordinates have in common. */
@@ -23,13 +59,12 @@ hashOf(const float* point)
   int common = std::numeric_limits<int>::min();
   for (int i = 0; i < 3; ++i)
     if (point[i] != 0.0f)
-      common = std::max(common, std::ilogb(point[i]));
+      common = std::max(common, exponentOf(point[i]));
   std::uint32_t hash = 0x811c9dc5U; // FNV-1a, a word at a time, then mixed
   for (int i = 0; i < 3; ++i) {
-    const float free_of_unit = point[i] == 0.0f ? 0.0f : std::scalbn(point[i], -common);
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, &free_of_unit, sizeof bits);
-    hash = (hash ^ bits) * 0x01000193U;
+    const std::uint32_t free_of_unit =
+        point[i] == 0.0f ? 0 : bitsOfScaled(point[i], common);
+    hash = (hash ^ free_of_unit) * 0x01000193U;
     hash ^= hash >> 15;
   }
   return hash * 0x85ebca6bU;

@@ -137,7 +137,9 @@ representatives(const XYZView& queries,
     return result;
   const float usual = median(spacings);
   const float most = *std::max_element(spacings.begin(), spacings.end());
-  const PointGrid grid(surface, usual, threads);
+  // Most points are so near to what stands for them that a part of a spacing finds it.
+  const float near = 0.25f * usual;
+  const PointGrid grid(surface, 2.0f * near, threads);
   const auto nearestWithin = [&](const Eigen::Vector3f& query, float radius) {
     std::int32_t nearest = -1;
     float least = std::numeric_limits<float>::infinity();
@@ -159,9 +161,9 @@ representatives(const XYZView& queries,
           if (!kernels::isFinite(queries[q]))
             continue;
           const Eigen::Vector3f query = positionOf(queries, q);
-          result[q] = nearestWithin(query, usual);
-          if (result[q] < 0)
-            result[q] = nearestWithin(query, most);
+          for (const float radius : {near, 2.0f * near, usual, most})
+            if (result[q] < 0)
+              result[q] = nearestWithin(query, radius);
         }
       });
   return result;

@@ -5,15 +5,20 @@
 
 #include "common/finite.h"
 #include "common/number_text.h"
+#include "common/parallel.h"
 #include "common/point_types.h"
+#include "common/statistics.h"
 #include "edges/edge_detection.h"
 #include "features/even_sampling.h"
+#include "features/some_points.h"
+#include "geometry/point_grid.h"
 #include "geometry/voxel_means.h"
 #include "segmentation/uneven_field.h"
 #include "surfaces/surface_classification.h"
 
 #include <pcl/features/distinct_points.h>
 #include <pcl/impl/instantiate.hpp>
+#include <pcl/segmentation/cloud_reach.h>
 #include <pcl/segmentation/means_of_parts.h>
 #include <pcl/segmentation/impl/shape_field_estimation.hpp>
 
@@ -64,6 +69,15 @@ problemOfPart(const FieldRequest& request)
 
 // With more unknown points the spacing is looked at again: scans have as many strays.
 constexpr double max_unknown = 0.02;
+// Of 1,000 points 4.5 % are unknown where of all 2 % are: five times the deviation off.
+constexpr std::size_t sample_size = 1000;
+constexpr double surely_too_many = 0.045;
+
+/** What is known of the spacings before a field is made. */
+struct Spacings {
+  bool are_even = false; ///< they change slowly: they are taken as they are
+  const std::vector<float>* known = nullptr;
+};
 
 /** Whether a field goes on from one stage to the next; else it ends there. */
 struct Conditions {
@@ -73,30 +87,54 @@ struct Conditions {
       [](const ShapeField& /*edges*/) { return true; };
 };
 
+/** The points of a cloud among themselves. */
+class Surroundings {
+public:
+  Surroundings(const FieldRequest& request,
+               const XYZView& points,
+               const NeighborFinder& finder)
+  : all_(points.size)
+  , neighborhoods_(points, points, all_, request.threads)
+  {
+    std::iota(all_.begin(), all_.end(), 0);
+    neighborhoods_.setFinder(finder);
+    neighborhoods_.setIndex(request.index);
+  }
+
+  Surroundings(const Surroundings&) = delete;
+  Surroundings& operator=(const Surroundings&) = delete;
+
+  const Neighborhoods&
+  neighborhoods() const
+  {
+    return neighborhoods_;
+  }
+
+private:
+  pcl::Indices all_;
+  Neighborhoods neighborhoods_;
+};
+
 ShapeField
 fieldOf(const FieldRequest& request,
         const shared_ptr<const void>& owner,
-        const XYZView& points,
-        const NeighborFinder& finder,
-        bool is_even = false,
+        const Neighborhoods& neighborhoods,
+        const Spacings& spacings = {},
         const Conditions& conditions = {})
 {
-  pcl::Indices all(points.size);
-  std::iota(all.begin(), all.end(), 0);
-  Neighborhoods neighborhoods(points, points, all, request.threads);
-  neighborhoods.setFinder(finder);
-  neighborhoods.setIndex(request.index);
   const FieldInput input{neighborhoods,
-                         points,
+                         neighborhoods.input(),
                          request.normals,
                          request.threads,
-                         is_even,
+                         spacings.are_even,
                          request.of_cloud ? &*request.of_cloud : nullptr};
   ShapeField field;
   field.cloud = owner;
-  field.points = points;
+  field.points = input.points;
   field.resolution = request.resolution;
-  const MeasuredCloud measured = measureCloud(input, field);
+  const MeasuredCloud measured = spacings.known
+                                     ? measureCloud(input, *spacings.known, field)
+                                     : measureCloud(input, field);
   if (!conditions.to_edges(measured))
     return field;
   findEdges(input, measured, request.edge_model, field);
@@ -122,23 +160,17 @@ countUnknown(const XYZView& points,
   return unknown;
 }
 
-/** The distance to the 12th neighbor, as the spacing of even clouds is. */
-std::vector<float>
-plainSpacings(const FieldRequest& request, const NeighborFinder& finder)
-{
-  pcl::Indices all(request.surface.size);
-  std::iota(all.begin(), all.end(), 0);
-  Neighborhoods neighborhoods(request.surface, request.surface, all, request.threads);
-  neighborhoods.setFinder(finder);
-  neighborhoods.setIndex(request.index);
-  return localSpacings(neighborhoods, all.size(), true);
-}
-
 /** A field, and whether it is of other points than the surface's places. */
 struct Base {
   ShapeField field;
   bool is_other = false;
 };
+
+XYZView
+viewOf(const std::vector<float>& points)
+{
+  return {points.data(), 3, points.size() / 3};
+}
 
 NeighborFinder
 finderAmong(const FieldRequest& request, const std::vector<float>& points)
@@ -155,62 +187,22 @@ baseOfMeans(const FieldRequest& request,
       voxelMeans(request.surface, request.resolution, request.threads));
   Conditions conditions;
   conditions.to_edges = toEdges;
-  return {fieldOf(request,
-                  means,
-                  {means->data(), 3, means->size() / 3},
-                  finderAmong(request, *means),
-                  false,
-                  conditions),
-          true};
+  const Surroundings surroundings(
+      request, viewOf(*means), finderAmong(request, *means));
+  return {fieldOf(request, means, surroundings.neighborhoods(), {}, conditions), true};
 }
 
-/** \param[in] toEdges whether the field goes on to edges */
-Base
-baseOfPoints(const FieldRequest& request,
-             const std::function<bool(const MeasuredCloud& cloud)>& toEdges)
+void
+setMeasured(const NoiseLevel& noise,
+            const segmentation::Bounds& bounds,
+            CloudNumbers& numbers)
 {
-  const auto fieldOfSurface = [&](bool is_even, const Conditions& conditions) {
-    return fieldOf(request,
-                   request.surface_owner,
-                   request.surface,
-                   finderAmong(request, {}),
-                   is_even,
-                   conditions);
-  };
-  std::size_t unknown = 0;
-  bool is_fine = true;
-  Conditions conditions;
-  conditions.to_edges = toEdges;
-  conditions.to_surfaces = [&](const ShapeField& edges) {
-    std::vector<std::int32_t> themselves(request.surface.size);
-    std::iota(themselves.begin(), themselves.end(), 0);
-    unknown = countUnknown(request.surface, edges, themselves);
-    is_fine = static_cast<double>(unknown) <=
-                  max_unknown * static_cast<double>(countFinite(request.surface)) ||
-              request.has_normals || request.of_cloud;
-    return is_fine;
-  };
-  ShapeField field = fieldOfSurface(false, conditions);
-  if (is_fine)
-    return {std::move(field), false};
-  const std::vector<float> spacings = plainSpacings(request, finderAmong(request, {}));
-  const std::vector<float> even =
-      evenSampling(request.surface, spacings, request.threads);
-  const ShapeField means = fieldOf(request,
-                                   nullptr,
-                                   {even.data(), 3, even.size() / 3},
-                                   finderAmong(request, even),
-                                   true);
-  const std::vector<std::int32_t> stands_for =
-      representatives(request.surface, means.points, means.spacings, request.threads);
-  const bool helps = countUnknown(request.surface, means, stands_for) < unknown;
-  conditions = {};
-  if (helps)
-    conditions.to_surfaces = [](const ShapeField& /*edges*/) { return false; };
-  field = fieldOfSurface(helps, conditions);
-  if (helps)
-    takeFromMeans(means, stands_for, spacings, field);
-  return {std::move(field), false};
+  numbers.noise_level = noise.level;
+  numbers.noise_correlation = noise.correlation;
+  for (int axis = 0; axis < 3; ++axis) {
+    numbers.low[static_cast<std::size_t>(axis)] = bounds.low[axis];
+    numbers.high[static_cast<std::size_t>(axis)] = bounds.high[axis];
+  }
 }
 
 CloudNumbers
@@ -218,13 +210,195 @@ numbersOf(const MeasuredCloud& measured)
 {
   CloudNumbers numbers;
   numbers.spacing = measured.spacing;
-  numbers.noise_level = measured.noise.level;
-  numbers.noise_correlation = measured.noise.correlation;
-  for (int axis = 0; axis < 3; ++axis) {
-    numbers.low[static_cast<std::size_t>(axis)] = measured.bounds.low[axis];
-    numbers.high[static_cast<std::size_t>(axis)] = measured.bounds.high[axis];
-  }
+  setMeasured(measured.noise, measured.bounds, numbers);
   return numbers;
+}
+
+/** Makes the field of a cloud from its points, or where these are too uneven from means
+ * that even them out. */
+class FieldOfPoints {
+public:
+  explicit FieldOfPoints(const FieldRequest& request)
+  : request_(request)
+  , surface_(request, request.surface, finderAmong(request, {}))
+  , distances_(distancesToTwelfth(surface_.neighborhoods(), request.surface.size))
+  {}
+
+  /** \param[in] toEdges whether the field goes on to edges */
+  ShapeField
+  make(const std::function<bool(const MeasuredCloud& cloud)>& toEdges) const
+  {
+    const std::vector<float> spacings = spacingsOf(distances_);
+    std::size_t unknown = 0;
+    Conditions conditions;
+    conditions.to_edges = [&](const MeasuredCloud& cloud) {
+      if (!toEdges(cloud))
+        return false;
+      const double share = request_.has_normals ? 0.0
+                                                : shareUnknown(surface_.neighborhoods(),
+                                                               spacings,
+                                                               sample_size,
+                                                               cloud.noise.level,
+                                                               request_.threads);
+      if (share <= surely_too_many)
+        return true;
+      unknown = static_cast<std::size_t>(share * static_cast<double>(cloud.places));
+      return false;
+    };
+    conditions.to_surfaces = [&](const ShapeField& edges) {
+      unknown = countUnknown(request_.surface, edges, themselves());
+      return !areTooMany(unknown);
+    };
+    ShapeField field = ofSurface({false, &spacings}, conditions);
+    return areTooMany(unknown) ? ofEvenMeans(unknown, spacings) : std::move(field);
+  }
+
+private:
+  bool
+  areTooMany(std::size_t unknown) const
+  {
+    const auto finite = static_cast<double>(countFinite(request_.surface));
+    return !request_.has_normals && static_cast<double>(unknown) > max_unknown * finite;
+  }
+
+  std::vector<std::int32_t>
+  themselves() const
+  {
+    std::vector<std::int32_t> points(request_.surface.size);
+    std::iota(points.begin(), points.end(), 0);
+    return points;
+  }
+
+  ShapeField
+  ofSurface(const Spacings& spacings, const Conditions& conditions) const
+  {
+    return fieldOf(request_,
+                   request_.surface_owner,
+                   surface_.neighborhoods(),
+                   spacings,
+                   conditions);
+  }
+
+  /** The field of means if fewer are unknown then; else that of the points as they are.
+   */
+  ShapeField
+  ofEvenMeans(std::size_t unknown, const std::vector<float>& spacings) const
+  {
+    const std::vector<float> even_spacings = evenSpacingsOf(distances_);
+    const std::vector<float> even =
+        evenSampling(request_.surface, even_spacings, request_.threads);
+    const Surroundings of_means(request_, viewOf(even), finderAmong(request_, even));
+    NoiseLevel noise;
+    Conditions conditions;
+    conditions.to_edges = [&](const MeasuredCloud& cloud) {
+      noise = cloud.noise;
+      return true;
+    };
+    const ShapeField means = fieldOf(
+        request_, nullptr, of_means.neighborhoods(), {true, nullptr}, conditions);
+    const std::vector<std::int32_t> stands_for = representatives(
+        request_.surface, means.points, means.spacings, request_.threads);
+    if (countUnknown(request_.surface, means, stands_for) >= unknown)
+      return ofSurface({false, &spacings}, {});
+    const std::vector<char> keeps_own = ownPoints(means, stands_for, even_spacings);
+    ShapeField field;
+    field.cloud = request_.surface_owner;
+    field.points = request_.surface;
+    field.spacings = even_spacings;
+    field.noise = means.noise;
+    field.noise_level = means.noise_level;
+    findOwnEdges(keeps_own, noise, field);
+    takeFromMeans(means, stands_for, keeps_own, field);
+    return field;
+  }
+
+  /** Finds the edges where points keep their own.
+   * \param[in] noise that of the means, of which most are points
+   * \param[in,out] field with spacings */
+  void
+  findOwnEdges(const std::vector<char>& keeps_own,
+               const NoiseLevel& noise,
+               ShapeField& field) const
+  {
+    CloudNumbers numbers;
+    numbers.spacing = segmentation::medianSpacing(field.spacings);
+    numbers.distance = static_cast<double>(numbers.spacing);
+    numbers.noise = field.noise;
+    setMeasured(noise, segmentation::Bounds::of(request_.surface), numbers);
+    const pcl::Indices near = pointsNearOwn(keeps_own, field.spacings, numbers);
+    field.normals.assign(field.spacings.size(), Eigen::Vector3f::Constant(nan));
+    field.edge_likelihood.assign(field.spacings.size(), nan);
+    if (near.empty())
+      return;
+    std::vector<float> places, near_spacings;
+    for (const pcl::index_t i : near) {
+      const float* const p = request_.surface[static_cast<std::size_t>(i)];
+      places.insert(places.end(), p, p + 3);
+      near_spacings.push_back(field.spacings[static_cast<std::size_t>(i)]);
+    }
+    FieldRequest of_near = request_;
+    of_near.of_cloud = numbers;
+    of_near.edges_only = true;
+    of_near.index = nullptr;
+    const Surroundings surroundings(
+        of_near, viewOf(places), finderAmong(request_, places));
+    const ShapeField edges =
+        fieldOf(of_near, nullptr, surroundings.neighborhoods(), {true, &near_spacings});
+    for (std::size_t k = 0; k < near.size(); ++k) {
+      const auto i = static_cast<std::size_t>(near[k]);
+      field.normals[i] = edges.normals[k];
+      field.edge_likelihood[i] = edges.edge_likelihood[k];
+    }
+    field.creases = edges.creases;
+  }
+
+  /** The points that keep their own edges, and those that these depend on. */
+  pcl::Indices
+  pointsNearOwn(const std::vector<char>& keeps_own,
+                const std::vector<float>& spacings,
+                const CloudNumbers& numbers) const
+  {
+    const double reach = reachOf(numbers, request_.edge_model).edges /
+                         mostSpacing(numbers.distance); // in spacings
+    std::vector<float> own;
+    for (std::size_t i = 0; i < keeps_own.size(); ++i)
+      if (keeps_own[i] && kernels::isFinite(request_.surface[i]))
+        own.insert(own.end(), request_.surface[i], request_.surface[i] + 3);
+    const segmentation::PointGrid grid(
+        viewOf(own), static_cast<float>(reach) * numbers.spacing, request_.threads);
+    std::vector<char> is_near(keeps_own.size(), 0);
+    kernels::parallelForEach(is_near.size(), request_.threads, [&](std::size_t i) {
+      const float* const p = request_.surface[i];
+      is_near[i] =
+          kernels::isFinite(p) &&
+          grid.anyWithin(Eigen::Map<const Eigen::Vector3f>(p),
+                         static_cast<float>(reach) * spacings[i],
+                         [](std::uint32_t, const Eigen::Vector3f&) { return true; });
+    });
+    pcl::Indices near;
+    for (std::size_t i = 0; i < is_near.size(); ++i)
+      if (is_near[i])
+        near.push_back(static_cast<pcl::index_t>(i));
+    return near;
+  }
+
+  const FieldRequest& request_;
+  Surroundings surface_;
+  std::vector<float> distances_; ///< of each point to its 12th neighbor
+};
+
+/** \param[in] toEdges whether the field goes on to edges */
+ShapeField
+fieldOfPoints(const FieldRequest& request,
+              const std::function<bool(const MeasuredCloud& cloud)>& toEdges)
+{
+  if (!request.of_cloud)
+    return FieldOfPoints(request).make(toEdges);
+  Conditions conditions;
+  conditions.to_edges = toEdges;
+  const Surroundings surface(request, request.surface, finderAmong(request, {}));
+  return fieldOf(
+      request, request.surface_owner, surface.neighborhoods(), {}, conditions);
 }
 
 /** The field of the points, or of means that are coarse enough for the noise which
@@ -240,7 +414,7 @@ baseOf(FieldRequest request)
           coarserResolution(numbersOf(measured), measured.places, request.resolution);
     return coarser == 0.0;
   };
-  Base base = request.resolution == 0.0 ? baseOfPoints(request, toEdges)
+  Base base = request.resolution == 0.0 ? Base{fieldOfPoints(request, toEdges), false}
                                         : baseOfMeans(request, toEdges);
   while (coarser > 0.0) {
     request.resolution = coarser;

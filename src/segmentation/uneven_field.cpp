@@ -47,16 +47,14 @@ public:
   {}
 
   void
-  takeValuesOfMeans(const std::vector<float>& spacings)
+  takeValuesOfMeans(const std::vector<char>& keeps_own)
   {
     for (std::size_t i = 0; i < is_own_.size(); ++i) {
       if (stands_for_[i] < 0)
         continue;
-      const auto mean = static_cast<std::size_t>(stands_for_[i]);
-      if (!std::isnan(field_.edge_likelihood[i]) &&
-          (std::isnan(means_.edge_likelihood[mean]) ||
-           means_.spacings[mean] > coarser * spacings[i]))
+      if (keeps_own[i] && !std::isnan(field_.edge_likelihood[i]))
         continue;
+      const auto mean = static_cast<std::size_t>(stands_for_[i]);
       takeValues(means_, mean, i, field_);
       is_own_[i] = 0;
       is_taken_[mean] = 1;
@@ -146,14 +144,29 @@ private:
 
 } // namespace
 
+std::vector<char>
+ownPoints(const ShapeField& means,
+          const std::vector<std::int32_t>& stands_for,
+          const std::vector<float>& spacings)
+{
+  std::vector<char> is_own(stands_for.size(), 1);
+  for (std::size_t i = 0; i < is_own.size(); ++i)
+    if (stands_for[i] >= 0) {
+      const auto mean = static_cast<std::size_t>(stands_for[i]);
+      is_own[i] = std::isnan(means.edge_likelihood[mean]) ||
+                  means.spacings[mean] > coarser * spacings[i];
+    }
+  return is_own;
+}
+
 void
 takeFromMeans(const ShapeField& means,
               const std::vector<std::int32_t>& stands_for,
-              const std::vector<float>& spacings,
+              const std::vector<char>& keeps_own,
               ShapeField& field)
 {
   Joined joined(means, stands_for, field);
-  joined.takeValuesOfMeans(spacings);
+  joined.takeValuesOfMeans(keeps_own);
   joined.takeClassesOfMeans();
   joined.takeCreasesOfMeans();
 }

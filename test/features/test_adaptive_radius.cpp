@@ -159,9 +159,8 @@ noiseOfCloud(const Surface& surface)
   std::iota(all.begin(), all.end(), 0);
   const detail::Neighborhoods neighborhoods(surface.points(), surface.points(), all, 1);
   const std::vector<float> spacings = detail::localSpacings(neighborhoods, all.size());
-  const segmentation::PointGrid grid(surface.points(), 0.012f);
   const double noise = detail::noiseOf(neighborhoods, spacings);
-  return {noise, detail::noiseLevelOf(neighborhoods, spacings, noise, grid)};
+  return {noise, detail::noiseLevelOf(neighborhoods, spacings, noise, 1)};
 }
 
 /** The noise and the noise level of a cloud. */
