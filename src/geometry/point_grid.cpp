@@ -8,6 +8,7 @@
 #include "geometry/cell_order.h"
 #include "geometry/point_choice.h"
 
+#include <cmath>
 #include <limits>
 
 namespace pcl::segmentation {
@@ -15,6 +16,38 @@ namespace {
 
 constexpr float max_cells = 0x1p20f;      // in each direction: a key has 21 bits for it
 constexpr std::size_t max_rows = 1 << 16; // and one for each point: little memory
+
+/** The numbers of the slabs of space across an axis that have points, ascending. */
+std::vector<float>
+slabsOf(const XYZView& points, std::size_t axis, float cell)
+{
+  constexpr auto middle = static_cast<std::size_t>(max_cells);
+  std::vector<bool> is_used(2 * middle); // near the origin, where most points are
+  std::vector<float> slabs;
+  for (std::size_t i = 0; i < points.size; ++i)
+    if (kernels::isFinite(points[i])) {
+      const float slab = std::floor(points[i][axis] / cell);
+      if (std::abs(slab) < max_cells)
+        is_used[static_cast<std::size_t>(slab + max_cells)] = true;
+      else
+        slabs.push_back(slab);
+    }
+  for (std::size_t s = 0; s < is_used.size(); ++s)
+    if (is_used[s])
+      slabs.push_back(static_cast<float>(s) - max_cells);
+  std::sort(slabs.begin(), slabs.end());
+  slabs.erase(std::unique(slabs.begin(), slabs.end()), slabs.end());
+  return slabs;
+}
+
+int
+bitsOf(std::size_t count)
+{
+  int bits = 0;
+  for (; count > 0; count >>= 1)
+    ++bits;
+  return bits;
+}
 
 } // namespace
 
@@ -49,7 +82,9 @@ PointGrid::PointGrid(const XYZView& points,
   origin_ = low;
   // Halves: the difference of two floats may be beyond all floats.
   const Eigen::Array3f half_extent = 0.5f * high - 0.5f * low;
-  cell_ = std::max(cell_, half_extent.maxCoeff() / (0.5f * max_cells));
+  const float min_cell = half_extent.maxCoeff() / (0.5f * max_cells);
+  if (!(cell_ < min_cell && numberSlabs(points)))
+    cell_ = std::max(cell_, min_cell);
   last_ = (half_extent / (0.5f * cell_)).floor();
 
   std::vector<CellPoint> sorted;
@@ -76,11 +111,54 @@ PointGrid::PointGrid(const XYZView& points,
   findRows();
 }
 
+bool
+PointGrid::numberSlabs(const XYZView& points)
+{
+  if (!(cell_ > 0.0f))
+    return false;
+  // From zero, where floats are finest. The cell of a point is the same in each part of
+  // a cloud; its number tells how many slabs before it have points.
+  std::array<int, 3> bits{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    slabs_[axis] = slabsOf(points, axis, cell_);
+    bits[axis] = bitsOf(slabs_[axis].size());
+  }
+  constexpr int key_bits = 64; // more: millions of points, each far from all others
+  if (bits[0] + bits[1] + bits[2] > key_bits) {
+    slabs_ = {};
+    return false;
+  }
+  y_shift_ = bits[0];
+  z_shift_ = bits[0] + bits[1];
+  return true;
+}
+
 Eigen::Array3i
 PointGrid::cellOf(const Eigen::Array3f& position) const
 {
+  if (!slabs_[0].empty())
+    return cellsAround(position, 0.0f).low;
   const Eigen::Array3f cell = ((position - origin_) / cell_).floor();
   return cell.max(0.0f).min(last_).cast<int>();
+}
+
+PointGrid::CellBox
+PointGrid::cellsAround(const Eigen::Vector3f& center, float radius) const
+{
+  const Eigen::Array3f low = center.array() - radius, high = center.array() + radius;
+  if (slabs_[0].empty())
+    return {cellOf(low), cellOf(high)};
+  CellBox cells;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<float>& slabs = slabs_[static_cast<std::size_t>(axis)];
+    const auto first =
+        std::lower_bound(slabs.begin(), slabs.end(), std::floor(low[axis] / cell_));
+    const auto end =
+        std::upper_bound(first, slabs.end(), std::floor(high[axis] / cell_));
+    cells.low[axis] = static_cast<int>(first - slabs.begin());
+    cells.high[axis] = static_cast<int>(end - slabs.begin()) - 1;
+  }
+  return cells;
 }
 
 void
@@ -90,8 +168,9 @@ PointGrid::findRows()
     return;
   const auto yz = [&](std::size_t c) {
     return std::array<int, 2>{
-        static_cast<int>((keys_[c] >> axis_bits) & ((1U << axis_bits) - 1)),
-        static_cast<int>(keys_[c] >> (2 * axis_bits))};
+        static_cast<int>((keys_[c] >> y_shift_) &
+                         ((std::uint64_t{1} << (z_shift_ - y_shift_)) - 1)),
+        static_cast<int>(keys_[c] >> z_shift_)};
   };
   first_row_ = last_row_ = yz(0);
   for (std::size_t c = 0; c < keys_.size(); ++c)

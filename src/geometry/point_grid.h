@@ -28,7 +28,8 @@ struct Bounds {
  * Points are visited in an order given by their coordinates alone. */
 class PointGrid {
 public:
-  /** \param[in] points those that are not finite are left out
+  /** \param[in] points those that are not finite are left out; each may be as far from
+   * the others as floats allow
    * \param[in] cell the size of a cell, about the radius of the queries */
   PointGrid(const XYZView& points, float cell, unsigned threads = 1);
 
@@ -93,14 +94,15 @@ public:
   }
 
 private:
-  static constexpr int axis_bits = 21;
+  struct CellBox {
+    Eigen::Array3i low, high; ///< low above high if there is no cell with points
+  };
 
   template <typename Is>
   bool
   anyRangeWithin(const Eigen::Vector3f& center, float radius, const Is& is) const
   {
-    const Eigen::Array3i low = cellOf(center.array() - radius);
-    const Eigen::Array3i high = cellOf(center.array() + radius);
+    const auto& [low, high] = cellsAround(center, radius);
     for (int z = low.z(); z <= high.z(); ++z)
       for (int y = low.y(); y <= high.y(); ++y) {
         const CellRange cells = cellsOf(low.x(), high.x(), y, z);
@@ -110,15 +112,21 @@ private:
     return false;
   }
 
-  static std::uint64_t
-  keyOf(int x, int y, int z)
+  std::uint64_t
+  keyOf(int x, int y, int z) const
   {
-    return (static_cast<std::uint64_t>(z) << (2 * axis_bits)) |
-           (static_cast<std::uint64_t>(y) << axis_bits) | static_cast<std::uint64_t>(x);
+    return (static_cast<std::uint64_t>(z) << z_shift_) |
+           (static_cast<std::uint64_t>(y) << y_shift_) | static_cast<std::uint64_t>(x);
   }
+
+  /** Let cells keep their size, however far apart points are.
+   * \return whether that was possible */
+  bool numberSlabs(const XYZView& points);
 
   /** The cell of a position, the nearest one of the grid if it is outside. */
   Eigen::Array3i cellOf(const Eigen::Array3f& position) const;
+
+  CellBox cellsAround(const Eigen::Vector3f& center, float radius) const;
 
   struct CellRange {
     std::size_t begin, end;
@@ -159,7 +167,9 @@ private:
   Eigen::Array3f origin_ = Eigen::Array3f::Zero();
   Eigen::Array3f last_ = Eigen::Array3f::Zero(); ///< of the cells
   float cell_ = 1.0f;
-  std::vector<std::uint64_t> keys_; ///< of the cells with points, ascending
+  std::array<std::vector<float>, 3> slabs_; ///< those with points, if far apart
+  int y_shift_ = 21, z_shift_ = 42;         ///< in the key of a cell
+  std::vector<std::uint64_t> keys_;         ///< of the cells with points, ascending
   std::vector<std::uint32_t> rows_; ///< the first cell of each row, unless too many
   std::size_t row_count_ = 0;       ///< for each z
   std::array<int, 2> first_row_{}, last_row_{}; ///< y and z of cells with points

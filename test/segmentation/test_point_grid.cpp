@@ -79,6 +79,68 @@ TEST(PointGrid, FarOutliersAndPointsThatAreNotFinite)
   expectBruteForce(surface.points(), 0.05f, 0.1f);
 }
 
+TEST(PointGrid, PointsAsFarAsFloatsReach)
+{
+  Random random(45);
+  Surface surface = plane(2000, 1.0, random);
+  surface.add({{1e9, 2e19, -1e19}, {0, 0, 1}});
+  surface.add({{-1e18, 0.5, 1e9}, {0, 0, 1}});
+  expectBruteForce(surface.points(), 0.05f, 0.1f);
+}
+
+/** How many points the ranges around those of a surface have. */
+std::size_t
+pointsInRanges(const XYZView& points, std::size_t surface, float cell, float radius)
+{
+  const PointGrid grid(points, cell);
+  std::size_t count = 0;
+  for (std::size_t q = 0; q < surface; ++q)
+    grid.forEachRangeWithin(
+        positionOf(points, q), radius, [&](std::uint32_t begin, std::uint32_t end) {
+          count += end - begin;
+        });
+  return count;
+}
+
+TEST(PointGrid, FarPointsCostTheOthersNothing)
+{
+  Random random(46);
+  for (const double far : {1e6, 1e9, 1e15}) {
+    Surface surface = plane(5000, 1.0, random);
+    const std::size_t size = surface.size();
+    const std::size_t alone = pointsInRanges(surface.points(), size, 0.05f, 0.05f);
+    surface.add({{0.5, -far, 2e5}, {0, 0, 1}});
+    surface.add({{far, 0.5, 0}, {0, 0, 1}});
+    // Cells begin elsewhere: a few points more or less are in them.
+    EXPECT_LT(pointsInRanges(surface.points(), size, 0.05f, 0.05f), alone * 5 / 4)
+        << far;
+  }
+}
+
+TEST(PointGrid, PartsVisitInTheOrderOfTheWholeCloudWithFarPoints)
+{
+  Random random(47);
+  Surface surface = plane(3000, 1.0, random), part = surface;
+  surface.add({{1e9, -3e8, 2e4}, {0, 0, 1}});
+  surface.append(plane(3000, 4.0, random));
+  const PointGrid whole(surface.points(), 0.05f);
+  const PointGrid own(part.points(), 0.05f, Bounds::of(surface.points()));
+  for (std::size_t q = 0; q < part.size(); q += 11) {
+    std::vector<std::uint32_t> of_whole, of_part;
+    const auto collect = [&](std::vector<std::uint32_t>& visited) {
+      return [&](std::uint32_t i, float) {
+        if (i < part.size())
+          visited.push_back(i);
+      };
+    };
+    const Vector3f center = positionOf(part.points(), q);
+    whole.forEachWithin(center, 0.12f, collect(of_whole));
+    own.forEachWithin(center, 0.12f, collect(of_part));
+    EXPECT_GT(of_part.size(), 5U);
+    EXPECT_EQ(of_whole, of_part);
+  }
+}
+
 TEST(PointGrid, WithoutFinitePoints)
 {
   const float nan = std::numeric_limits<float>::quiet_NaN();
