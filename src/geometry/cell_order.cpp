@@ -6,6 +6,8 @@
 
 #include "common/radix_sort.h"
 
+#include <algorithm>
+
 namespace pcl::segmentation {
 namespace {
 
@@ -77,6 +79,17 @@ sortByCell(std::vector<CellPoint>& points, unsigned threads)
         points.begin(), points.end(), [](const CellPoint& a, const CellPoint& b) {
           return a.cell < b.cell;
         });
+}
+
+std::vector<std::size_t>
+beginsOfCells(const std::vector<CellPoint>& sorted)
+{
+  std::vector<std::size_t> begins;
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    if (i == 0 || sorted[i].cell != sorted[i - 1].cell)
+      begins.push_back(i);
+  begins.push_back(sorted.size());
+  return begins;
 }
 
 } // namespace pcl::segmentation

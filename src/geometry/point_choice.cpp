@@ -66,17 +66,20 @@ centralPoints(const XYZView& points,
     const Eigen::Array3f p = inCells(i);
     return (p - p.floor() - 0.5f).matrix().squaredNorm();
   };
-  std::vector<std::uint32_t> chosen;
-  forEachCell(sorted, [&](const auto begin, const auto end) {
-    std::uint32_t nearest = begin->point;
-    float min_off_center = offCenter(nearest);
-    for (auto at = begin + 1; at != end; ++at)
-      if (const float off_center = offCenter(at->point); off_center < min_off_center) {
-        min_off_center = off_center;
-        nearest = at->point;
-      }
-    chosen.push_back(nearest);
-  });
+  const std::vector<std::size_t> begins = beginsOfCells(sorted);
+  std::vector<std::uint32_t> chosen(begins.size() - 1);
+  forEachCell(
+      sorted, begins, threads, [&](const auto begin, const auto end, std::size_t k) {
+        std::uint32_t nearest = begin->point;
+        float min_off_center = offCenter(nearest);
+        for (auto at = begin + 1; at != end; ++at)
+          if (const float off_center = offCenter(at->point);
+              off_center < min_off_center) {
+            min_off_center = off_center;
+            nearest = at->point;
+          }
+        chosen[k] = nearest;
+      });
   return chosen;
 }
 

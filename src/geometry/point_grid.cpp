@@ -87,27 +87,29 @@ PointGrid::PointGrid(const XYZView& points,
     cell_ = std::max(cell_, min_cell);
   last_ = (half_extent / (0.5f * cell_)).floor();
 
-  std::vector<CellPoint> sorted;
-  sorted.reserve(points.size);
-  for (std::size_t i = 0; i < points.size; ++i)
-    if (kernels::isFinite(points[i])) {
-      const Eigen::Array3i c = cellOf(positionOf(points, i).array());
-      sorted.push_back({{c.z(), c.y(), c.x()}, static_cast<std::uint32_t>(i)});
-    }
-  sortByCell(sorted, threads);
-  indices_.reserve(sorted.size());
-  positions_.reserve(sorted.size());
-  forEachCell(sorted, [&](const auto begin, const auto end) {
-    std::sort(begin, end, [&](const CellPoint& a, const CellPoint& b) {
-      return isBefore(points, a.point, b.point);
-    });
-    keys_.push_back(keyOf(begin->cell[2], begin->cell[1], begin->cell[0]));
-    for (auto at = begin; at != end; ++at) {
-      indices_.push_back(at->point);
-      positions_.push_back(positionOf(points, at->point));
-    }
-    begins_.push_back(static_cast<std::uint32_t>(indices_.size()));
-  });
+  std::vector<CellPoint> sorted =
+      sortedByCell(points, threads, [&](const float* p) -> Cell {
+        const Eigen::Array3i c = cellOf(Eigen::Map<const Eigen::Array3f>(p));
+        return {c.z(), c.y(), c.x()};
+      });
+  const std::vector<std::size_t> begins = beginsOfCells(sorted);
+  const std::size_t cells = begins.size() - 1;
+  keys_.resize(cells);
+  begins_.assign(begins.begin(), begins.end());
+  indices_.resize(sorted.size());
+  positions_.resize(sorted.size());
+  forEachCell(
+      sorted, begins, threads, [&](const auto begin, const auto end, std::size_t k) {
+        std::sort(begin, end, [&](const CellPoint& a, const CellPoint& b) {
+          return isBefore(points, a.point, b.point);
+        });
+        keys_[k] = keyOf(begin->cell[2], begin->cell[1], begin->cell[0]);
+        for (auto at = begin; at != end; ++at) {
+          const auto i = static_cast<std::size_t>(at - sorted.begin());
+          indices_[i] = at->point;
+          positions_[i] = positionOf(points, at->point);
+        }
+      });
   findRows();
 }
 

@@ -28,22 +28,15 @@ constexpr double float_digits = 1 << std::numeric_limits<float>::digits;
 
 /** The finite points, by cells whose numbers are of z, y and x. */
 std::vector<CellPoint>
-sortedByCell(const XYZView& points, double size, unsigned threads)
+sortedByVoxel(const XYZView& points, double size, unsigned threads)
 {
-  std::vector<CellPoint> sorted;
-  sorted.reserve(points.size);
-  const auto cellOf = [size](float coordinate) {
+  const auto along = [size](float coordinate) {
     return static_cast<std::int32_t>(
         std::clamp(std::floor(coordinate / size), -max_cell, max_cell));
   };
-  for (std::size_t i = 0; i < points.size; ++i) {
-    const float* p = points[i];
-    if (kernels::isFinite(p))
-      sorted.push_back(
-          {{cellOf(p[2]), cellOf(p[1]), cellOf(p[0])}, static_cast<std::uint32_t>(i)});
-  }
-  sortByCell(sorted, threads);
-  return sorted;
+  return sortedByCell(points, threads, [&](const float* p) -> Cell {
+    return {along(p[2]), along(p[1]), along(p[0])};
+  });
 }
 
 struct Size {
@@ -92,10 +85,11 @@ voxelMeans(const XYZView& points, double size, unsigned threads)
 {
   // Offsets within a cell are added up as integers: whatever the order of the points.
   constexpr double steps = 1 << 24;
-  std::vector<float> means;
-  std::vector<CellPoint> sorted = sortedByCell(points, size, threads);
-  forEachCell(sorted, [&](const auto begin, const auto end) {
-    const auto& cell = begin->cell;
+  const std::vector<CellPoint> sorted = sortedByVoxel(points, size, threads);
+  const std::vector<std::size_t> begins = beginsOfCells(sorted);
+  std::vector<float> means(3 * (begins.size() - 1));
+  const auto setMean = [&](const auto begin, const auto end, std::size_t k) {
+    const Cell& cell = begin->cell;
     std::array<std::int64_t, 3> sums{};
     for (auto at = begin; at != end; ++at)
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -105,24 +99,27 @@ voxelMeans(const XYZView& points, double size, unsigned threads)
     const auto count = static_cast<double>(end - begin);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double offset = static_cast<double>(sums[axis]) / (count * steps);
-      means.push_back(static_cast<float>((cell[2 - axis] + offset) * size));
+      means[3 * k + axis] = static_cast<float>((cell[2 - axis] + offset) * size);
     }
-  });
+  };
+  forEachCell(sorted, begins, threads, setMean);
   return means;
 }
 
 std::vector<std::uint32_t>
 firstInVoxels(const XYZView& points, double size, unsigned threads)
 {
-  std::vector<std::uint32_t> first;
-  std::vector<CellPoint> sorted = sortedByCell(points, size, threads);
-  forEachCell(sorted, [&](const auto begin, const auto end) {
-    const auto least =
-        std::min_element(begin, end, [&](const CellPoint& a, const CellPoint& b) {
-          return isBefore(points, a.point, b.point);
-        });
-    first.push_back(least->point);
-  });
+  const std::vector<CellPoint> sorted = sortedByVoxel(points, size, threads);
+  const std::vector<std::size_t> begins = beginsOfCells(sorted);
+  std::vector<std::uint32_t> first(begins.size() - 1);
+  forEachCell(
+      sorted, begins, threads, [&](const auto begin, const auto end, std::size_t k) {
+        const auto least =
+            std::min_element(begin, end, [&](const CellPoint& a, const CellPoint& b) {
+              return isBefore(points, a.point, b.point);
+            });
+        first[k] = least->point;
+      });
   return first;
 }
 

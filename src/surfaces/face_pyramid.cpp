@@ -66,12 +66,15 @@ aligned(const Vector3f& first, const Vector3f& second)
 std::vector<CellPoint>
 facePoints(const XYZView& points, const ShapeField& field, float size, unsigned threads)
 {
-  std::vector<CellPoint> chosen;
-  chosen.reserve(points.size);
-  for (std::uint32_t i = 0; i < points.size; ++i)
-    if (kernels::isFinite(points[i]) && kernels::isFinite(field.normals[i].data()) &&
-        field.edge_likelihood[i] <= 0.5f)
-      chosen.push_back({cellOf(positionOf(points, i), size), i});
+  auto chosen = kernels::collectForEach<CellPoint>(
+      static_cast<std::uint32_t>(points.size),
+      threads,
+      [&](std::uint32_t i, std::vector<CellPoint>& of_part) {
+        if (kernels::isFinite(points[i]) &&
+            kernels::isFinite(field.normals[i].data()) &&
+            field.edge_likelihood[i] <= 0.5f)
+          of_part.push_back({cellOf(positionOf(points, i), size), i});
+      });
   sortByCell(chosen, threads);
   return chosen;
 }
@@ -103,40 +106,82 @@ addNode(const XYZView& points,
   level.scatters.push_back(scatter);
 }
 
-/** Nodes of the first level: of the points in a cell, those with similar normals. */
+/** Nodes of some cells, and the point that stands for each. */
+struct NodesOfCells {
+  FaceLevel level;
+  std::vector<std::uint32_t> point_of_node;
+};
+
+/** Adds the nodes of a cell: of its points those with similar normals. */
+void
+addNodes(const XYZView& points,
+         const ShapeField& field,
+         std::vector<CellPoint>::iterator begin,
+         std::vector<CellPoint>::iterator end,
+         std::vector<std::uint32_t>& node_of_point,
+         NodesOfCells& nodes)
+{
+  std::sort(begin, end, [&](const CellPoint& a, const CellPoint& b) {
+    return isBefore(points, a.point, b.point);
+  });
+  std::vector<std::uint32_t> members;
+  for (auto rest = begin; rest != end;) {
+    const Vector3f& normal = field.normals[rest->point];
+    members.clear();
+    const auto is_of_node = [&](const CellPoint& p) {
+      return std::abs(field.normals[p.point].dot(normal)) > same_face;
+    };
+    const auto next = std::stable_partition(rest, end, is_of_node);
+    if (next == rest) { // a normal that is not of length 1
+      ++rest;
+      continue;
+    }
+    for (; rest != next; ++rest) {
+      members.push_back(rest->point);
+      node_of_point[rest->point] = static_cast<std::uint32_t>(nodes.level.nodes.size());
+    }
+    nodes.point_of_node.push_back(members.front());
+    addNode(points, field, members, nodes.level);
+  }
+}
+
+template <typename T>
+void
+append(const std::vector<T>& more, std::vector<T>& all)
+{
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+/** Nodes of the first level, cell by cell. */
 void
 collectNodes(const XYZView& points,
              const ShapeField& field,
              unsigned threads,
              FacePyramid& pyramid)
 {
+  constexpr std::size_t part = 4096; // cells of a thread at a time
   FaceLevel& level = pyramid.levels.front();
-  std::vector<CellPoint> left = facePoints(points, field, level.cell, threads);
-  std::vector<std::uint32_t> members;
-  forEachCell(left, [&](const auto begin, const auto end) {
-    std::sort(begin, end, [&](const CellPoint& a, const CellPoint& b) {
-      return isBefore(points, a.point, b.point);
-    });
-    for (auto rest = begin; rest != end;) {
-      const Vector3f& normal = field.normals[rest->point];
-      members.clear();
-      const auto is_of_node = [&](const CellPoint& p) {
-        return std::abs(field.normals[p.point].dot(normal)) > same_face;
-      };
-      const auto next = std::stable_partition(rest, end, is_of_node);
-      if (next == rest) { // a normal that is not of length 1
-        ++rest;
-        continue;
-      }
-      for (; rest != next; ++rest) {
-        members.push_back(rest->point);
-        pyramid.node_of_point[rest->point] =
-            static_cast<std::uint32_t>(level.nodes.size());
-      }
-      pyramid.point_of_node.push_back(members.front());
-      addNode(points, field, members, level);
-    }
+  std::vector<CellPoint> sorted = facePoints(points, field, level.cell, threads);
+  const std::vector<std::size_t> begins = beginsOfCells(sorted);
+  const std::size_t cells = begins.size() - 1;
+  const auto at = [&](std::size_t cell) {
+    return sorted.begin() + static_cast<std::ptrdiff_t>(begins[cell]);
+  };
+  std::vector<NodesOfCells> parts((cells + part - 1) / part);
+  kernels::parallelFor(parts.size(), threads, [&](std::size_t p) {
+    for (std::size_t cell = p * part; cell < std::min(cells, (p + 1) * part); ++cell)
+      addNodes(points, field, at(cell), at(cell + 1), pyramid.node_of_point, parts[p]);
   });
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const auto before = static_cast<std::uint32_t>(level.nodes.size());
+    for (auto i = at(p * part); i != at(std::min(cells, (p + 1) * part)); ++i)
+      if (std::uint32_t& node = pyramid.node_of_point[i->point];
+          node != FacePyramid::none)
+        node += before;
+    append(parts[p].level.nodes, level.nodes);
+    append(parts[p].level.scatters, level.scatters);
+    append(parts[p].point_of_node, pyramid.point_of_node);
+  }
 }
 
 /** Whether one node may follow the other on a face. */

@@ -57,15 +57,19 @@ expectSorted(std::vector<CellPoint> points)
   sortByCell(by_threads, 3);
   EXPECT_EQ(pairsOf(points), pairsOf(expected));
   EXPECT_EQ(pairsOf(by_threads), pairsOf(expected));
-  std::vector<std::size_t> sizes;
-  forEachCell(points, [&](const auto begin, const auto end) {
-    EXPECT_EQ(begin->cell, (end - 1)->cell);
-    sizes.push_back(static_cast<std::size_t>(end - begin));
-  });
-  std::size_t cells = 0;
+  std::vector<std::size_t> begins;
   for (std::size_t i = 0; i < expected.size(); ++i)
-    cells += i == 0 || expected[i].cell != expected[i - 1].cell ? 1 : 0;
-  EXPECT_EQ(sizes.size(), cells);
+    if (i == 0 || expected[i].cell != expected[i - 1].cell)
+      begins.push_back(i);
+  begins.push_back(expected.size());
+  EXPECT_EQ(beginsOfCells(points), begins);
+  std::vector<std::size_t> sizes(begins.size() - 1), expected_sizes;
+  forEachCell(points, begins, 2, [&](const auto begin, const auto end, std::size_t k) {
+    sizes[k] += static_cast<std::size_t>(end - begin);
+  });
+  for (std::size_t k = 0; k + 1 < begins.size(); ++k)
+    expected_sizes.push_back(begins[k + 1] - begins[k]);
+  EXPECT_EQ(sizes, expected_sizes);
 }
 
 constexpr std::int32_t min = std::numeric_limits<std::int32_t>::min();
