@@ -61,56 +61,48 @@ struct Nodes {
   std::vector<Floats> values;               ///< of each, class by class
 };
 
-/** What nodes from one on count at a point: nothing beyond its radius. */
+/** Sums over nodes of their weights, and of values of two classes times these. */
+struct Sums {
+  float weights = 0.0f, first = 0.0f, second = 0.0f;
+};
+
+/** Adds nodes from one to another, by what they count at a point: nothing beyond its
+ * radius. */
 void
-weigh(const Nodes& nodes,
-      std::size_t first,
-      const float* p,
-      const float* n,
-      float squared_radius,
-      Floats& weights)
+addNodes(const Nodes& nodes,
+         std::size_t begin,
+         std::size_t end,
+         const float* p,
+         const float* n,
+         float squared_radius,
+         const Floats& first_values,
+         const Floats& second_values,
+         Sums& sums)
 {
-  const float *x = &nodes.positions[0][first], *y = &nodes.positions[1][first],
-              *z = &nodes.positions[2][first];
-  const float *nx = &nodes.normals[0][first], *ny = &nodes.normals[1][first],
-              *nz = &nodes.normals[2][first];
-  const float* weight = &nodes.weights[first];
-  float* result = weights.data();
+  const float *x = &nodes.positions[0][begin], *y = &nodes.positions[1][begin],
+              *z = &nodes.positions[2][begin];
+  const float *nx = &nodes.normals[0][begin], *ny = &nodes.normals[1][begin],
+              *nz = &nodes.normals[2][begin];
+  const float* const own_weight = &nodes.weights[begin];
+  const float *v = &first_values[begin], *w = &second_values[begin];
   const float px = p[0], py = p[1], pz = p[2], qx = n[0], qy = n[1], qz = n[2];
-  const std::size_t count = weights.size();
-#pragma omp simd
+  const std::size_t count = end - begin;
+  float weights = 0.0f, first = 0.0f, second = 0.0f;
+#pragma omp simd reduction(+ : weights, first, second)
   for (std::size_t k = 0; k < count; ++k) {
     const float dx = x[k] - px, dy = y[k] - py, dz = z[k] - pz;
     const float squared = dx * dx + (dy * dy + dz * dz);
     const float cosine = nx[k] * qx + (ny[k] * qy + nz[k] * qz);
     const float turn = std::abs(cosine) > same_face ? 1.0f : across_weight;
     const float near = squared < squared_radius ? 1.0f : 0.0f;
-    result[k] = weight[k] * turn * near;
+    const float weight = own_weight[k] * turn * near;
+    weights += weight;
+    first += weight * v[k];
+    second += weight * w[k];
   }
-}
-
-float
-sumOf(const Floats& weights)
-{
-  const std::size_t count = weights.size();
-  const float* weight = weights.data();
-  float sum = 0.0f;
-#pragma omp simd reduction(+ : sum)
-  for (std::size_t k = 0; k < count; ++k)
-    sum += weight[k];
-  return sum;
-}
-
-float
-productOf(const Floats& weights, const float* values)
-{
-  const std::size_t count = weights.size();
-  const float* weight = weights.data();
-  float sum = 0.0f;
-#pragma omp simd reduction(+ : sum)
-  for (std::size_t k = 0; k < count; ++k)
-    sum += weight[k] * values[k];
-  return sum;
+  sums.weights += weights;
+  sums.first += first;
+  sums.second += second;
 }
 
 /** The mean of the nodes' values that count at a point.
@@ -120,30 +112,32 @@ meanAt(const FieldInput& input,
        const ShapeField& edges,
        const Nodes& nodes,
        std::size_t point,
-       Floats& scratch,
        Floats& mean)
 {
   const float radius = reach_spacings * edges.spacings[point];
-  float total = 0.0f;
-  mean.assign(nodes.values.size(), 0.0f);
-  nodes.grid.forEachRangeWithin(positionOf(input.points, point),
-                                radius,
-                                [&](std::uint32_t begin, std::uint32_t end) {
-                                  scratch.resize(end - begin);
-                                  weigh(nodes,
-                                        begin,
-                                        input.points[point],
-                                        edges.normals[point].data(),
-                                        radius * radius,
-                                        scratch);
-                                  total += sumOf(scratch);
-                                  for (std::size_t c = 0; c < mean.size(); ++c)
-                                    mean[c] +=
-                                        productOf(scratch, &nodes.values[c][begin]);
-                                });
-  for (float& value : mean)
-    value /= total;
-  return total > 0.0f;
+  const std::size_t classes = nodes.values.size();
+  float weights = 0.0f;
+  mean.resize(classes);
+  for (std::size_t c = 0; c < classes; c += 2) { // mostly two
+    const std::size_t next = std::min(c + 1, classes - 1);
+    Sums sums;
+    const auto add = [&](std::uint32_t begin, std::uint32_t end) {
+      addNodes(nodes,
+               begin,
+               end,
+               input.points[point],
+               edges.normals[point].data(),
+               radius * radius,
+               nodes.values[c],
+               nodes.values[next],
+               sums);
+    };
+    nodes.grid.forEachRangeWithin(positionOf(input.points, point), radius, add);
+    mean[c] = sums.first / sums.weights;
+    mean[next] = sums.second / sums.weights;
+    weights = sums.weights;
+  }
+  return weights > 0.0f;
 }
 
 /** use(k, mean) with the mean at each of some points, if nodes are near. */
@@ -157,9 +151,9 @@ forEachMean(const FieldInput& input,
 {
   kernels::parallelForRanges(
       points.size(), input.threads, [&](std::size_t begin, std::size_t end) {
-        Floats scratch, mean;
+        Floats mean;
         for (std::size_t k = begin; k < end; ++k)
-          if (meanAt(input, edges, nodes, points[k], scratch, mean))
+          if (meanAt(input, edges, nodes, points[k], mean))
             use(k, mean);
       });
 }
