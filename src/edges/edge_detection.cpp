@@ -219,6 +219,17 @@ measureCloud(const FieldInput& input, std::vector<float> spacings, ShapeField& f
 }
 
 void
+setMeasured(const NoiseLevel& noise, const Bounds& bounds, CloudNumbers& numbers)
+{
+  numbers.noise_level = noise.level;
+  numbers.noise_correlation = noise.correlation;
+  for (int axis = 0; axis < 3; ++axis) {
+    numbers.low[static_cast<std::size_t>(axis)] = bounds.low[axis];
+    numbers.high[static_cast<std::size_t>(axis)] = bounds.high[axis];
+  }
+}
+
+void
 findEdges(const FieldInput& input,
           const MeasuredCloud& measured,
           const ShapeModel& model,

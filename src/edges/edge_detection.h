@@ -30,6 +30,11 @@ MeasuredCloud measureCloud(const FieldInput& input, ShapeField& field);
 MeasuredCloud
 measureCloud(const FieldInput& input, std::vector<float> spacings, ShapeField& field);
 
+/** \brief Sets the noise and the bounds among the numbers of a cloud. */
+void setMeasured(const NoiseLevel& noise,
+                 const segmentation::Bounds& bounds,
+                 CloudNumbers& numbers);
+
 /** \brief Find the creases of a cloud: sets normals, edge likelihood and creases. See
  * doc/method.md for the steps.
  * \param[in] model two classes, the first of which is the edge */
