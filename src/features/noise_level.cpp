@@ -8,6 +8,7 @@
 #include "common/parallel.h"
 #include "common/statistics.h"
 #include "features/some_points.h"
+#include "geometry/cells_around.h"
 #include "geometry/point_grid.h"
 
 #include <pcl/features/impl/neighborhoods.hpp>
@@ -55,32 +56,23 @@ crossing(double low, float at_low, double high, float at_high)
   return low + share * (high - low);
 }
 
-/** The points that are nearer than a reach to some of them, these among them. */
+/** The points that are nearer than a reach to some of them, and others. */
 pcl::Indices
 pointsNear(const pcl::Indices& some,
            const XYZView& points,
            float reach,
            unsigned threads)
 {
-  std::vector<Vector3f> places;
-  places.reserve(some.size());
+  CellsAround cells(reach);
   for (const pcl::index_t i : some)
-    places.push_back(positionOf(points, static_cast<std::size_t>(i)));
-  const PointGrid grid({places.data()->data(), 3, places.size()}, reach);
-  std::vector<char> is_near(points.size, 0);
-  kernels::parallelForEach(points.size, threads, [&](std::size_t i) {
-    is_near[i] = kernels::isFinite(points[i]) &&
-                 grid.anyWithin(positionOf(points, i),
-                                reach,
-                                [](std::uint32_t, const Vector3f&) { return true; });
-  });
-  for (const pcl::index_t i : some) // even if the square of the reach is 0
-    is_near[static_cast<std::size_t>(i)] = 1;
-  pcl::Indices found;
-  for (std::size_t i = 0; i < is_near.size(); ++i)
-    if (is_near[i])
-      found.push_back(static_cast<pcl::index_t>(i));
-  return found;
+    cells.add(positionOf(points, static_cast<std::size_t>(i)));
+  return kernels::collectForEach<pcl::index_t>(
+      static_cast<std::uint32_t>(points.size),
+      threads,
+      [&](std::uint32_t i, pcl::Indices& near) {
+        if (kernels::isFinite(points[i]) && cells.mayHold(positionOf(points, i)))
+          near.push_back(static_cast<pcl::index_t>(i));
+      });
 }
 
 /** Measures how far normals differ around some points. */

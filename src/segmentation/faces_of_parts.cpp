@@ -390,8 +390,7 @@ FacesAround::residuals() const
   const auto own = withFirstParents(faces, state_->ownNodes(assembly, faces));
   std::array<std::vector<float>, levels> residuals;
   for (std::size_t l = 0; l < levels; ++l)
-    for (const std::optional<FaceFit>& fit :
-         fitsOf(faces, l, own[l], state_->numbers.spacing, state_->threads))
+    for (const std::optional<FaceFit>& fit : fitsOf(faces, l, own[l], state_->threads))
       if (fit)
         residuals[l].push_back(fit->residual);
   return residuals;
@@ -406,11 +405,8 @@ FacesAround::likelihoods(const Noise& noise) const
   const auto near = withParents(faces, state_->nearNodes(faces));
   std::vector<FaceFits> fits;
   for (std::size_t l = 0; l < levels; ++l)
-    fits.push_back(fitsOf(faces,
-                          l,
-                          nodesAround(faces.levels[l], near[l], spacing),
-                          spacing,
-                          state_->threads));
+    fits.push_back(fitsOf(
+        faces, l, nodesAround(faces.levels[l], near[l], spacing), state_->threads));
   const FaceEvidence of_nodes = faceEvidence(
       faces, std::move(fits), {noise.begin(), noise.end()}, spacing, state_->threads);
   const PartOfFaces& own = state_->own;

@@ -43,8 +43,6 @@ constexpr float min_bulge = 5.0f;
 constexpr float min_errors = 4.0f;
 constexpr float steepness = 3.0f; // of the evidence, for the logarithm of these ratios
 constexpr float max_evidence = 4.0f;
-// In spacings: with less a node's window says as much as those of all nodes around it.
-constexpr double little_noise = 0.1;
 // Noise that averages out is in the standard error. What does not is at the next
 // levels.
 constexpr std::size_t noise_levels = 2;
@@ -278,13 +276,12 @@ averaged(const FaceLevel& level, const std::vector<float>& values, unsigned thre
 }
 
 /** Of the nodes of the first level keeps one of each in the next: the child nearest to
- * its middle. Windows of the others are nearly the same, unless there is noise: it
- * averages out over all. */
+ * its middle. Windows of the others hold nearly the same nodes. */
 void
-keepMiddles(const FacePyramid& pyramid, float spacing, std::vector<bool>& chosen)
+keepMiddles(const FacePyramid& pyramid, std::vector<bool>& chosen)
 {
   const FaceLevel& first = pyramid.levels[0];
-  if (pyramid.levels.size() < 2 || first.cell > firstCell(little_noise, spacing))
+  if (pyramid.levels.size() < 2)
     return;
   const FaceLevel& next = pyramid.levels[1];
   std::vector<std::uint32_t> middles(next.nodes.size(), FacePyramid::none);
@@ -329,12 +326,11 @@ FaceFits
 fitsOf(const FacePyramid& pyramid,
        std::size_t of_level,
        std::vector<bool> wanted,
-       float spacing,
        unsigned threads)
 {
   const FaceLevel& level = pyramid.levels[of_level];
   if (of_level == 0)
-    keepMiddles(pyramid, spacing, wanted);
+    keepMiddles(pyramid, wanted);
   FaceFits fits(level.nodes.size());
   kernels::parallelForRanges(
       fits.size(), threads, [&](std::size_t begin, std::size_t end) {
@@ -354,8 +350,7 @@ faceEvidence(const FacePyramid& pyramid, float spacing, unsigned threads)
   std::vector<float> noise;
   for (std::size_t l = 0; l < pyramid.levels.size(); ++l) {
     const std::size_t nodes = pyramid.levels[l].nodes.size();
-    fits.push_back(
-        fitsOf(pyramid, l, std::vector<bool>(nodes, true), spacing, threads));
+    fits.push_back(fitsOf(pyramid, l, std::vector<bool>(nodes, true), threads));
     noise.push_back(noiseOfCloud(fits.back()));
   }
   return faceEvidence(pyramid, std::move(fits), noise, spacing, threads);
@@ -381,7 +376,7 @@ faceEvidence(const FacePyramid& pyramid,
   findEvidence(pyramid, levels, spacing);
   const FaceLevel& first = pyramid.levels.front();
   std::vector<bool> is_middle(first.nodes.size(), true);
-  keepMiddles(pyramid, spacing, is_middle);
+  keepMiddles(pyramid, is_middle);
   const std::vector<float> unknown(first.nodes.size(), nan);
   FaceEvidence evidence{unknown, unknown};
   kernels::parallelForEach(unknown.size(), threads, [&](std::size_t i) {

@@ -20,13 +20,11 @@ constexpr int averaging_rounds = 5;
  * \param[in] spacing of the node */
 double windowRadius(double cell, double spacing);
 
-/** \brief How the windows of the nodes of a level that are wanted bend. Of the first
- * level, if there is little noise, one for each node of the next is enough.
- * \param[in] spacing of the cloud, median \param[in] threads 0 for all cores */
+/** \brief How the windows of the nodes of a level that are wanted bend; of the first
+ * level one for each node of the next. \param[in] threads 0 for all cores */
 FaceFits fitsOf(const FacePyramid& pyramid,
                 std::size_t of_level,
                 std::vector<bool> wanted,
-                float spacing,
                 unsigned threads);
 
 /** \brief What windows say of nodes, or of points. */
