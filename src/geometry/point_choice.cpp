@@ -4,7 +4,7 @@
 
 #include "geometry/point_choice.h"
 
-#include "geometry/cell_order.h"
+#include "geometry/cell_loop.h"
 #include "geometry/point_grid.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "geometry/point_grid.h"
 
 #include "common/finite.h"
-#include "geometry/cell_order.h"
+#include "geometry/cell_loop.h"
 #include "geometry/point_choice.h"
 
 #include <cmath>

@@ -9,7 +9,7 @@
 #include "common/number_text.h"
 #include "common/parallel.h"
 #include "common/statistics.h"
-#include "geometry/cell_order.h"
+#include "geometry/cell_loop.h"
 #include "geometry/point_choice.h"
 #include "geometry/point_grid.h"
 

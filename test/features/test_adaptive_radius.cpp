@@ -133,6 +133,31 @@ TEST(AdaptiveRadius, TheSpacingIsTheDistanceToThe12thNeighborSoftened)
   EXPECT_FLOAT_EQ(2.0f, spacings[5]);
 }
 
+TEST(AdaptiveRadius, SomePointsTellHowManyAreUnknown)
+{
+  // A plane, and as many points on lines so far apart that none of them has a normal.
+  constexpr int side = 100;
+  constexpr float step = 0.01f, apart = 0.5f;
+  Surface surface;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x)
+      for (const float row : {step, apart})
+        surface.xyz.insert(surface.xyz.end(),
+                           {step * static_cast<float>(x),
+                            row * static_cast<float>(y),
+                            row == step ? 0.0f : 10.0f});
+  Indices all(surface.size());
+  std::iota(all.begin(), all.end(), 0);
+  const detail::Neighborhoods neighborhoods(surface.points(), surface.points(), all, 2);
+  const auto spacings = detail::localSpacings(neighborhoods, all.size());
+  const auto share = [&](std::size_t points) {
+    return detail::shareUnknown(neighborhoods, spacings, points, 0.0, 2);
+  };
+  EXPECT_EQ(0.5, share(surface.size()));
+  EXPECT_NEAR(0.5, share(1000), 5.0 * std::sqrt(0.25 / 1000.0)); // deviations
+  EXPECT_EQ(0.0, share(0));
+}
+
 TEST(AdaptiveRadius, NoiseIsMeasuredInSpacings)
 {
   const auto noise = [](double sigma) {

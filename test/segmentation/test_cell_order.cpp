@@ -63,13 +63,6 @@ expectSorted(std::vector<CellPoint> points)
       begins.push_back(i);
   begins.push_back(expected.size());
   EXPECT_EQ(beginsOfCells(points), begins);
-  std::vector<std::size_t> sizes(begins.size() - 1), expected_sizes;
-  forEachCell(points, begins, 2, [&](const auto begin, const auto end, std::size_t k) {
-    sizes[k] += static_cast<std::size_t>(end - begin);
-  });
-  for (std::size_t k = 0; k + 1 < begins.size(); ++k)
-    expected_sizes.push_back(begins[k + 1] - begins[k]);
-  EXPECT_EQ(sizes, expected_sizes);
 }
 
 constexpr std::int32_t min = std::numeric_limits<std::int32_t>::min();

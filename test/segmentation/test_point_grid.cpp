@@ -3,6 +3,7 @@
 // Points in cells, and evidence averaged over a few of them, beside all points.
 
 #include "common/statistics.h"
+#include "geometry/cells_around.h"
 #include "geometry/point_choice.h"
 #include "geometry/point_grid.h"
 #include "support/shapes.h"
@@ -12,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -275,6 +277,43 @@ TEST(CentralPoints, AreNearestToTheMiddlesOfCells)
   Indices order{0, 1, 2, 3, 4, 5};
   sortByPosition(points, order);
   EXPECT_EQ((Indices{4, 1, 2, 5, 3, 0}), order);
+}
+
+TEST(CellsAround, HoldAllThatIsNear)
+{
+  Random random(11);
+  // Near the origin, off it, and so far that floats are coarser than the cells.
+  for (const double origin : {0.0, -1000.0, 1e9}) {
+    SCOPED_TRACE(origin);
+    constexpr float size = 0.1f;
+    CellsAround cells(size);
+    std::vector<Vector3f> places;
+    const auto anywhere = [&](double width) -> Vector3f {
+      return Eigen::Vector3d(origin + random.uniform(0.0, width),
+                             random.uniform(0.0, width),
+                             random.uniform(-width, 0.0))
+          .cast<float>();
+    };
+    for (int i = 0; i < 50; ++i) {
+      places.emplace_back(anywhere(10.0));
+      cells.add(places.back());
+    }
+    std::size_t held = 0;
+    for (int i = 0; i < 20000; ++i) {
+      const Vector3f point = anywhere(10.0);
+      const bool is_near =
+          std::any_of(places.begin(), places.end(), [&](const Vector3f& place) {
+            return (place - point).norm() < size;
+          });
+      EXPECT_TRUE(!is_near || cells.mayHold(point));
+      held += cells.mayHold(point) ? 1 : 0;
+    }
+    if (origin != 1e9) { // 50 times 27 cells of a million, and as many share slots
+      EXPECT_LT(held, 2U * 2U * 20000U * 50U * 27U / 1000000U);
+    }
+    for (const Vector3f& place : places)
+      EXPECT_TRUE(cells.mayHold(place));
+  }
 }
 
 } // namespace
