@@ -5,7 +5,8 @@
 
 Usage: scripts/measure_tiles.py BUILD_DIR [-what memory,scaling,identity,faults]
            [-scene landscape|room|street|sheet] [-points N] [-files N] [-tile L]
-           [-options="-edges -types"] [-memory M] [-mpi] [-runs N] [-kills N] [-whole N]
+           [-options="-edges -types"] [-memory M] [-mpi] [-runs N | -only K,...]
+           [-kills N] [-whole N]
 A generated landscape (benchmarks/landscape) of about N points is written into strips in a
 temporary directory, where there must be room for some 120 bytes a point; or another scene
 (scripts/tile_scenes.py, needs NumPy). Tables in Markdown go to standard output. Times are
@@ -20,7 +21,7 @@ identity  five sizes of tiles, three orders of the files and 1, 2 and 4 processe
           -mpi ranks of Open MPI: each output is compared with that of the whole
           cloud in memory, byte by byte. Some points are not finite, equal or far away.
           With -runs 15 only these: each pair of size, order and processes is among
-          them, with -runs 5 each of the values
+          them, with -runs 5 each of the values; -only names some by their numbers, from 0
 faults    runs two processes, or ranks, and kills one or all of them at a random time, -kills
           times (30); each is run again, and must give the bytes of a run that was
           not killed, without computing again what was complete
@@ -252,10 +253,14 @@ def print_identity(scene):
         trouble(scene.files)
     expected = expected_points(scene)
     same = compared = 0
-    tiles = set()
-    for share, order, count in list(combinations(scene.files))[:scene.arguments.runs]:
+    tiles, orders, counts = set(), set(), set()
+    everything = list(combinations(scene.files))
+    chosen = scene.arguments.only or range(scene.arguments.runs)
+    for share, order, count in (everything[i] for i in chosen):
         _, report = scene.tiles(count, f"{share * scene.edge:.2f}", order)
         tiles.add(report["counts"]["tiles"])
+        orders.add(tuple(order))
+        counts.add(count)
         found = all(split(scene.directory / "out" / name)[1] == points
                     for name, points in expected.items())
         compared, same = compared + 1, same + found
@@ -263,9 +268,9 @@ def print_identity(scene):
             print(f"other bytes: tiles of {share * scene.edge:.2f} m, {count} of "
                   f"{[f.name for f in order]}", file=sys.stderr)
     print(f"{scene.title(' with NaN, equal and far ones')}: {same} of {compared} runs\n"
-          f"({len(tiles)} numbers of tiles, {min(tiles)} to {max(tiles)}; 3 orders of "
-          f"{len(scene.files)} files; 1, 2 and 4 {scene.workers}) have the bytes of the "
-          "whole cloud.\n")
+          f"({len(tiles)} numbers of tiles, {min(tiles)} to {max(tiles)}; {len(orders)} "
+          f"orders of {len(scene.files)} files; {', '.join(map(str, sorted(counts)))} "
+          f"{scene.workers}) have the bytes of the whole cloud.\n")
     return same == compared
 
 
@@ -365,6 +370,7 @@ def main():
     parser.add_argument("-what", default="memory,scaling,identity")
     parser.add_argument("-mpi", action="store_true")
     parser.add_argument("-runs", type=int, default=45)
+    parser.add_argument("-only", type=lambda text: [int(i) for i in text.split(",")])
     parser.add_argument("-kills", type=int, default=30)
     parser.add_argument("-whole", type=int)
     arguments = parser.parse_args()
@@ -372,6 +378,10 @@ def main():
     if unknown := set(what) - {"memory", "scaling", "identity", "faults"}:
         parser.error(f"-what is {','.join(sorted(unknown))}; expected memory, scaling, "
                      "identity or faults")
+    combinations_of_all = len(list(combinations([])))
+    if any(not 0 <= i < combinations_of_all for i in arguments.only or []):
+        parser.error(f"-only is {arguments.only}; expected numbers from 0 to "
+                     f"{combinations_of_all - 1}")
     if arguments.mpi and not shutil.which("mpirun"):
         parser.error("-mpi: there is no mpirun; expected Open MPI")
     with tempfile.TemporaryDirectory(prefix="pcl_shape_tiles_") as directory:

@@ -256,6 +256,30 @@ toBytes(const pcl::NoiseMeasures& measures)
   return bytes;
 }
 
+/** The places of the first points, which are the tile's own. */
+TilePlaces
+ownPlaces(TileDistances own,
+          const pcl::PointCloud<pcl::PointXYZ>& points,
+          std::size_t count)
+{
+  TilePlaces result;
+  result.places = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  result.places->reserve(points.size());
+  auto repeat = own.repeats.begin();
+  auto place = own.places.begin();
+  for (std::size_t i = 0; i < count; ++i)
+    if (repeat != own.repeats.end() && *repeat == i) {
+      result.own_places.push_back(static_cast<std::int32_t>(*place++));
+      ++repeat;
+    }
+    else {
+      result.own_places.push_back(static_cast<std::int32_t>(result.places->size()));
+      result.places->push_back(points[i]);
+    }
+  result.distances = std::move(own.distances);
+  return result;
+}
+
 pcl::NoiseMeasures
 measuresOf(const Bytes& bytes)
 {
@@ -311,23 +335,9 @@ measuredPlacesOf(const TiledCloud& cloud,
                  const TiledNumbers& numbers)
 {
   const auto all = floatsOf(points, cloud.offset());
-  TileDistances own = distancesOf(cloud, numbers.distances, tile);
-  const std::size_t own_places = own.distances.size();
-  TilePlaces result;
-  result.places = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  result.places->reserve(all->size());
-  auto repeat = own.repeats.begin();
-  auto place = own.places.begin();
-  for (std::size_t i = 0; i < points.own; ++i)
-    if (repeat != own.repeats.end() && *repeat == i) {
-      result.own_places.push_back(static_cast<std::int32_t>(*place++));
-      ++repeat;
-    }
-    else {
-      result.own_places.push_back(static_cast<std::int32_t>(result.places->size()));
-      result.places->push_back((*all)[i]);
-    }
-  result.distances = std::move(own.distances);
+  TilePlaces result =
+      ownPlaces(distancesOf(cloud, numbers.distances, tile), *all, points.own);
+  const std::size_t own_places = result.places->size();
   std::vector<float> of_tile;
   for (std::size_t k = 0; k < points.around.size(); ++k) {
     const auto& [other, row] = points.around[k];
@@ -341,6 +351,25 @@ measuredPlacesOf(const TiledCloud& cloud,
   result.is_own.assign(result.places->size(), false);
   std::fill_n(result.is_own.begin(), own_places, true);
   return result;
+}
+
+TilePlaces
+ownMeasuredPlacesOf(const TiledCloud& cloud,
+                    std::size_t tile,
+                    const TilePoints& points,
+                    const TiledNumbers& numbers)
+{
+  TilePlaces result = ownPlaces(distancesOf(cloud, numbers.distances, tile),
+                                *floatsOf(points, cloud.offset()),
+                                points.own);
+  result.is_own.assign(result.places->size(), true);
+  return result;
+}
+
+PointBox
+boxOfPlaces(const TiledCloud& cloud, std::size_t tile, const TiledNumbers& numbers)
+{
+  return distancesOf(cloud, numbers.distances, tile).box;
 }
 
 } // namespace pcl::app

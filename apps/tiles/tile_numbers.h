@@ -34,4 +34,15 @@ TilePlaces measuredPlacesOf(const pcl::tiling::TiledCloud& cloud,
                             const pcl::tiling::TilePoints& points,
                             const TiledNumbers& numbers);
 
+/** \brief The tile's own ones alone, in their order. */
+TilePlaces ownMeasuredPlacesOf(const pcl::tiling::TiledCloud& cloud,
+                               std::size_t tile,
+                               const pcl::tiling::TilePoints& points,
+                               const TiledNumbers& numbers);
+
+/** \brief The box of a tile's own places, or means. */
+PointBox boxOfPlaces(const pcl::tiling::TiledCloud& cloud,
+                     std::size_t tile,
+                     const TiledNumbers& numbers);
+
 } // namespace pcl::app

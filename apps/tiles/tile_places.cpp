@@ -97,18 +97,13 @@ placesOf(const pcl::tiling::TilePoints& points,
 }
 
 TilePlaces
-ownPlacesOf(const pcl::tiling::TilePoints& points,
-            const pcl::tiling::Position& offset,
-            double resolution)
+ownMeansOf(const pcl::tiling::TilePoints& points,
+           const pcl::tiling::Position& offset,
+           double resolution)
 {
   TilePlaces places = placesOf(points, offset, resolution);
-  if (resolution == 0.0) // the places of its own points come first
-    places.places->resize(static_cast<std::size_t>(
-        std::count(places.is_own.begin(), places.is_own.end(), true)));
-  else {
-    places.places = chosenFrom(*places.places, places.own_places);
-    std::iota(places.own_places.begin(), places.own_places.end(), 0);
-  }
+  places.places = chosenFrom(*places.places, places.own_places);
+  std::iota(places.own_places.begin(), places.own_places.end(), 0);
   places.is_own.assign(places.places->size(), true);
   return places;
 }

@@ -73,10 +73,10 @@ TilePlaces placesOf(const pcl::tiling::TilePoints& points,
                     const pcl::tiling::Position& offset,
                     double resolution);
 
-/** \brief The tile's own ones alone, in their order. */
-TilePlaces ownPlacesOf(const pcl::tiling::TilePoints& points,
-                       const pcl::tiling::Position& offset,
-                       double resolution);
+/** \brief The tile's own means alone, in their order. */
+TilePlaces ownMeansOf(const pcl::tiling::TilePoints& points,
+                      const pcl::tiling::Position& offset,
+                      double resolution);
 
 /** \brief How far points must be there so that the places within a reach of a tile's
  * own ones are. */

@@ -72,31 +72,31 @@ addNeighbors(const TiledCloud& cloud,
 Bytes
 windowsOf(const TiledCloud& cloud,
           std::size_t tile,
-          const TilePoints& points,
           const TiledNumbers& numbers,
           double resolution,
           unsigned threads)
 {
-  const TilePlaces places = ownPlacesOf(points, cloud.offset(), resolution);
   const TileFaces own = facesOf(cloud, tile);
-  FacesAround faces(own.part, places.view(), numbers.of_cloud, threads);
+  const PointBox box = boxOfPlaces(cloud, tile, numbers);
+  const std::array<std::array<float, 3>, 2> corners{box.low, box.high};
+  const bool is_empty = own.part.piece_of_place.empty(); // its means are of other tiles
+  const pcl::XYZView places{corners[0].data(), 3, is_empty ? 0 : corners.size()};
+  FacesAround faces(own.part, places, numbers.of_cloud, threads);
   addNeighbors(cloud, tile, numbers, resolution, faces);
   Bytes bytes;
-  for (const std::vector<float>& of_level : faces.residuals())
+  for (const std::vector<FacesAround::Window>& of_level : faces.windows())
     putAll(of_level, bytes);
   return bytes;
 }
 
-/** use(level, residuals) of each tile. */
-template <typename Use>
-void
-forEachWindows(const TiledCloud& cloud, const Use& use)
+FacesAround::Windows
+takeWindows(const TiledCloud& cloud, std::size_t tile)
 {
-  forEachTile(cloud, [&](std::size_t tile) {
-    ByteReader reader(cloud.resultOf(windows_name, tile));
-    for (std::size_t level = 0; level < FacesAround::levels; ++level)
-      use(level, reader.takeAll<float>());
-  });
+  ByteReader reader(cloud.resultOf(windows_name, tile));
+  FacesAround::Windows windows;
+  for (std::vector<FacesAround::Window>& of_level : windows)
+    of_level = reader.takeAll<FacesAround::Window>();
+  return windows;
 }
 
 /** The files are read twice: once for each digit of the values of all levels. */
@@ -106,9 +106,11 @@ noiseOfWindows(const TiledCloud& cloud)
   static_assert(Selection<float>::passes == 2, "addAll() is called twice");
   std::array<Selection<float>, FacesAround::levels> selections;
   const auto addAll = [&] {
-    forEachWindows(cloud, [&](std::size_t level, const std::vector<float>& residuals) {
-      for (const float residual : residuals)
-        selections[level].add(residual, 1);
+    forEachTile(cloud, [&](std::size_t tile) {
+      const FacesAround::Windows windows = takeWindows(cloud, tile);
+      for (std::size_t level = 0; level < windows.size(); ++level)
+        for (const FacesAround::Window& window : windows[level])
+          selections[level].add(window.residual, 1);
     });
   };
   addAll();
@@ -183,11 +185,9 @@ noiseOfFaces(TiledCloud& cloud,
              double resolution,
              unsigned threads)
 {
-  cloud.run(windows_name,
-            haloOf(0.0, resolution),
-            [&](std::size_t tile, const TilePoints& points) {
-              return windowsOf(cloud, tile, points, numbers, resolution, threads);
-            });
+  cloud.runOnResults(windows_name, [&](std::size_t tile) {
+    return windowsOf(cloud, tile, numbers, resolution, threads);
+  });
   return Json::parse(cloud.decide("noise_of_faces",
                                   [&] { return Json(noiseOfWindows(cloud)).dump(); }));
 }
@@ -202,13 +202,16 @@ surfacesOf(const TiledCloud& cloud,
            double resolution,
            unsigned threads)
 {
-  const TilePlaces places = ownPlacesOf(points, cloud.offset(), resolution);
+  const TilePlaces places = resolution > 0.0
+                                ? ownMeansOf(points, cloud.offset(), resolution)
+                                : ownMeasuredPlacesOf(cloud, tile, points, numbers);
   TileFaces own = facesOf(cloud, tile);
   if (places.places->empty()) // the means of its voxels are of other tiles
     return {};
   FacesAround faces(own.part, places.view(), numbers.of_cloud, threads);
   addNeighbors(cloud, tile, numbers, resolution, faces);
-  const pcl::ShapeField::ConstPtr field = fieldOf(places, faces.likelihoods(noise));
+  const pcl::ShapeField::ConstPtr field =
+      fieldOf(places, faces.likelihoods(noise, takeWindows(cloud, tile)));
   SurfaceDetector detector;
   detector.setInputCloud(places.places);
   detector.setShapeField(field);

@@ -145,9 +145,9 @@ public:
   {
     for (std::uint32_t part = 0; part < parts.size(); ++part)
       for (std::uint32_t k = 0; k < parts[part].pieces.size(); ++k)
-        order_.push_back({part, k});
-    std::sort(order_.begin(), order_.end(), [&](const Entry& a, const Entry& b) {
-      return comesBefore(firstOf(a), firstOf(b), cell_);
+        order_.push_back({inOrder(parts[part].pieces[k].first, cell), part, k});
+    std::sort(order_.begin(), order_.end(), [](const Entry& a, const Entry& b) {
+      return a.first < b.first;
     });
     for (const LinkedPieces& part : parts)
       nodes_.emplace_back(part.pieces.size());
@@ -166,12 +166,12 @@ public:
   std::uint32_t
   nodeAt(const Place& first) const
   {
-    const Eigen::Vector3f place = toVector(first);
+    const PlaceInOrder place = inOrder(first, cell_);
     const auto found = std::lower_bound(
-        order_.begin(), order_.end(), place, [&](const Entry& entry, const auto& p) {
-          return comesBefore(firstOf(entry), p, cell_);
+        order_.begin(), order_.end(), place, [](const Entry& entry, const auto& p) {
+          return entry.first < p;
         });
-    return found != order_.end() && firstOf(*found) == place
+    return found != order_.end() && found->first == place
                ? static_cast<std::uint32_t>(found - order_.begin())
                : FacePyramid::none;
   }
@@ -196,14 +196,9 @@ public:
 
 private:
   struct Entry {
+    PlaceInOrder first; ///< point of the piece
     std::uint32_t part, piece;
   };
-
-  Eigen::Vector3f
-  firstOf(const Entry& entry) const
-  {
-    return toVector(parts_[entry.part].pieces[entry.piece].first);
-  }
 
   /** Links to pieces that are not there are left out. */
   void
@@ -224,6 +219,27 @@ private:
   std::vector<Entry> order_;
   std::vector<std::vector<std::uint32_t>> nodes_;
 };
+
+FacesAround::Window
+windowOf(std::uint32_t node, const FaceFit& fit)
+{
+  return {node,
+          fit.residual,
+          {fit.half_width,
+           fit.bulge,
+           fit.bulge_error,
+           fit.inliers,
+           fit.center_offset,
+           fit.center_cosine}};
+}
+
+FaceFit
+fitOf(const FacesAround::Window& window)
+{
+  const auto& [half_width, bulge, bulge_error, inliers, offset, cosine] =
+      window.of_quadric;
+  return {half_width, bulge, bulge_error, window.residual, inliers, offset, cosine};
+}
 
 /** Nodes of all levels that some of the first are in. */
 std::vector<std::vector<bool>>
@@ -349,6 +365,13 @@ struct FacesAround::State {
     return is_own;
   }
 
+  /** The part's own nodes of all levels. */
+  std::vector<std::vector<bool>>
+  ownOfLevels(const Assembly& assembly, const FacePyramid& faces) const
+  {
+    return withFirstParents(faces, ownNodes(assembly, faces));
+  }
+
   /** The nodes whose evidence is asked for. */
   std::vector<bool>
   nearNodes(const FacePyramid& faces) const
@@ -382,31 +405,41 @@ FacesAround::add(const LinkedPieces& other)
   state_->parts.push_back(piecesIn(state_->box, other));
 }
 
-std::array<std::vector<float>, FacesAround::levels>
-FacesAround::residuals() const
+FacesAround::Windows
+FacesAround::windows() const
 {
   const Assembly assembly(state_->parts, state_->cell());
   const FacePyramid faces = state_->pyramid(assembly);
-  const auto own = withFirstParents(faces, state_->ownNodes(assembly, faces));
-  std::array<std::vector<float>, levels> residuals;
-  for (std::size_t l = 0; l < levels; ++l)
-    for (const std::optional<FaceFit>& fit : fitsOf(faces, l, own[l], state_->threads))
-      if (fit)
-        residuals[l].push_back(fit->residual);
-  return residuals;
+  const auto own = state_->ownOfLevels(assembly, faces);
+  Windows windows;
+  for (std::size_t l = 0; l < levels; ++l) {
+    const FaceFits fits = fitsOf(faces, l, own[l], state_->threads);
+    for (std::uint32_t node = 0; node < fits.size(); ++node)
+      if (fits[node])
+        windows[l].push_back(windowOf(node, *fits[node]));
+  }
+  return windows;
 }
 
 std::vector<std::vector<float>>
-FacesAround::likelihoods(const Noise& noise) const
+FacesAround::likelihoods(const Noise& noise, const Windows& windows) const
 {
   const Assembly assembly(state_->parts, state_->cell());
   FacePyramid faces = state_->pyramid(assembly);
   const float spacing = state_->numbers.spacing;
   const auto near = withParents(faces, state_->nearNodes(faces));
+  const auto own_nodes = state_->ownOfLevels(assembly, faces);
   std::vector<FaceFits> fits;
-  for (std::size_t l = 0; l < levels; ++l)
-    fits.push_back(fitsOf(
-        faces, l, nodesAround(faces.levels[l], near[l], spacing), state_->threads));
+  for (std::size_t l = 0; l < levels; ++l) {
+    const std::vector<bool> wanted = nodesAround(faces.levels[l], near[l], spacing);
+    std::vector<bool> of_others = wanted;
+    for (std::size_t node = 0; node < wanted.size(); ++node)
+      of_others[node] = wanted[node] && !own_nodes[l][node];
+    fits.push_back(fitsOf(faces, l, of_others, state_->threads));
+    for (const Window& window : windows[l])
+      if (wanted.at(window.node))
+        fits[l][window.node] = fitOf(window);
+  }
   const FaceEvidence of_nodes = faceEvidence(
       faces, std::move(fits), {noise.begin(), noise.end()}, spacing, state_->threads);
   const PartOfFaces& own = state_->own;

@@ -196,11 +196,12 @@ private:
     std::vector<char> is_near(keeps_own.size(), 0);
     kernels::parallelForEach(is_near.size(), request_.threads, [&](std::size_t i) {
       const float* const p = request_.surface[i];
-      is_near[i] =
-          kernels::isFinite(p) &&
+      const auto any = [](std::uint32_t, const Eigen::Vector3f&) { return true; };
+      if (kernels::isFinite(p) &&
           grid.anyWithin(Eigen::Map<const Eigen::Vector3f>(p),
                          static_cast<float>(reach) * spacings[i],
-                         [](std::uint32_t, const Eigen::Vector3f&) { return true; });
+                         any))
+        is_near[i] = 1;
     });
     pcl::Indices near;
     for (std::size_t i = 0; i < is_near.size(); ++i)

@@ -153,8 +153,9 @@ ownPoints(const ShapeField& means,
   for (std::size_t i = 0; i < is_own.size(); ++i)
     if (stands_for[i] >= 0) {
       const auto mean = static_cast<std::size_t>(stands_for[i]);
-      is_own[i] = std::isnan(means.edge_likelihood[mean]) ||
-                  means.spacings[mean] > coarser * spacings[i];
+      if (!std::isnan(means.edge_likelihood[mean]) &&
+          means.spacings[mean] <= coarser * spacings[i])
+        is_own[i] = 0;
     }
   return is_own;
 }

@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 namespace pcl::segmentation {
@@ -455,13 +454,10 @@ layerReach(double noise, float spacing)
   return noise > layer_noise ? link_cells * firstCell(noise, spacing) : 0.0;
 }
 
-bool
-comesBefore(const Vector3f& a, const Vector3f& b, float cell)
+PlaceInOrder
+inOrder(const std::array<float, 3>& place, float cell)
 {
-  const auto key = [cell](const Vector3f& p) {
-    return std::make_tuple(cellOf(p, cell), p.x(), p.y(), p.z());
-  };
-  return key(a) < key(b);
+  return {cellOf(Vector3f(place[0], place[1], place[2]), cell), place};
 }
 
 FacePyramid

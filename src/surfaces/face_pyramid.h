@@ -4,8 +4,11 @@
 
 #pragma once
 
+#include "geometry/cell_order.h"
+
 #include <pcl/segmentation/shape_field.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -72,8 +75,11 @@ double firstLink(double cell, double max_spacing);
 double layerReach(double noise, float spacing);
 
 /** \brief Nodes of the first level are in this order of the first points in them: by
- * their cells of this size, and by coordinates. */
-bool comesBefore(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float cell);
+ * their cells, and by coordinates. */
+using PlaceInOrder = std::pair<Cell, std::array<float, 3>>;
+
+/** \param[in] cell the size of the cells */
+PlaceInOrder inOrder(const std::array<float, 3>& place, float cell);
 
 /** \brief The nodes of a face around one of them. */
 class FaceWindow {

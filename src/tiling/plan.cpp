@@ -36,23 +36,36 @@ isFinite(const std::array<float, 3>& p)
 }
 
 Survey
-Survey::ofSection()
+Survey::ofSection(int exponent)
 {
   // Cells grow from a micrometer, and each time all are counted anew: these do not
   // leave the cache. A million points are 32 in a cell then, and tiles have thousands.
   // Eight sections have as many cells as there may be of all.
   constexpr std::size_t max_cells = DensityCells::default_max_cells / 8;
-  return Survey(max_cells);
+  return {max_cells, exponent};
 }
 
 void
-Survey::add(const Position& point, const Position& offset)
+Survey::add(const Position* points, std::size_t count, const Position& offset)
 {
-  const std::array<float, 3> floats = floatsOf(point, offset);
-  const bool is_finite = isFinite(floats);
-  ++(is_finite ? finite_ : not_finite_);
-  if (is_finite)
-    cells_.add(floats.data());
+  constexpr std::size_t at_a_time = 1024;
+  std::vector<float> of_finite;
+  of_finite.reserve(3 * at_a_time);
+  const auto addThese = [&] {
+    cells_.add(of_finite.data(), of_finite.size() / 3);
+    finite_ += of_finite.size() / 3;
+    of_finite.clear();
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::array<float, 3> floats = floatsOf(points[i], offset);
+    if (!isFinite(floats))
+      ++not_finite_;
+    else
+      of_finite.insert(of_finite.end(), floats.begin(), floats.end());
+    if (of_finite.size() == 3 * at_a_time)
+      addThese();
+  }
+  addThese();
 }
 
 void

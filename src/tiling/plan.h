@@ -29,10 +29,10 @@ public:
   /** \brief Of all sections. */
   Survey() = default;
 
-  /** \brief Of one section, in fewer cells. */
-  static Survey ofSection();
+  /** \brief Of one section, in fewer cells. \param[in] exponent see DensityCells */
+  static Survey ofSection(int exponent = DensityCells::min_exponent);
 
-  void add(const Position& point, const Position& offset);
+  void add(const Position* points, std::size_t count, const Position& offset);
 
   /** \brief Those of a survey whose bytes these are. */
   void add(const Bytes& bytes);
@@ -58,7 +58,7 @@ public:
   }
 
 private:
-  explicit Survey(std::size_t max_cells) : cells_(max_cells) {}
+  Survey(std::size_t max_cells, int exponent) : cells_(max_cells, exponent) {}
 
   DensityCells cells_;
   std::uint64_t finite_ = 0, not_finite_ = 0;

@@ -12,7 +12,6 @@
 namespace pcl::tiling {
 namespace {
 
-constexpr int min_exponent = -20;            // a micrometer
 constexpr std::uint64_t points_of_cell = 64; // enough to know how dense they are
 constexpr double neighbors = 12.0, pi = 3.14159265358979;
 
@@ -189,6 +188,12 @@ CellCounts::add(const CellKey& key, std::uint64_t count)
 }
 
 void
+CellCounts::prepare(const CellKey& key) const
+{
+  __builtin_prefetch(&slots_[hashOf(key) & (slots_.size() - 1)], 1);
+}
+
+void
 CellCounts::grow()
 {
   std::vector<Cell> old(2 * slots_.size());
@@ -225,16 +230,33 @@ CellCounts::coarser(int doublings) const
   return result;
 }
 
-DensityCells::DensityCells(std::size_t max_cells)
+DensityCells::DensityCells(std::size_t max_cells, int exponent)
 : max_cells_(max_cells)
-, grid_{min_exponent}
+, first_exponent_(exponent)
+, grid_{exponent}
 {}
 
 void
-DensityCells::add(const float* point)
+DensityCells::add(const float* points, std::size_t count)
 {
-  counts_.add(grid_.keyOf(point), 1);
-  bound();
+  // Some at a time, whose cells are fetched at once: the table is larger than a cache.
+  std::array<CellKey, 32> keys;
+  for (std::size_t begin = 0; begin < count; begin += keys.size()) {
+    const std::size_t size = std::min(keys.size(), count - begin);
+    for (std::size_t i = 0; i < size; ++i) {
+      keys[i] = grid_.keyOf(points + 3 * (begin + i));
+      counts_.prepare(keys[i]);
+    }
+    for (std::size_t i = 0; i < size; ++i)
+      counts_.add(keys[i], 1);
+    bound();
+  }
+}
+
+bool
+DensityCells::areSmallest() const
+{
+  return grid_.exponent > first_exponent_ || grid_.exponent == min_exponent;
 }
 
 void

@@ -39,6 +39,9 @@ public:
 
   void add(const CellKey& key, std::uint64_t count);
 
+  /** \brief Asks for the memory where a cell will be counted. */
+  void prepare(const CellKey& key) const;
+
   std::size_t
   size() const
   {
@@ -64,10 +67,17 @@ class DensityCells {
 public:
   static constexpr std::size_t default_max_cells = 1 << 18; ///< some 30 MB, if used
 
-  explicit DensityCells(std::size_t max_cells = default_max_cells);
+  static constexpr int min_exponent = -20; ///< cells of a micrometer
 
-  /** \param[in] point finite */
-  void add(const float* point);
+  /** \param[in] exponent of the size of the smallest cells */
+  explicit DensityCells(std::size_t max_cells = default_max_cells,
+                        int exponent = min_exponent);
+
+  /** \param[in] points finite, coordinate after coordinate */
+  void add(const float* points, std::size_t count);
+
+  /** \brief Whether cells of half the size would be too many, or a micrometer. */
+  bool areSmallest() const;
 
   /** \brief The points of other cells, whatever their size. */
   void add(const CellGrid& grid, const std::vector<Cell>& cells);
@@ -92,6 +102,7 @@ private:
   void bound();
 
   std::size_t max_cells_;
+  int first_exponent_;
   int doublings_ = 8; ///< at a time: from a micrometer to meters there are twenty
   CellGrid grid_;
   CellCounts counts_;

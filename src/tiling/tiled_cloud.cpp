@@ -17,7 +17,7 @@
 namespace pcl::tiling {
 namespace {
 
-constexpr int format_version = 3;
+constexpr int format_version = 4;
 const std::string tiles_name = "tiles";
 // Of sections: their counts, their points by tile, and which rows of tiles these are.
 const std::string survey_name = "survey", sections_name = "sections",
@@ -120,10 +120,7 @@ struct TiledCloud::State {
   survey()
   {
     results.compute(survey_name, sectionTasks(), [&](std::size_t section) {
-      Survey survey = Survey::ofSection();
-      readSection(section,
-                  [&](const Position& point) { survey.add(point, given_offset); });
-      return results.write(survey_name, section, survey.toBytes());
+      return results.write(survey_name, section, surveyOf(section).toBytes());
     });
     if (team.isFirst()) {
       Survey all;
@@ -136,16 +133,43 @@ struct TiledCloud::State {
     readPlan();
   }
 
+  /** The counts of a section in the smallest cells that are few enough. Most sections
+   * are as dense as those before them: growing from a micrometer takes longer than the
+   * rest. */
+  Survey
+  surveyOf(std::size_t section)
+  {
+    constexpr int smaller = 2; // than those of the section before
+    for (int exponent = std::max(last_exponent - smaller, DensityCells::min_exponent);;
+         exponent = DensityCells::min_exponent) {
+      Survey survey = Survey::ofSection(exponent);
+      readParts(section, [&](const Position* points, std::size_t count) {
+        survey.add(points, count, given_offset);
+      });
+      if (!survey.cells().areSmallest())
+        continue;
+      last_exponent = survey.cells().grid().exponent;
+      return survey;
+    }
+  }
+
+  /** use(points, count) for some points of a section at a time. */
+  template <typename Use>
+  void
+  readParts(std::size_t section, const Use& use) const
+  {
+    const auto& [source, number] = sections[section];
+    sources[source]->readSection(number, use);
+  }
+
   /** use(point) for each point of a section. */
   template <typename Use>
   void
   readSection(std::size_t section, const Use& use) const
   {
-    const auto& [source, number] = sections[section];
-    sources[source]->readSection(number,
-                                 [&](const Position* points, std::size_t count) {
-                                   std::for_each(points, points + count, use);
-                                 });
+    readParts(section, [&](const Position* points, std::size_t count) {
+      std::for_each(points, points + count, use);
+    });
   }
 
   /** The points of each section by tile, and which rows of the tiles they are. A rank
@@ -252,6 +276,7 @@ struct TiledCloud::State {
   Team& team;
   Results results;
   Position given_offset{};
+  int last_exponent = DensityCells::min_exponent; ///< of the section surveyed last
   std::optional<Plan> optional_plan;
   std::vector<std::unique_ptr<TileFile>> files;
 };

@@ -371,9 +371,10 @@ protected:
   {
     std::array<std::vector<float>, FacesAround::levels> residuals;
     forEachFaces([&](const Part&, const FacesAround& faces) {
-      const auto of_part = faces.residuals();
+      const FacesAround::Windows of_part = faces.windows();
       for (std::size_t l = 0; l < residuals.size(); ++l)
-        residuals[l].insert(residuals[l].end(), of_part[l].begin(), of_part[l].end());
+        for (const FacesAround::Window& window : of_part[l])
+          residuals[l].push_back(window.residual);
     });
     FacesAround::Noise noise{};
     for (std::size_t l = 0; l < noise.size(); ++l)
@@ -395,7 +396,8 @@ TEST_F(PartsOfClouds, HaveTheSurfacesOfTheWhole)
   const FacesAround::Noise noise = noiseOfFaces();
   std::size_t compared = 0;
   forEachFaces([&](const Part& part, const FacesAround& faces) {
-    const std::vector<std::vector<float>> likelihoods = faces.likelihoods(noise);
+    const std::vector<std::vector<float>> likelihoods =
+        faces.likelihoods(noise, faces.windows());
     ASSERT_EQ(likelihoods.size(), whole->likelihoods.size());
     for (std::size_t c = 0; c < likelihoods.size(); ++c)
       EXPECT_TRUE(sameBits(likelihoods[c], ofWhole(part, c))) << "class " << c;
@@ -414,7 +416,8 @@ TEST_F(PartsOfClouds, HaveOtherSurfacesWithoutWhatIsAround)
   for (const Part& part : parts) {
     const XYZView places = detail::xyzOf(part.own);
     const FacesAround alone(part.faces, places, numbers, 1);
-    EXPECT_FALSE(sameBits(alone.likelihoods(noise)[curved], ofWhole(part, curved)));
+    EXPECT_FALSE(sameBits(alone.likelihoods(noise, alone.windows())[curved],
+                          ofWhole(part, curved)));
   }
 }
 

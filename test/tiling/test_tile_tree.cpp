@@ -26,7 +26,7 @@ cellsOf(const std::vector<Position>& points)
 {
   DensityCells cells;
   for (const Position& p : points)
-    cells.add(floatsOf(p).data());
+    cells.add(floatsOf(p).data(), 1);
   return cells;
 }
 
@@ -108,8 +108,7 @@ TEST(Survey, SectionsHaveFewCellsAndTilesFewPointsAllTheSame)
   Survey all;
   for (const auto& [begin, end] : {std::pair(0, 150000), std::pair(150000, 400000)}) {
     Survey section = Survey::ofSection();
-    for (auto p = points.begin() + begin; p != points.begin() + end; ++p)
-      section.add(*p, {});
+    section.add(points.data() + begin, static_cast<std::size_t>(end - begin), {});
     EXPECT_GT(section.cells().counts().size(), DensityCells::default_max_cells / 64);
     EXPECT_LE(section.cells().counts().size(), DensityCells::default_max_cells / 8);
     all.add(section.toBytes());
@@ -119,6 +118,36 @@ TEST(Survey, SectionsHaveFewCellsAndTilesFewPointsAllTheSame)
   for (const auto& [tile, count] : countsOf(plan.tree, points)) {
     EXPECT_LE(count, 20000U);
     EXPECT_EQ(count, plan.points[tile]);
+  }
+}
+
+TEST(TileTree, SmallestCellsAreTheSameFromWhateverSizeTheyGrow)
+{
+  const auto points = unevenPoints(100000, 8);
+  std::vector<float> floats;
+  for (const Position& p : points)
+    for (const float coordinate : floatsOf(p))
+      floats.push_back(coordinate);
+  constexpr std::size_t max_cells = 1000;
+  DensityCells expected(max_cells);
+  expected.add(floats.data(), points.size());
+  ASSERT_TRUE(expected.areSmallest());
+  const std::vector<Cell> cells = expected.counts().sorted();
+  const int exponent = expected.grid().exponent;
+  for (const int first : {exponent - 9, exponent - 2, exponent - 1}) {
+    DensityCells grown(max_cells, first);
+    grown.add(floats.data(), points.size());
+    EXPECT_TRUE(grown.areSmallest());
+    ASSERT_EQ(exponent, grown.grid().exponent);
+    const std::vector<Cell> same = grown.counts().sorted();
+    ASSERT_EQ(cells.size(), same.size());
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      ASSERT_TRUE(cells[i].key == same[i].key && cells[i].count == same[i].count);
+  }
+  for (const int first : {exponent, exponent + 1}) {
+    DensityCells coarse(max_cells, first);
+    coarse.add(floats.data(), points.size());
+    EXPECT_FALSE(coarse.areSmallest()) << first - exponent;
   }
 }
 

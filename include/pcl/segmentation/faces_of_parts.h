@@ -87,13 +87,25 @@ public:
    * CloudReach::surfaces of the part's own along each axis. */
   void add(const LinkedPieces& other);
 
-  /** \brief For each level how far the windows of the part's own pieces are from
-   * quadrics, meters: see rankOfNoise(). */
-  std::array<std::vector<float>, levels> residuals() const;
+  /** \brief How a window of the part's own pieces bends. */
+  struct Window {
+    std::uint32_t node = 0;            ///< in its middle
+    float residual = 0.0f;             ///< how far it is from a quadric, meters
+    std::array<float, 6> of_quadric{}; ///< size, bulge and error, inliers, its middle
+  };
+
+  /** \brief Those of each level. */
+  using Windows = std::array<std::vector<Window>, levels>;
+
+  /** \brief Of the windows of all parts rankOfNoise() chooses a residual. */
+  Windows windows() const;
 
   /** \brief For each class of ShapeModel::defaultSurfaces() the posterior of each of
-   * the part's own places; NaN unknown. */
-  std::vector<std::vector<float>> likelihoods(const Noise& noise) const;
+   * the part's own places; NaN unknown.
+   * \param[in] noise of the cloud \param[in] windows those of windows(), which are not
+   * found again */
+  std::vector<std::vector<float>> likelihoods(const Noise& noise,
+                                              const Windows& windows) const;
 
   /** \brief The noise of a cloud is the residual of all parts that so many others are
    * below; it is 0 if there is none. \param[in] residuals how many all parts have */
