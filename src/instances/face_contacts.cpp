@@ -6,6 +6,7 @@
 
 #include "common/parallel.h"
 #include "common/statistics.h"
+#include "instances/label_runs.h"
 #include "instances/primitives.h"
 
 #include <algorithm>
@@ -46,41 +47,6 @@ struct Side {
   Vector3f center = Vector3f::Zero();
   Vector3f normal = Vector3f::Zero();
   int points = 0;
-};
-
-/** Labels in the order of a grid's points, to pass over ranges without other faces. */
-class LabelRuns {
-public:
-  LabelRuns(const PointGrid& grid, const Labels& labels)
-  : runs_(grid.order().size() + 1)
-  {
-    const auto size = static_cast<std::uint32_t>(grid.order().size());
-    runs_.back() = {-1, size, size};
-    for (std::uint32_t at = size; at-- > 0;) {
-      const std::int32_t label = labels[grid.order()[at]];
-      const Run& after = runs_[at + 1];
-      runs_[at] = label < 0              ? after
-                  : label == after.label ? Run{label, at, after.change}
-                                         : Run{label, at, after.first};
-    }
-  }
-
-  /** Whether a range of the order has a label of another face. */
-  bool
-  hasOther(std::uint32_t begin, std::uint32_t end, std::int32_t label) const
-  {
-    const Run& run = runs_[begin];
-    return run.first < end && (run.label != label || run.change < end);
-  }
-
-private:
-  /** The first label from a place on, where it is, and where the next other one is. */
-  struct Run {
-    std::int32_t label;
-    std::uint32_t first, change;
-  };
-
-  std::vector<Run> runs_;
 };
 
 /** Adds what one point meets. */

@@ -6,7 +6,6 @@
 
 #include "common/parallel.h"
 #include "common/quiet.h"
-#include "geometry/point_choice.h"
 #include "geometry/point_grid.h"
 #include "instances/instance_primitive.h"
 
@@ -45,24 +44,23 @@ facesOf(const InstanceInput& input, const Labels& labels)
 {
   const std::int32_t last = *std::max_element(labels.begin(), labels.end());
   std::vector<Face> faces(static_cast<std::size_t>(last + 1));
-  std::vector<std::vector<std::uint32_t>> members(faces.size());
   const double usual = medianSpacing(input);
   for (std::uint32_t i = 0; i < labels.size(); ++i) {
     if (labels[i] < 0)
       continue;
     const auto label = static_cast<std::size_t>(labels[i]);
-    members[label].push_back(i);
     Face& face = faces[label];
     const double d = input.spacings[i] / usual;
     face.area += area_per_point * d * d;
     face.planar += std::isnan(input.likelihood[i]) ? 0.0 : input.likelihood[i];
     ++face.points;
   }
+  const std::vector<std::vector<std::uint32_t>> members =
+      membersInOrder(input, labels, faces.size(), [](std::uint32_t) { return true; });
   const detail::Quiet quiet;
   kernels::parallelFor(faces.size(), input.threads, [&](std::size_t f) {
     Face& face = faces[f];
     face.planar /= static_cast<double>(face.points);
-    sortByPosition(input.points, members[f]);
     face.origin = positionOf(input.points, members[f].front());
     const SurfaceSample sample = sampleOf(input, members[f], max_points, face.origin);
     face.surface = surfaceOf(input, sample, face.planar);

@@ -22,6 +22,8 @@ struct InstanceInput {
   double noise = 0.0;            ///< in spacings
   unsigned threads = 0;
   std::optional<float> median_spacing; ///< of the cloud that the points are a part of
+  /** The finite points by their positions, where many steps want them so; else none. */
+  std::vector<std::uint32_t> order;
 };
 
 /** \brief The instance of each point, 0 and up, -1 for none; the largest is first. */
