@@ -19,20 +19,23 @@ constexpr double min_rim = 0.1; // of its width: a side of a body has convex bor
 constexpr double in_plane_share = 0.8; // of a face's points, as some are at its borders
 // Of the width of a group: faces of one body share a side, bodies that touch may not.
 constexpr float min_side = 1.0f;
-// Groups too small, in spacings, for a body of their own need less.
+// Groups too narrow, in spacings, for a body of their own need less: the arc of a
+// handle is cut across, where it is as wide as it is thick.
 constexpr float narrow = 8.0f, min_narrow_side = 0.5f;
 
-/** Others stand on a face, or lie before it: it is no side of a body. */
+/** Others stand on a face, or lie before it: it is no side of a body. What it meets of
+ * a known support says nothing, as a body alone on a table only meets the table. */
 bool
 carries(std::size_t face,
         const std::vector<Face>& faces,
+        const std::vector<char>& known,
         const std::vector<FaceContact>& contacts)
 {
   float convex = 0.0f, concave = 0.0f;
   for (const FaceContact& contact : contacts) {
     const auto first = static_cast<std::size_t>(contact.first);
     const auto second = static_cast<std::size_t>(contact.second);
-    if (first != face && second != face)
+    if ((first != face && second != face) || known[first] || known[second])
       continue;
     convex += contact.convex;
     concave += contact.concave;
@@ -45,6 +48,33 @@ carries(std::size_t face,
   const double area = faces[face].area;
   return others > 0.0 && area > others && convex < min_rim * std::sqrt(area);
 }
+
+/** How large a group of faces is, in spacings. */
+struct GroupSize {
+  float width;     ///< the root of its area
+  float thickness; ///< of a strip; of other shapes the width
+
+  static GroupSize
+  of(const Face& face)
+  {
+    const double width = std::sqrt(face.area);
+    const double thickness = face.length > width ? face.area / face.length : width;
+    return {static_cast<float>(width), static_cast<float>(thickness)};
+  }
+
+  GroupSize
+  with(const GroupSize& other) const
+  {
+    return {std::hypot(width, other.width), std::hypot(thickness, other.thickness)};
+  }
+
+  /** The least border with another group of the same body. */
+  float
+  minSide() const
+  {
+    return thickness < narrow ? min_narrow_side * thickness : min_side * width;
+  }
+};
 
 Plane<double>
 planeOf(const detail::InstanceInput& input, const Labels& labels, std::int32_t label)
@@ -81,17 +111,18 @@ std::vector<char>
 supportsAmong(const detail::InstanceInput& input,
               const Labels& labels,
               const std::vector<Face>& faces,
+              const std::vector<char>& known,
               const std::vector<FaceContact>& contacts)
 {
   double largest = 0.0;
   for (const Face& face : faces)
     if (face.planar > planar_threshold)
       largest = std::max(largest, face.area);
-  std::vector<char> is_support(faces.size(), 0);
+  std::vector<char> is_support = known;
   for (std::size_t s = 0; s < faces.size(); ++s) {
     const bool is_large = faces[s].area >= min_area_share * largest;
     if (is_support[s] || faces[s].planar <= planar_threshold || !is_large ||
-        !carries(s, faces, contacts))
+        !carries(s, faces, known, contacts))
       continue;
     const Plane<double> plane = planeOf(input, labels, static_cast<std::int32_t>(s));
     const std::vector<std::size_t> in_plane =
@@ -111,13 +142,13 @@ groupFaces(const std::vector<Face>& faces,
            const std::vector<FaceContact>& contacts)
 {
   Labels group;
-  std::vector<float> widths; // of groups, in spacings
+  std::vector<GroupSize> sizes; // of groups
   for (std::size_t i = 0; i < faces.size(); ++i) {
     group.push_back(left_out[i] ? -1 : static_cast<std::int32_t>(i));
-    widths.push_back(static_cast<float>(std::sqrt(faces[i].area)));
+    sizes.push_back(GroupSize::of(faces[i]));
   }
-  const auto widthOf = [&](std::int32_t g) -> float& {
-    return widths[static_cast<std::size_t>(g)];
+  const auto sizeOf = [&](std::int32_t g) -> GroupSize& {
+    return sizes[static_cast<std::size_t>(g)];
   };
   // Between groups, the smaller one first; positive ones want to be joined.
   std::map<std::pair<std::int32_t, std::int32_t>, float> weights;
@@ -129,9 +160,8 @@ groupFaces(const std::vector<Face>& faces,
     auto best = weights.end();
     for (auto edge = weights.begin(); edge != weights.end(); ++edge) {
       const auto& [pair, weight] = *edge;
-      const float width = std::min(widthOf(pair.first), widthOf(pair.second));
-      const bool is_neck =
-          weight < width * (width < narrow ? min_narrow_side : min_side);
+      const bool is_neck = weight < std::min(sizeOf(pair.first).minSide(),
+                                             sizeOf(pair.second).minSide());
       if (!is_neck && weight > (best == weights.end() ? 0.0f : best->second))
         best = edge;
     }
@@ -149,7 +179,7 @@ groupFaces(const std::vector<Face>& faces,
       const std::int32_t other = pair.first == gone ? pair.second : pair.first;
       weights[{std::min(kept, other), std::max(kept, other)}] += weight;
     }
-    widthOf(kept) = std::hypot(widthOf(kept), widthOf(gone));
+    sizeOf(kept) = sizeOf(kept).with(sizeOf(gone));
     std::replace(group.begin(), group.end(), gone, kept);
   }
 }

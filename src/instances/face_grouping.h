@@ -8,11 +8,13 @@
 
 namespace pcl::segmentation {
 
-/** \brief Which faces are of a support: planar, not much smaller than the largest such
- * face, with others on them; and pieces that lie in the same plane. */
+/** \brief Which faces are of a support: those that are known; planar ones, not much
+ * smaller than the largest such face, with others on them; and pieces that lie in the
+ * same plane. */
 std::vector<char> supportsAmong(const detail::InstanceInput& input,
                                 const Labels& labels,
                                 const std::vector<Face>& faces,
+                                const std::vector<char>& known,
                                 const std::vector<FaceContact>& contacts);
 
 /** \brief Group faces that are on the whole convex to each other: of all pairs of

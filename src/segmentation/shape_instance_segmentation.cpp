@@ -98,6 +98,7 @@ valuesAt(const InstanceRequest& request, const std::vector<float>& positions)
   const std::string& name = request.name == object ? planar : request.name;
   input.likelihood = values.likelihoods[positionOf(name, field.classes)];
   input.noise = field.noise;
+  input.view_point = request.view_point;
   input.threads = request.threads;
   return values;
 }
