@@ -68,12 +68,133 @@ struct GroupSize {
     return {std::hypot(width, other.width), std::hypot(thickness, other.thickness)};
   }
 
+  bool
+  isNarrow() const
+  {
+    return thickness < narrow;
+  }
+
   /** The least border with another group of the same body. */
   float
   minSide() const
   {
-    return thickness < narrow ? min_narrow_side * thickness : min_side * width;
+    return isNarrow() ? min_narrow_side * thickness : min_side * width;
   }
+};
+
+/** Groups of faces, at first of one each, that are joined step by step. */
+class FaceGroups {
+public:
+  FaceGroups(const std::vector<Face>& faces,
+             const std::vector<char>& left_out,
+             const std::vector<FaceContact>& contacts)
+  : is_on_support_(faces.size(), 0)
+  {
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      group_.push_back(left_out[i] ? -1 : static_cast<std::int32_t>(i));
+      sizes_.push_back(GroupSize::of(faces[i]));
+    }
+    for (const FaceContact& contact : contacts) {
+      const auto first = static_cast<std::size_t>(contact.first);
+      const auto second = static_cast<std::size_t>(contact.second);
+      if (!left_out[first] && !left_out[second])
+        borders_[{contact.first, contact.second}].add(
+            {contact.convex, contact.concave});
+      is_on_support_[first] = is_on_support_[first] || left_out[second];
+      is_on_support_[second] = is_on_support_[second] || left_out[first];
+    }
+  }
+
+  Labels
+  joined()
+  {
+    joinBy([](const Pair&, const Border& border) {
+      return border.convex - border.concave;
+    });
+    // What stands on nothing is held: at the root of a handle the surface is concave.
+    joinBy([this](const Pair& pair, const Border& border) {
+      return isHeld(pair.first) || isHeld(pair.second) ? border.convex : 0.0f;
+    });
+    return group_;
+  }
+
+private:
+  using Pair = std::pair<std::int32_t, std::int32_t>; ///< the smaller one first
+
+  struct Border {
+    float convex = 0.0f, concave = 0.0f;
+
+    void
+    add(const Border& other)
+    {
+      convex += other.convex;
+      concave += other.concave;
+    }
+  };
+
+  GroupSize&
+  sizeOf(std::int32_t group)
+  {
+    return sizes_[static_cast<std::size_t>(group)];
+  }
+
+  /** Too narrow for a body of its own, and on no support. */
+  bool
+  isHeld(std::int32_t group)
+  {
+    return sizeOf(group).isNarrow() && !is_on_support_[static_cast<std::size_t>(group)];
+  }
+
+  /** The pair that wants it most first, as long as any does.
+   * \param[in] lengthOf how long the border is that speaks for it */
+  template <typename LengthOf>
+  void
+  joinBy(const LengthOf& lengthOf)
+  {
+    for (;;) {
+      auto best = borders_.end();
+      float longest = 0.0f;
+      for (auto at = borders_.begin(); at != borders_.end(); ++at) {
+        const auto& [pair, border] = *at;
+        const float length = lengthOf(pair, border);
+        const bool is_neck = length < std::min(sizeOf(pair.first).minSide(),
+                                               sizeOf(pair.second).minSide());
+        if (!is_neck && length > longest) {
+          longest = length;
+          best = at;
+        }
+      }
+      if (best == borders_.end())
+        return;
+      join(best);
+    }
+  }
+
+  void
+  join(std::map<Pair, Border>::iterator best)
+  {
+    const auto [kept, gone] = best->first;
+    borders_.erase(best);
+    for (auto at = borders_.begin(); at != borders_.end();) {
+      const auto [pair, border] = *at;
+      if (pair.first != gone && pair.second != gone) {
+        ++at;
+        continue;
+      }
+      at = borders_.erase(at);
+      const std::int32_t other = pair.first == gone ? pair.second : pair.first;
+      borders_[{std::min(kept, other), std::max(kept, other)}].add(border);
+    }
+    sizeOf(kept) = sizeOf(kept).with(sizeOf(gone));
+    char& is_on_support = is_on_support_[static_cast<std::size_t>(kept)];
+    is_on_support = is_on_support || is_on_support_[static_cast<std::size_t>(gone)];
+    std::replace(group_.begin(), group_.end(), gone, kept);
+  }
+
+  Labels group_;
+  std::vector<GroupSize> sizes_;
+  std::vector<char> is_on_support_; ///< of each group
+  std::map<Pair, Border> borders_;
 };
 
 Plane<double>
@@ -141,47 +262,7 @@ groupFaces(const std::vector<Face>& faces,
            const std::vector<char>& left_out,
            const std::vector<FaceContact>& contacts)
 {
-  Labels group;
-  std::vector<GroupSize> sizes; // of groups
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    group.push_back(left_out[i] ? -1 : static_cast<std::int32_t>(i));
-    sizes.push_back(GroupSize::of(faces[i]));
-  }
-  const auto sizeOf = [&](std::int32_t g) -> GroupSize& {
-    return sizes[static_cast<std::size_t>(g)];
-  };
-  // Between groups, the smaller one first; positive ones want to be joined.
-  std::map<std::pair<std::int32_t, std::int32_t>, float> weights;
-  for (const FaceContact& contact : contacts)
-    if (group[static_cast<std::size_t>(contact.first)] >= 0 &&
-        group[static_cast<std::size_t>(contact.second)] >= 0)
-      weights[{contact.first, contact.second}] += contact.convex - contact.concave;
-  for (;;) {
-    auto best = weights.end();
-    for (auto edge = weights.begin(); edge != weights.end(); ++edge) {
-      const auto& [pair, weight] = *edge;
-      const bool is_neck = weight < std::min(sizeOf(pair.first).minSide(),
-                                             sizeOf(pair.second).minSide());
-      if (!is_neck && weight > (best == weights.end() ? 0.0f : best->second))
-        best = edge;
-    }
-    if (best == weights.end())
-      return group;
-    const auto [kept, gone] = best->first;
-    weights.erase(best);
-    for (auto edge = weights.begin(); edge != weights.end();) {
-      const auto [pair, weight] = *edge;
-      if (pair.first != gone && pair.second != gone) {
-        ++edge;
-        continue;
-      }
-      edge = weights.erase(edge);
-      const std::int32_t other = pair.first == gone ? pair.second : pair.first;
-      weights[{std::min(kept, other), std::max(kept, other)}] += weight;
-    }
-    sizeOf(kept) = sizeOf(kept).with(sizeOf(gone));
-    std::replace(group.begin(), group.end(), gone, kept);
-  }
+  return FaceGroups(faces, left_out, contacts).joined();
 }
 
 } // namespace pcl::segmentation

@@ -21,6 +21,8 @@ std::vector<char> supportsAmong(const detail::InstanceInput& input,
  * groups the one with the most convex border is joined as long as its convex border is
  * longer than its concave one (greedy additive edge contraction; Keuper et al.,
  * "Efficient Decomposition of Image and Mesh Graphs by Lifted Multicuts", 2015).
+ * Then groups that are too narrow for a body of their own and touch nothing that is
+ * left out join what holds them, even where the border is mostly concave.
  * \return a group for each face; faces that are left out have none, -1 */
 Labels groupFaces(const std::vector<Face>& faces,
                   const std::vector<char>& left_out,

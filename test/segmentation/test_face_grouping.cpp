@@ -74,6 +74,21 @@ TEST(FaceGrouping, StripsShareWhatIsAsWideAsTheyAre)
   EXPECT_EQ((PointLabels{0, 1}), groups(19.0f));
 }
 
+TEST(FaceGrouping, NarrowGroupsAreHeldByWhatTheyTouch)
+{
+  // The body, a piece of its handle, and what they stand on.
+  const std::vector<Face> faces{faceOf(400), faceOf(36), faceOf(2000)};
+  const auto groups = [&](const std::vector<FaceContact>& contacts) {
+    return groupFaces(faces, {0, 0, 1}, contacts);
+  };
+  EXPECT_EQ((PointLabels{0, 0, -1}), groups({{0, 1, 4, 8}, {0, 2, 0, 40}}));
+  EXPECT_EQ((PointLabels{0, 1, -1}), groups({{0, 1, 4, 8}, {1, 2, 0, 6}}))
+      << "a small body beside it";
+  EXPECT_EQ((PointLabels{0, 1, -1}), groups({{0, 1, 0, 8}, {0, 2, 0, 40}}))
+      << "a small body on it";
+  EXPECT_EQ((PointLabels{0, 1}), groupsOf(2, {{0, 1, 40, 80}})) << "too wide";
+}
+
 TEST(FaceGrouping, WhatIsLeftOutJoinsNobody)
 {
   EXPECT_EQ((PointLabels{-1, 1, 2}),
