@@ -6,6 +6,7 @@
 
 #include "common/parallel.h"
 #include "common/statistics.h"
+#include "instances/label_cells.h"
 #include "instances/label_runs.h"
 #include "instances/primitives.h"
 
@@ -24,6 +25,7 @@ using Eigen::Vector3f;
 constexpr float contact_reach = 1.0f; // between points of two faces that meet
 // Beyond the edge's band, where the points of both faces are clean.
 constexpr float fit_spacings = 3.0f, fit_per_noise = 10.0f;
+constexpr float coarse_cells = 8.0f; // most hold one face, and boxes of a reach fit in
 constexpr int min_side_points = 5;   // fewer have no direction
 constexpr float flat_cosine = 0.94f; // of 20 degrees: less may be noise
 constexpr float flat_sine = 0.34f;   // likewise
@@ -55,6 +57,7 @@ collect(const InstanceInput& input,
         const PointGrid& grid,
         const Labels& grown,
         const LabelRuns& runs,
+        const LabelCells& cells,
         float cell_size,
         std::size_t i,
         std::vector<Meeting>& meetings)
@@ -76,6 +79,8 @@ collect(const InstanceInput& input,
                         input.spacings[i]});
   };
   const float reach = contact_reach * input.spacings[i];
+  if (!cells.mayHaveOther(p, reach, grown[i]))
+    return;
   grid.forEachRangeWithin(p, reach, [&](std::uint32_t begin, std::uint32_t end) {
     if (!runs.hasOther(begin, end, grown[i]))
       return;
@@ -93,13 +98,14 @@ meetingsOf(const InstanceInput& input, const PointGrid& grid, const Labels& grow
 {
   const float cell_size = medianSpacing(input);
   const LabelRuns runs(grid, grown);
+  const LabelCells cells(input.points, grown, coarse_cells * cell_size);
   constexpr std::size_t part = 8192;
   std::vector<std::vector<Meeting>> found((grown.size() + part - 1) / part);
   kernels::parallelFor(found.size(), input.threads, [&](std::size_t p) {
     const std::size_t end = std::min(grown.size(), (p + 1) * part);
     for (std::size_t i = p * part; i < end; ++i)
       if (grown[i] >= 0)
-        collect(input, grid, grown, runs, cell_size, i, found[p]);
+        collect(input, grid, grown, runs, cells, cell_size, i, found[p]);
   });
   std::vector<Meeting> all;
   for (const auto& some : found)
