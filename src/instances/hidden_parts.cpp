@@ -30,6 +30,7 @@ constexpr float off_both = 1.5f;
 // Planes and axes to try: they are off by a few degrees, as faces are small.
 constexpr float same_direction = 0.966f; // cosine of 15 degrees
 constexpr float other_direction = 0.94f; // of 20: as flat as one face may be
+constexpr float max_tilt = 0.035f;       // of 2 degrees: noise
 constexpr float max_radius_ratio = 1.25f;
 
 constexpr std::size_t max_ends = 150;         // points of a face that lines begin at
@@ -64,8 +65,9 @@ areAlike(const Face& a, const Face& b)
          std::abs(directionOf(a.surface).dot(directionOf(b.surface))) > same_direction;
 }
 
-float
-residualOfPlane(const PrimitiveSample& sample)
+/** By least squares: there are many planes to try. */
+ShapePrimitive
+planeOf(const PrimitiveSample& sample)
 {
   const auto& points = sample.points->points;
   const Plane<float> plane = fitPlane<float>([&](const auto& visit) {
@@ -77,7 +79,29 @@ residualOfPlane(const PrimitiveSample& sample)
     const float distance = plane.distance(point.getVector3fMap());
     squares += distance * distance;
   }
-  return std::sqrt(squares / static_cast<float>(points.size()));
+  ShapePrimitive fitted;
+  fitted.type = PrimitiveType::Plane;
+  const Vector3f& n = plane.normal;
+  fitted.coefficients = {n.x(), n.y(), n.z(), -n.dot(plane.center)};
+  fitted.residual = std::sqrt(squares / static_cast<float>(points.size()));
+  return fitted;
+}
+
+float
+angleBetween(const ShapePrimitive& a, const ShapePrimitive& b)
+{
+  const float cosine = std::abs(directionOf(a).dot(directionOf(b)));
+  return std::acos(std::min(1.0f, cosine));
+}
+
+/** No more tilted to one of two than these are to each other: a plane through two
+ * levels is. */
+bool
+isBetween(const ShapePrimitive& one, const ShapePrimitive& a, const ShapePrimitive& b)
+{
+  const float limit = angleBetween(a, b) + max_tilt;
+  return one.type == PrimitiveType::Sphere ||
+         std::max(angleBetween(one, a), angleBetween(one, b)) < limit;
 }
 
 /** What the ray from the viewpoint to a place meets. */
@@ -280,12 +304,13 @@ private:
     }
     const SurfaceSample sample =
         sampleOf(input_, both, 2 * max_fitted, properties_[a].origin);
-    const PrimitiveType type = properties_[a].surface.type;
-    const float limit = off_both * stepLimit(input_);
-    if (type == PrimitiveType::Plane)
-      return residualOfPlane(sample) < limit; // least squares: there are many to try
-    const ShapePrimitive one = fitTo(sample, type);
-    return one.type != PrimitiveType::None && one.residual < limit;
+    const ShapePrimitive &first = properties_[a].surface,
+                         &second = properties_[b].surface;
+    const ShapePrimitive one = first.type == PrimitiveType::Plane
+                                   ? planeOf(sample)
+                                   : fitTo(sample, first.type);
+    return one.type != PrimitiveType::None &&
+           one.residual < off_both * stepLimit(input_) && isBetween(one, first, second);
   }
 
   bool
