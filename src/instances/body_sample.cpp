@@ -5,7 +5,6 @@
 #include "instances/body_sample.h"
 
 #include "common/statistics.h"
-#include "geometry/point_choice.h"
 #include "geometry/point_grid.h"
 
 #include <algorithm>
@@ -22,10 +21,9 @@ constexpr std::size_t max_points = 500; // of a body: more change little
 
 BodySample
 sampleOf(const InstanceInput& input,
-         std::vector<std::uint32_t> members,
+         const std::vector<std::uint32_t>& members,
          const Vector3f& up)
 {
-  sortByPosition(input.points, members);
   const std::size_t step = (members.size() + max_points - 1) / max_points;
   BodySample body;
   std::vector<float> heights, spacings;
@@ -62,14 +60,12 @@ bodySamples(const InstanceInput& input,
             const Labels& bodies,
             std::size_t count)
 {
-  std::vector<std::vector<std::uint32_t>> members(count);
-  for (std::uint32_t i = 0; i < bodies.size(); ++i)
-    if (bodies[i] >= 0 && normalOf(input, i).allFinite())
-      members[static_cast<std::size_t>(bodies[i])].push_back(i);
   std::vector<BodySample> samples;
   samples.reserve(count);
-  for (auto& of_body : members)
-    samples.push_back(sampleOf(input, std::move(of_body), up));
+  for (const auto& members : membersInOrder(input, bodies, count, [&](std::uint32_t i) {
+         return normalOf(input, i).allFinite();
+       }))
+    samples.push_back(sampleOf(input, members, up));
   return samples;
 }
 

@@ -6,6 +6,8 @@
 
 #include "common/parallel.h"
 #include "common/statistics.h"
+#include "instances/label_cells.h"
+#include "instances/label_runs.h"
 #include "instances/primitives.h"
 
 #include <algorithm>
@@ -23,6 +25,7 @@ using Eigen::Vector3f;
 constexpr float contact_reach = 1.0f; // between points of two faces that meet
 // Beyond the edge's band, where the points of both faces are clean.
 constexpr float fit_spacings = 3.0f, fit_per_noise = 10.0f;
+constexpr float coarse_cells = 8.0f; // most hold one face, and boxes of a reach fit in
 constexpr int min_side_points = 5;   // fewer have no direction
 constexpr float flat_cosine = 0.94f; // of 20 degrees: less may be noise
 constexpr float flat_sine = 0.34f;   // likewise
@@ -48,47 +51,13 @@ struct Side {
   int points = 0;
 };
 
-/** Labels in the order of a grid's points, to pass over ranges without other faces. */
-class LabelRuns {
-public:
-  LabelRuns(const PointGrid& grid, const Labels& labels)
-  : runs_(grid.order().size() + 1)
-  {
-    const auto size = static_cast<std::uint32_t>(grid.order().size());
-    runs_.back() = {-1, size, size};
-    for (std::uint32_t at = size; at-- > 0;) {
-      const std::int32_t label = labels[grid.order()[at]];
-      const Run& after = runs_[at + 1];
-      runs_[at] = label < 0              ? after
-                  : label == after.label ? Run{label, at, after.change}
-                                         : Run{label, at, after.first};
-    }
-  }
-
-  /** Whether a range of the order has a label of another face. */
-  bool
-  hasOther(std::uint32_t begin, std::uint32_t end, std::int32_t label) const
-  {
-    const Run& run = runs_[begin];
-    return run.first < end && (run.label != label || run.change < end);
-  }
-
-private:
-  /** The first label from a place on, where it is, and where the next other one is. */
-  struct Run {
-    std::int32_t label;
-    std::uint32_t first, change;
-  };
-
-  std::vector<Run> runs_;
-};
-
 /** Adds what one point meets. */
 void
 collect(const InstanceInput& input,
         const PointGrid& grid,
         const Labels& grown,
         const LabelRuns& runs,
+        const LabelCells& cells,
         float cell_size,
         std::size_t i,
         std::vector<Meeting>& meetings)
@@ -110,6 +79,8 @@ collect(const InstanceInput& input,
                         input.spacings[i]});
   };
   const float reach = contact_reach * input.spacings[i];
+  if (!cells.mayHaveOther(p, reach, grown[i]))
+    return;
   grid.forEachRangeWithin(p, reach, [&](std::uint32_t begin, std::uint32_t end) {
     if (!runs.hasOther(begin, end, grown[i]))
       return;
@@ -127,13 +98,14 @@ meetingsOf(const InstanceInput& input, const PointGrid& grid, const Labels& grow
 {
   const float cell_size = medianSpacing(input);
   const LabelRuns runs(grid, grown);
+  const LabelCells cells(input.points, grown, coarse_cells * cell_size);
   constexpr std::size_t part = 8192;
   std::vector<std::vector<Meeting>> found((grown.size() + part - 1) / part);
   kernels::parallelFor(found.size(), input.threads, [&](std::size_t p) {
     const std::size_t end = std::min(grown.size(), (p + 1) * part);
     for (std::size_t i = p * part; i < end; ++i)
       if (grown[i] >= 0)
-        collect(input, grid, grown, runs, cell_size, i, found[p]);
+        collect(input, grid, grown, runs, cells, cell_size, i, found[p]);
   });
   std::vector<Meeting> all;
   for (const auto& some : found)

@@ -19,20 +19,23 @@ constexpr double min_rim = 0.1; // of its width: a side of a body has convex bor
 constexpr double in_plane_share = 0.8; // of a face's points, as some are at its borders
 // Of the width of a group: faces of one body share a side, bodies that touch may not.
 constexpr float min_side = 1.0f;
-// Groups too small, in spacings, for a body of their own need less.
+// Groups too narrow, in spacings, for a body of their own need less: the arc of a
+// handle is cut across, where it is as wide as it is thick.
 constexpr float narrow = 8.0f, min_narrow_side = 0.5f;
 
-/** Others stand on a face, or lie before it: it is no side of a body. */
+/** Others stand on a face, or lie before it: it is no side of a body. What it meets of
+ * a known support says nothing, as a body alone on a table only meets the table. */
 bool
 carries(std::size_t face,
         const std::vector<Face>& faces,
+        const std::vector<char>& known,
         const std::vector<FaceContact>& contacts)
 {
   float convex = 0.0f, concave = 0.0f;
   for (const FaceContact& contact : contacts) {
     const auto first = static_cast<std::size_t>(contact.first);
     const auto second = static_cast<std::size_t>(contact.second);
-    if (first != face && second != face)
+    if ((first != face && second != face) || known[first] || known[second])
       continue;
     convex += contact.convex;
     concave += contact.concave;
@@ -45,6 +48,154 @@ carries(std::size_t face,
   const double area = faces[face].area;
   return others > 0.0 && area > others && convex < min_rim * std::sqrt(area);
 }
+
+/** How large a group of faces is, in spacings. */
+struct GroupSize {
+  float width;     ///< the root of its area
+  float thickness; ///< of a strip; of other shapes the width
+
+  static GroupSize
+  of(const Face& face)
+  {
+    const double width = std::sqrt(face.area);
+    const double thickness = face.length > width ? face.area / face.length : width;
+    return {static_cast<float>(width), static_cast<float>(thickness)};
+  }
+
+  GroupSize
+  with(const GroupSize& other) const
+  {
+    return {std::hypot(width, other.width), std::hypot(thickness, other.thickness)};
+  }
+
+  bool
+  isNarrow() const
+  {
+    return thickness < narrow;
+  }
+
+  /** The least border with another group of the same body. */
+  float
+  minSide() const
+  {
+    return isNarrow() ? min_narrow_side * thickness : min_side * width;
+  }
+};
+
+/** Groups of faces, at first of one each, that are joined step by step. */
+class FaceGroups {
+public:
+  FaceGroups(const std::vector<Face>& faces,
+             const std::vector<char>& left_out,
+             const std::vector<FaceContact>& contacts)
+  : is_on_support_(faces.size(), 0)
+  {
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      group_.push_back(left_out[i] ? -1 : static_cast<std::int32_t>(i));
+      sizes_.push_back(GroupSize::of(faces[i]));
+    }
+    for (const FaceContact& contact : contacts) {
+      const auto first = static_cast<std::size_t>(contact.first);
+      const auto second = static_cast<std::size_t>(contact.second);
+      if (!left_out[first] && !left_out[second])
+        borders_[{contact.first, contact.second}].add(
+            {contact.convex, contact.concave});
+      is_on_support_[first] = is_on_support_[first] || left_out[second];
+      is_on_support_[second] = is_on_support_[second] || left_out[first];
+    }
+  }
+
+  Labels
+  joined()
+  {
+    joinBy([](const Pair&, const Border& border) {
+      return border.convex - border.concave;
+    });
+    // What stands on nothing is held: at the root of a handle the surface is concave.
+    joinBy([this](const Pair& pair, const Border& border) {
+      return isHeld(pair.first) || isHeld(pair.second) ? border.convex : 0.0f;
+    });
+    return group_;
+  }
+
+private:
+  using Pair = std::pair<std::int32_t, std::int32_t>; ///< the smaller one first
+
+  struct Border {
+    float convex = 0.0f, concave = 0.0f;
+
+    void
+    add(const Border& other)
+    {
+      convex += other.convex;
+      concave += other.concave;
+    }
+  };
+
+  GroupSize&
+  sizeOf(std::int32_t group)
+  {
+    return sizes_[static_cast<std::size_t>(group)];
+  }
+
+  /** Too narrow for a body of its own, and on no support. */
+  bool
+  isHeld(std::int32_t group)
+  {
+    return sizeOf(group).isNarrow() && !is_on_support_[static_cast<std::size_t>(group)];
+  }
+
+  /** The pair that wants it most first, as long as any does.
+   * \param[in] lengthOf how long the border is that speaks for it */
+  template <typename LengthOf>
+  void
+  joinBy(const LengthOf& lengthOf)
+  {
+    for (;;) {
+      auto best = borders_.end();
+      float longest = 0.0f;
+      for (auto at = borders_.begin(); at != borders_.end(); ++at) {
+        const auto& [pair, border] = *at;
+        const float length = lengthOf(pair, border);
+        const bool is_neck = length < std::min(sizeOf(pair.first).minSide(),
+                                               sizeOf(pair.second).minSide());
+        if (!is_neck && length > longest) {
+          longest = length;
+          best = at;
+        }
+      }
+      if (best == borders_.end())
+        return;
+      join(best);
+    }
+  }
+
+  void
+  join(std::map<Pair, Border>::iterator best)
+  {
+    const auto [kept, gone] = best->first;
+    borders_.erase(best);
+    for (auto at = borders_.begin(); at != borders_.end();) {
+      const auto [pair, border] = *at;
+      if (pair.first != gone && pair.second != gone) {
+        ++at;
+        continue;
+      }
+      at = borders_.erase(at);
+      const std::int32_t other = pair.first == gone ? pair.second : pair.first;
+      borders_[{std::min(kept, other), std::max(kept, other)}].add(border);
+    }
+    sizeOf(kept) = sizeOf(kept).with(sizeOf(gone));
+    char& is_on_support = is_on_support_[static_cast<std::size_t>(kept)];
+    is_on_support = is_on_support || is_on_support_[static_cast<std::size_t>(gone)];
+    std::replace(group_.begin(), group_.end(), gone, kept);
+  }
+
+  Labels group_;
+  std::vector<GroupSize> sizes_;
+  std::vector<char> is_on_support_; ///< of each group
+  std::map<Pair, Border> borders_;
+};
 
 Plane<double>
 planeOf(const detail::InstanceInput& input, const Labels& labels, std::int32_t label)
@@ -81,17 +232,18 @@ std::vector<char>
 supportsAmong(const detail::InstanceInput& input,
               const Labels& labels,
               const std::vector<Face>& faces,
+              const std::vector<char>& known,
               const std::vector<FaceContact>& contacts)
 {
   double largest = 0.0;
   for (const Face& face : faces)
     if (face.planar > planar_threshold)
       largest = std::max(largest, face.area);
-  std::vector<char> is_support(faces.size(), 0);
+  std::vector<char> is_support = known;
   for (std::size_t s = 0; s < faces.size(); ++s) {
     const bool is_large = faces[s].area >= min_area_share * largest;
     if (is_support[s] || faces[s].planar <= planar_threshold || !is_large ||
-        !carries(s, faces, contacts))
+        !carries(s, faces, known, contacts))
       continue;
     const Plane<double> plane = planeOf(input, labels, static_cast<std::int32_t>(s));
     const std::vector<std::size_t> in_plane =
@@ -110,48 +262,7 @@ groupFaces(const std::vector<Face>& faces,
            const std::vector<char>& left_out,
            const std::vector<FaceContact>& contacts)
 {
-  Labels group;
-  std::vector<float> widths; // of groups, in spacings
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    group.push_back(left_out[i] ? -1 : static_cast<std::int32_t>(i));
-    widths.push_back(static_cast<float>(std::sqrt(faces[i].area)));
-  }
-  const auto widthOf = [&](std::int32_t g) -> float& {
-    return widths[static_cast<std::size_t>(g)];
-  };
-  // Between groups, the smaller one first; positive ones want to be joined.
-  std::map<std::pair<std::int32_t, std::int32_t>, float> weights;
-  for (const FaceContact& contact : contacts)
-    if (group[static_cast<std::size_t>(contact.first)] >= 0 &&
-        group[static_cast<std::size_t>(contact.second)] >= 0)
-      weights[{contact.first, contact.second}] += contact.convex - contact.concave;
-  for (;;) {
-    auto best = weights.end();
-    for (auto edge = weights.begin(); edge != weights.end(); ++edge) {
-      const auto& [pair, weight] = *edge;
-      const float width = std::min(widthOf(pair.first), widthOf(pair.second));
-      const bool is_neck =
-          weight < width * (width < narrow ? min_narrow_side : min_side);
-      if (!is_neck && weight > (best == weights.end() ? 0.0f : best->second))
-        best = edge;
-    }
-    if (best == weights.end())
-      return group;
-    const auto [kept, gone] = best->first;
-    weights.erase(best);
-    for (auto edge = weights.begin(); edge != weights.end();) {
-      const auto [pair, weight] = *edge;
-      if (pair.first != gone && pair.second != gone) {
-        ++edge;
-        continue;
-      }
-      edge = weights.erase(edge);
-      const std::int32_t other = pair.first == gone ? pair.second : pair.first;
-      weights[{std::min(kept, other), std::max(kept, other)}] += weight;
-    }
-    widthOf(kept) = std::hypot(widthOf(kept), widthOf(gone));
-    std::replace(group.begin(), group.end(), gone, kept);
-  }
+  return FaceGroups(faces, left_out, contacts).joined();
 }
 
 } // namespace pcl::segmentation

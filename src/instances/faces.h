@@ -17,6 +17,7 @@ constexpr double planar_threshold = 0.5; // likelihood: more likely planar than 
 struct Face {
   double area = 0.0;   ///< sum of the squared spacings, in squares of the median one
   double planar = 0.0; ///< mean likelihood
+  double length = 0.0; ///< along its longest axis, in median spacings
   std::size_t points = 0;
   ShapePrimitive surface; ///< about origin; None if no primitive describes it
   Eigen::Vector3f origin = Eigen::Vector3f::Zero();

@@ -30,7 +30,9 @@ constexpr float min_spread = 0.05f;
 constexpr float max_miss = 0.35f; // of the radius: how far normals pass by the axis
 // Walls are thin, and lean outward: inside and outside are seen at other heights.
 constexpr float min_ratio = 0.5f, max_ratio = 1.2f;
-constexpr float max_rim_step = 0.3f; // of the height: the rim is seen from one side
+// Of the height: the rim is seen from one side. And where the image ends below the rim
+// of the farther wall, of the inside only the lower half may be seen.
+constexpr float max_rim_step = 0.3f, max_cut = 0.5f;
 
 /** Points of the walls of a body. */
 struct Walls {
@@ -116,7 +118,8 @@ misfit(const Walls& inside, const Walls& outside, const Vector3f& up)
   if (outside.points.size() < min_wall_points)
     return no_fit;
   const float height = std::max(outside.high - outside.low, inside.high - inside.low);
-  if (std::abs(inside.high - outside.high) > max_rim_step * height)
+  const float below = outside.high - inside.high;
+  if (below < -max_rim_step * height || below > max_cut * height)
     return no_fit;
   const Vector3f origin = outside.middle;
   Matrix3f left = Matrix3f::Zero();

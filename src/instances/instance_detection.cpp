@@ -6,6 +6,7 @@
 
 #include "common/finite.h"
 #include "instances/face_grouping.h"
+#include "instances/hidden_parts.h"
 #include "instances/hollow_bodies.h"
 #include "instances/label_growth.h"
 #include "instances/open_boxes.h"
@@ -123,11 +124,10 @@ findObjects(const InstanceInput& input, const InstanceLimits& limits)
   const std::vector<Face> properties = facesOf(input, faces);
   const std::vector<FaceContact> contacts =
       faceContacts(input, grid, faces, properties, grown);
-  std::vector<char> supports = supportsAmong(input, faces, properties, contacts);
-  const std::vector<char> patches = patchesOf(planes, input, faces);
-  for (std::size_t f = 0; f < patches.size(); ++f)
-    supports[f] = supports[f] || patches[f];
-  const Labels groups = groupFaces(properties, supports, contacts);
+  const std::vector<char> supports = supportsAmong(
+      input, faces, properties, patchesOf(planes, input, faces), contacts);
+  Labels groups = groupFaces(properties, supports, contacts);
+  joinHiddenParts(input, faces, properties, groups);
   for (std::int32_t& label : grown)
     if (label >= 0)
       label = groups[static_cast<std::size_t>(label)];

@@ -20,8 +20,11 @@ struct InstanceInput {
   std::vector<float> edge;       ///< likelihood of an edge
   std::vector<float> likelihood; ///< of the class, of planar for objects; NaN unknown
   double noise = 0.0;            ///< in spacings
+  Eigen::Vector3f view_point = Eigen::Vector3f::Zero();
   unsigned threads = 0;
   std::optional<float> median_spacing; ///< of the cloud that the points are a part of
+  /** The finite points by their positions, where many steps want them so; else none. */
+  std::vector<std::uint32_t> order;
 };
 
 /** \brief The instance of each point, 0 and up, -1 for none; the largest is first. */

@@ -5,11 +5,14 @@
 #pragma once
 
 #include "common/statistics.h"
+#include "geometry/point_choice.h"
 #include "instances/instance_detection.h"
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <vector>
 
 namespace pcl::segmentation {
@@ -28,6 +31,40 @@ inline float
 medianSpacing(const detail::InstanceInput& input)
 {
   return input.median_spacing ? *input.median_spacing : medianSpacing(input.spacings);
+}
+
+/** \brief The points that are asked for, by their positions. */
+template <typename Is>
+std::vector<std::uint32_t>
+pointsInOrder(const detail::InstanceInput& input, const Is& is)
+{
+  std::vector<std::uint32_t> points;
+  if (!input.order.empty()) {
+    std::copy_if(
+        input.order.begin(), input.order.end(), std::back_inserter(points), is);
+    return points;
+  }
+  for (std::uint32_t i = 0; i < input.points.size; ++i)
+    if (is(i))
+      points.push_back(i);
+  sortByPosition(input.points, points);
+  return points;
+}
+
+/** \brief The points of each label, by their positions. \param[in] count of labels
+ * \param[in] is which points count */
+template <typename Is>
+std::vector<std::vector<std::uint32_t>>
+membersInOrder(const detail::InstanceInput& input,
+               const Labels& labels,
+               std::size_t count,
+               const Is& is)
+{
+  std::vector<std::vector<std::uint32_t>> members(count);
+  for (const std::uint32_t i :
+       pointsInOrder(input, [&](std::uint32_t k) { return labels[k] >= 0 && is(k); }))
+    members[static_cast<std::size_t>(labels[i])].push_back(i);
+  return members;
 }
 
 /** \brief The same normal, or its opposite: the one towards where a point was seen

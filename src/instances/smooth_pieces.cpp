@@ -88,11 +88,9 @@ isSmooth(const SurfaceNode& a, const SurfaceNode& b, float step_limit)
 bool
 hasMiddle(const SurfaceNode& a, const SurfaceNode& b, const PointGrid& nodes)
 {
-  bool found = false;
-  nodes.forEachWithin(0.5f * (a.position + b.position),
-                      middle_spacings * a.spacing,
-                      [&](std::uint32_t, float) { found = true; });
-  return found;
+  return nodes.anyWithin(0.5f * (a.position + b.position),
+                         middle_spacings * a.spacing,
+                         [](std::uint32_t, const Vector3f&) { return true; });
 }
 
 /** The nodes that the surface runs to from one.
@@ -154,9 +152,8 @@ labelAt(const InstanceInput& input,
   const float offset_limit = offsetLimit(input);
   float nearest = std::numeric_limits<float>::infinity();
   std::int32_t label = -1;
-  grid.forEachWithin(position, max_chord * d, [&](std::uint32_t k, float squared) {
-    if (labels[k] < 0 || !(squared < nearest) ||
-        squared > near_spacings * near_spacings * d * d)
+  grid.forEachWithin(position, near_spacings * d, [&](std::uint32_t k, float squared) {
+    if (labels[k] < 0 || !(squared < nearest))
       return;
     const SurfaceNode& node = nodes[k];
     const float offset = std::abs(node.normal.dot(position - node.position));
@@ -234,11 +231,8 @@ surfaceNodes(const InstanceInput& input,
              const PointGrid& points,
              const std::vector<char>& members)
 {
-  std::vector<std::uint32_t> candidates;
-  for (std::uint32_t i = 0; i < members.size(); ++i)
-    if (members[i])
-      candidates.push_back(i);
-  sortByPosition(input.points, candidates);
+  const std::vector<std::uint32_t> candidates =
+      pointsInOrder(input, [&](std::uint32_t i) { return members[i] != 0; });
   const std::vector<std::uint32_t> chosen =
       centralPoints(input.points, candidates, nodeCell(input));
   std::vector<SurfaceNode> nodes(chosen.size());

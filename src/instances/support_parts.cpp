@@ -7,6 +7,7 @@
 #include "common/disjoint_sets.h"
 #include "common/statistics.h"
 #include "geometry/point_grid.h"
+#include "instances/label_runs.h"
 #include "instances/primitives.h"
 
 #include <algorithm>
@@ -82,16 +83,46 @@ nodesOn(const Nodes& nodes, const SupportPlane& support)
   return on;
 }
 
+/** Nodes within reach of each other. One node of each row of cells is enough to tell
+ * most sets: only ranges with several of these are looked at. */
+DisjointSets
+connected(const Nodes& nodes, float unit)
+{
+  const PointGrid grid(positionsOf(nodes), linkReach() * unit);
+  DisjointSets sets(nodes.size());
+  const auto isNear = [&](const SurfaceNode& node, std::uint32_t other) {
+    const float reach = linkReach() * node.spacing;
+    return (nodes[other].position - node.position).squaredNorm() < reach * reach;
+  };
+  const auto forEachRange = [&](std::uint32_t k, const auto& visit) {
+    grid.forEachRangeWithin(nodes[k].position, linkReach() * nodes[k].spacing, visit);
+  };
+  for (std::uint32_t k = 0; k < nodes.size(); ++k)
+    forEachRange(k, [&](std::uint32_t begin, std::uint32_t end) {
+      const std::uint32_t middle = begin + (end - begin) / 2;
+      if (const std::uint32_t other = grid.order()[middle]; isNear(nodes[k], other))
+        sets.unite(k, other);
+    });
+  Labels labels(nodes.size());
+  for (std::uint32_t k = 0; k < nodes.size(); ++k)
+    labels[k] = static_cast<std::int32_t>(sets.find(k));
+  const LabelRuns runs(grid, labels);
+  for (std::uint32_t k = 0; k < nodes.size(); ++k)
+    forEachRange(k, [&](std::uint32_t begin, std::uint32_t end) {
+      if (!runs.hasOther(begin, end, labels[k]))
+        return;
+      for (std::uint32_t at = begin; at < end; ++at)
+        if (const std::uint32_t other = grid.order()[at]; isNear(nodes[k], other))
+          sets.unite(k, other);
+    });
+  return sets;
+}
+
 /** Of some nodes the most that are connected, weighed by their points. */
 Nodes
 largestPart(const Nodes& nodes, float unit)
 {
-  const PointGrid grid(positionsOf(nodes), linkReach() * unit);
-  DisjointSets sets(nodes.size());
-  for (std::uint32_t k = 0; k < nodes.size(); ++k)
-    grid.forEachWithin(nodes[k].position,
-                       linkReach() * nodes[k].spacing,
-                       [&](std::uint32_t other, float) { sets.unite(k, other); });
+  DisjointSets sets = connected(nodes, unit);
   std::vector<double> points(nodes.size(), 0.0); // of the parts, at their first nodes
   for (std::uint32_t k = 0; k < nodes.size(); ++k)
     points[sets.find(k)] += pointsOf(nodes[k], unit);

@@ -21,8 +21,19 @@ using detail::InstanceInput;
 using Eigen::Vector3f;
 using Nodes = std::vector<SurfaceNode>;
 
-constexpr float max_bend = 8.0f;    // of a plane at the corners of an image
-constexpr double patch_share = 0.8; // of a face's points, as some are at its borders
+constexpr float max_bend = 8.0f;     // of a plane at the corners of an image
+constexpr float same_normal = 0.94f; // cosine of 20 degrees
+constexpr double patch_share = 0.8;  // of a face's points, as some are at its borders
+
+/** Raised by what touches it, as by a stereo camera, which finds one depth for a
+ * window: lower than what is told from a support, and nearly parallel to it. */
+bool
+isSmear(const SurfaceNode& node, const SupportPlane& support)
+{
+  const float height = heightOf(node, support.plane);
+  return height > 0.0f && height < max_ripple &&
+         node.normal.dot(support.plane.normal) > same_normal;
+}
 
 /** The points near a support's nodes that are on its plane. */
 std::vector<std::uint32_t>
@@ -38,7 +49,7 @@ pointsOn(const SupportPart& part,
       return;
     const Vector3f position = positionOf(input.points, i);
     const SurfaceNode node{position, normalOf(input, i), input.spacings[i]};
-    is_on[i] = isOn(node, part.support) &&
+    is_on[i] = (isOn(node, part.support) || isSmear(node, part.support)) &&
                grid.anyWithin(position,
                               around_spacings * node.spacing,
                               [](std::uint32_t, const Vector3f&) { return true; });

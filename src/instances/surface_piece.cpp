@@ -114,13 +114,25 @@ mostConnected(const SurfacePiece& piece, const NodeIndices& some)
 
 SurfacePiece::SurfacePiece(std::vector<SurfaceNode> of_cloud, float min_noise)
 : nodes(normalized(std::move(of_cloud)))
-, grid(positionsOf(nodes), around_spacings)
 , noise(std::max(min_noise, medianNoise(nodes)))
 , tolerance(0.15f + 0.5f * noise)
 , node_noise(0.05f + 0.5f * noise)
 , gap_limit(stepLimit(noise))
 , min_size(minSize(nodes.size()))
 {}
+
+void
+SurfacePiece::findAround() const
+{
+  const PointGrid grid(positionsOf(nodes), around_spacings);
+  begins_.push_back(0);
+  for (const SurfaceNode& node : nodes) {
+    grid.forEachWithin(node.position,
+                       around_spacings * node.spacing,
+                       [&](std::uint32_t other, float) { around_.push_back(other); });
+    begins_.push_back(static_cast<std::uint32_t>(around_.size()));
+  }
+}
 
 NodeIndices
 SurfacePiece::allNodes() const

@@ -64,15 +64,15 @@ struct SurfacePiece {
   void
   forEachAround(std::uint32_t node, const Visit& visit) const
   {
-    grid.forEachWithin(nodes[node].position,
-                       around_spacings * nodes[node].spacing,
-                       [&](std::uint32_t other, float) { visit(other); });
+    if (begins_.empty())
+      findAround();
+    for (std::uint32_t k = begins_[node]; k < begins_[node + 1]; ++k)
+      visit(around_[k]);
   }
 
   static constexpr float around_spacings = 3.0f; // two cells of nodes
 
   const std::vector<SurfaceNode> nodes;
-  const PointGrid grid;
   const float noise;     ///< in spacings, as all below
   const float tolerance; ///< how far a node may be off the surface that it is on
   /** What noise makes of that: nodes are means of some 25 points, but noise may be
@@ -82,6 +82,7 @@ struct SurfacePiece {
   const std::size_t min_size; ///< of a part that is a surface of its own, in nodes
 
 private:
+  void findAround() const;
   SurfacePart largestPart(const NodeIndices& some) const;
   /** `sample` is taken of the nodes when a fit first needs it. */
   ShapePrimitive fitted(const NodeIndices& some,
@@ -91,6 +92,9 @@ private:
   /** Those to all nodes: asked for to see whether the piece is one, and for its first
    * part. A piece is looked at by one thread. */
   mutable std::map<PrimitiveType, ShapePrimitive> fits_of_all_;
+  /** The nodes around each, one after the other, and where each one's begin: found once
+   * they are asked for, as few pieces need them, but these many times. */
+  mutable std::vector<std::uint32_t> around_, begins_;
 };
 
 } // namespace pcl::segmentation

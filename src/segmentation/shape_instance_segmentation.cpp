@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Instances of a field: what they are made of, and what each is like.
 
+#include "common/finite.h"
 #include "common/number_text.h"
 #include "geometry/voxel_means.h"
 #include "instances/instance_detection.h"
@@ -77,6 +78,9 @@ valuesAt(const InstanceRequest& request, const std::vector<float>& positions)
   input.points = {positions.data(), 3, positions.size() / 3};
   values.likelihoods.resize(field.classes.size());
   const std::vector<std::int32_t> points = pointsAt(request, input.points);
+  input.normals.reserve(3 * points.size());
+  for (std::vector<float>* values_of_points : {&input.spacings, &input.edge})
+    values_of_points->reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool is_known = points[i] >= 0;
     const auto point = static_cast<std::size_t>(is_known ? points[i] : 0);
@@ -94,6 +98,7 @@ valuesAt(const InstanceRequest& request, const std::vector<float>& positions)
   const std::string& name = request.name == object ? planar : request.name;
   input.likelihood = values.likelihoods[positionOf(name, field.classes)];
   input.noise = field.noise;
+  input.view_point = request.view_point;
   input.threads = request.threads;
   return values;
 }
@@ -172,7 +177,13 @@ std::vector<ShapeInstance>
 instancesOf(const InstanceRequest& request)
 {
   const std::vector<float> positions = positionsOf(request);
-  const InstanceValues values = valuesAt(request, positions);
+  InstanceValues values = valuesAt(request, positions);
+  values.input.median_spacing = segmentation::medianSpacing(values.input.spacings);
+  if (request.name == object)
+    values.input.order =
+        segmentation::pointsInOrder(values.input, [&](std::uint32_t i) {
+          return kernels::isFinite(values.input.points[i]);
+        });
   const InstanceLabels labels = request.name == object
                                     ? findObjects(values.input, request.limits)
                                     : findComponents(values.input, request.limits);

@@ -60,6 +60,35 @@ TEST(FaceGrouping, AShareOfASideIsNeeded)
   EXPECT_EQ((PointLabels{0, 1}), groups(2.5f));
 }
 
+TEST(FaceGrouping, StripsShareWhatIsAsWideAsTheyAre)
+{
+  // As large as a square of 20, but 80 long: two pieces of a handle's arc.
+  Face strip = faceOf(400);
+  strip.length = 80;
+  const auto groups = [&](float convex) {
+    return groupFaces({strip, strip}, {0, 0}, {{0, 1, convex, 0}});
+  };
+  EXPECT_EQ((PointLabels{0, 0}), groups(3.0f)) << "half of 5";
+  EXPECT_EQ((PointLabels{0, 1}), groups(2.0f));
+  strip.length = 40; // 10 wide: a face of a body of its own
+  EXPECT_EQ((PointLabels{0, 1}), groups(19.0f));
+}
+
+TEST(FaceGrouping, NarrowGroupsAreHeldByWhatTheyTouch)
+{
+  // The body, a piece of its handle, and what they stand on.
+  const std::vector<Face> faces{faceOf(400), faceOf(36), faceOf(2000)};
+  const auto groups = [&](const std::vector<FaceContact>& contacts) {
+    return groupFaces(faces, {0, 0, 1}, contacts);
+  };
+  EXPECT_EQ((PointLabels{0, 0, -1}), groups({{0, 1, 4, 8}, {0, 2, 0, 40}}));
+  EXPECT_EQ((PointLabels{0, 1, -1}), groups({{0, 1, 4, 8}, {1, 2, 0, 6}}))
+      << "a small body beside it";
+  EXPECT_EQ((PointLabels{0, 1, -1}), groups({{0, 1, 0, 8}, {0, 2, 0, 40}}))
+      << "a small body on it";
+  EXPECT_EQ((PointLabels{0, 1}), groupsOf(2, {{0, 1, 40, 80}})) << "too wide";
+}
+
 TEST(FaceGrouping, WhatIsLeftOutJoinsNobody)
 {
   EXPECT_EQ((PointLabels{-1, 1, 2}),
@@ -86,9 +115,10 @@ protected:
   }
 
   std::vector<char>
-  among(const std::vector<FaceContact>& contacts) const
+  among(const std::vector<FaceContact>& contacts,
+        const std::vector<char>& known = {0, 0, 0}) const
   {
-    return supportsAmong(input_, labels_, faces_, contacts);
+    return supportsAmong(input_, labels_, faces_, known, contacts);
   }
 
   Surface surface_;
@@ -109,6 +139,14 @@ TEST_F(Supports, NeedBordersTwoThirdsConcaveOrNoneConvex)
   EXPECT_EQ((std::vector<char>{1, 1, 0}), among({{1, 2, 50, 0}}))
       << "larger than all others";
   EXPECT_EQ((std::vector<char>{0, 0, 0}), among({{0, 2, 5, 0}})) << "a rim";
+}
+
+TEST_F(Supports, AreNotKnownByWhatTheyStandOn)
+{
+  EXPECT_EQ((std::vector<char>{1, 1, 1}), among({{0, 2, 0, 40}}))
+      << "each might carry the other";
+  EXPECT_EQ((std::vector<char>{1, 0, 0}), among({{0, 2, 0, 40}}, {1, 0, 0}))
+      << "2 only meets a known support: a body whose sides are one piece";
 }
 
 TEST_F(Supports, ArePlanesAndLarge)

@@ -3,11 +3,14 @@
 // Flat parts that may be supports, in clutter and behind gaps.
 
 #include "instances/support_parts.h"
+#include "instances/support_planes.h"
+#include "small_surfaces.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace {
 
@@ -89,6 +92,47 @@ TEST(SupportParts, LargestAreaAndMostPointsMayBeOfTwoParts)
   EXPECT_TRUE(isLarge(far, largest, 0.25));
   near.points = 200.0;
   EXPECT_FALSE(isLarge(near, largest, 0.25));
+}
+
+/** \brief A level floor, 100 wide, with a bump of a cosine's shape in the middle. */
+pcl::test::Surface
+floorWithBump(double height)
+{
+  constexpr int points = 200;
+  constexpr double radius = 8.0, middle = 0.5 * pcl::test::half * points;
+  pcl::test::Surface floor;
+  for (int row = 0; row < points; ++row)
+    for (int column = 0; column < points; ++column) {
+      const Eigen::Vector2d from(pcl::test::half * column - middle,
+                                 pcl::test::half * row - middle);
+      const double phase = M_PI * std::min(1.0, from.norm() / radius);
+      const double z = 0.5 * height * (1.0 + std::cos(phase));
+      const double slope = 0.5 * height * M_PI / radius * std::sin(phase);
+      const Eigen::Vector2d out =
+          from.norm() > 0.0 ? from.normalized() : Eigen::Vector2d(1.0, 0.0);
+      floor.add({Eigen::Vector3d(from.x(), from.y(), z),
+                 Eigen::Vector3d(slope * out.x(), slope * out.y(), 1.0).normalized()});
+    }
+  return floor;
+}
+
+std::size_t
+pointsOfSupports(const pcl::test::Surface& surface)
+{
+  const pcl::detail::InstanceInput input = pcl::test::inputOf(surface);
+  const PointGrid grid(input.points, 1.5f);
+  std::size_t points = 0;
+  for (const Support& support :
+       supportPlanes(input, grid, std::vector<char>(surface.size(), 1)))
+    points += support.points.size();
+  return points;
+}
+
+TEST(SupportPlanes, HaveWhatIsSmearedWhereThingsTouchThem)
+{
+  const auto low = floorWithBump(1.2), high = floorWithBump(3.0);
+  EXPECT_EQ(low.size(), pointsOfSupports(low));
+  EXPECT_LT(pointsOfSupports(high), high.size() - 100) << "high and steep";
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Boards, bins, tilted tables and others are no objects; what stands on them is.
+// Boards, bins, tilted tables and others are no objects; what stands on them is, also
+// behind other things.
 
 #include "detection_scenes.h"
 #include "scene/depth_cameras.h"
@@ -163,6 +164,74 @@ cutByTheImage()
   return setting;
 }
 
+/** \brief A board seen from above its front side. */
+Setting
+board()
+{
+  Setting setting;
+  addFloor(setting, 1.5);
+  setting.supports.push_back(addBox(setting, {0, 0, 0.585}, {0.9, 0.6, 0.03}));
+  setting.eye = {0.0, -0.7, 1.3};
+  setting.target = {0.0, 0.0, 0.6};
+  setting.width = 1.0;
+  setting.height = 0.8;
+  return setting;
+}
+
+/** \brief Upright, before what lies in the middle of a board. */
+void
+addPost(Setting& setting)
+{
+  setting.things.push_back(addBox(setting, {0, -0.02, 0.72}, {0.07, 0.05, 0.24}));
+}
+
+/** \brief Of a box the two ends are seen. */
+Setting
+boxBehindAPost()
+{
+  Setting setting = board();
+  addPost(setting);
+  setting.things.push_back(addBox(setting, {0, 0.12, 0.635}, {0.36, 0.09, 0.07}));
+  return setting;
+}
+
+/** \brief Likewise of a cylinder that lies. */
+Setting
+cylinderBehindAPost()
+{
+  Setting setting = board();
+  addPost(setting);
+  constexpr double radius = 0.05, length = 0.36;
+  Pose lying;
+  lying.axes = {Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{1, 0, 0}};
+  lying.origin = {-0.5 * length, 0.12, 0.6 + radius};
+  setting.world.solids.push_back({Shape::Cylinder, {radius, length, 0}, lying});
+  setting.things.push_back(static_cast<int>(setting.world.solids.size()));
+  return setting;
+}
+
+/** \brief In one line, as the ends of one box would be; but one sees between them. */
+Setting
+boxesInLine()
+{
+  Setting setting = board();
+  for (const double side : {-1.0, 1.0})
+    setting.things.push_back(
+        addBox(setting, {side * 0.11, 0.12, 0.635}, {0.14, 0.09, 0.07}));
+  return setting;
+}
+
+/** \brief Of other heights, and the post hides their gap. */
+Setting
+boxesBehindAPost()
+{
+  Setting setting = board();
+  addPost(setting);
+  setting.things.push_back(addBox(setting, {-0.11, 0.12, 0.635}, {0.14, 0.09, 0.07}));
+  setting.things.push_back(addBox(setting, {0.11, 0.12, 0.645}, {0.14, 0.09, 0.09}));
+  return setting;
+}
+
 scene::Camera
 cameraOf(const Setting& setting, double spacing)
 {
@@ -288,6 +357,10 @@ allCases()
   addAll(casesOf("TiltedTable", tiltedTable));
   addAll(casesOf("BehindABar", behindABar));
   addAll(casesOf("CutByTheImage", cutByTheImage));
+  addAll(casesOf("BoxBehindAPost", boxBehindAPost));
+  addAll(casesOf("CylinderBehindAPost", cylinderBehindAPost));
+  addAll(casesOf("BoxesInLine", boxesInLine));
+  addAll(casesOf("BoxesBehindAPost", boxesBehindAPost));
   for (Case wavy : casesOf("WavyTable", tiltedTable)) {
     wavy.ripple = 0.7;
     cases.push_back(wavy);
