@@ -9,6 +9,7 @@
 
 #include <pcl/tiling/tiled_cloud.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>

@@ -10,6 +10,7 @@
 #include <pcl/tiling/tiled_cloud.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <optional>

@@ -201,7 +201,8 @@ private:
         nodes_of[pieces[i]].push_back(i);
     labels_of_nodes_.assign(pieces.size(), -1);
     std::int32_t next = 0;
-    for (const auto& [piece, nodes] : nodes_of) {
+    for (const auto& nodes_of_piece : nodes_of) {
+      const std::vector<std::size_t>& nodes = nodes_of_piece.second;
       const std::vector<std::int32_t> groups =
           steps_.cut(1, [&](std::size_t) { return taken(nodes_.all, nodes); }).front();
       for (std::size_t k = 0; k < nodes.size(); ++k)

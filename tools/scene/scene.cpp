@@ -8,6 +8,7 @@
 #include "scene/labels.h"
 #include "scene/random_world.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>

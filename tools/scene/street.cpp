@@ -6,6 +6,7 @@
 
 #include "scene/street_builder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
