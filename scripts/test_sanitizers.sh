@@ -11,8 +11,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=${1:-build/sanitizers}
 
 source scripts/packages.sh
-require_packages clang cmake googletest libeigen3-dev libhwy-dev libomp-dev libpcl-dev \
-  ninja-build
+require_packages clang cmake googletest libeigen3-dev libhwy-dev liblzf-dev libomp-dev \
+  libpcl-dev ninja-build
 
 # build_with DIRECTORY COMPILER_FLAGS [LINKER_FLAGS]
 build_with() {

@@ -72,20 +72,8 @@ eachValue(const CloudFile& cloud, const std::string& name, const Use& use)
     visit(double{});
 }
 
-/** Copy fields to the members of points: `to` gives member c of point i. */
-template <typename Member>
-void
-copyFloats(const CloudFile& cloud,
-           const std::vector<const char*>& names,
-           const Member& to)
-{
-  for (std::size_t c = 0; c < names.size(); ++c)
-    eachValue(cloud, names[c], [&](std::size_t i, auto value) {
-      to(i, c) = static_cast<float>(value);
-    });
-}
-
 constexpr std::array<const char*, 3> coordinate_names{"x", "y", "z"};
+constexpr std::array<const char*, 3> normal_names{"normal_x", "normal_y", "normal_z"};
 
 /** The new values of a field, packed. */
 struct Column {
@@ -231,6 +219,24 @@ setFields(CloudFile& cloud, const std::vector<FieldSource>& sources)
   cloud.blob.row_step = step * cloud.blob.width;
 }
 
+void
+appendRows(const CloudFile& cloud,
+           const std::vector<StoredValue>& values,
+           std::string& text)
+{
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const std::uint8_t* const point =
+        cloud.blob.data.data() + i * cloud.blob.point_step;
+    for (const StoredValue& stored : values)
+      visitType(stored.datatype, [&](auto value) {
+        std::memcpy(&value, point + stored.offset, sizeof(value));
+        appendFileNumber(value, text);
+        text += ' ';
+      });
+    text.back() = '\n';
+  }
+}
+
 const pcl::PCLPointField*
 findField(const CloudFile& cloud, const std::string& name)
 {
@@ -309,13 +315,13 @@ normalsOf(const CloudFile& cloud)
   const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>(
       cloud.blob.width, cloud.blob.height);
   normals->is_dense = false;
-  copyFloats(
-      cloud,
-      {"normal_x", "normal_y", "normal_z"},
-      [&](std::size_t i, std::size_t c) -> float& { return (*normals)[i].normal[c]; });
+  for (std::size_t c = 0; c < normal_names.size(); ++c)
+    eachValue(cloud, normal_names[c], [&](std::size_t i, auto value) {
+      (*normals)[i].normal[c] = static_cast<float>(value);
+    });
   if (findField(cloud, "curvature"))
-    copyFloats(cloud, {"curvature"}, [&](std::size_t i, std::size_t) -> float& {
-      return (*normals)[i].curvature;
+    eachValue(cloud, "curvature", [&](std::size_t i, auto value) {
+      (*normals)[i].curvature = static_cast<float>(value);
     });
   return normals;
 }
@@ -409,12 +415,11 @@ void
 usePclNamesOfPly(CloudFile& cloud)
 {
   usePclNames(cloud);
-  constexpr std::array<std::pair<const char*, const char*>, 3> normals{
-      {{"nx", "normal_x"}, {"ny", "normal_y"}, {"nz", "normal_z"}}};
+  constexpr std::array<const char*, 3> normals_in_ply{"nx", "ny", "nz"};
   for (auto& field : cloud.blob.fields)
-    for (const auto& [ply, pcl_name] : normals)
-      if (field.name == ply)
-        rename(cloud, field, pcl_name);
+    for (std::size_t c = 0; c < normal_names.size(); ++c)
+      if (field.name == normals_in_ply[c])
+        rename(cloud, field, normal_names[c]);
   packColors(cloud, "");
   packColors(cloud, "diffuse_");
   widenIntensity(cloud);

@@ -73,6 +73,17 @@ valueSize(std::uint8_t datatype)
   return visitType(datatype, [](auto value) { return sizeof(value); });
 }
 
+/** \brief A value of each point. */
+struct StoredValue {
+  std::uint8_t datatype;
+  std::size_t offset; ///< of its bytes in a point
+};
+
+/** \brief Append a line of numbers for each point. */
+void appendRows(const CloudFile& cloud,
+                const std::vector<StoredValue>& values,
+                std::string& text);
+
 /** \brief The field, or nullptr. */
 const pcl::PCLPointField* findField(const CloudFile& cloud, const std::string& name);
 
