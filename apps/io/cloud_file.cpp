@@ -54,15 +54,21 @@ floatingField(const CloudFile& cloud, const std::string& name)
   return field;
 }
 
-/** Call \p use with the number of each point and its value, float or double. */
+/** Call \p use with the number of each of the packed points and its value, float or
+ * double. */
 template <typename Use>
 void
-eachValue(const CloudFile& cloud, const std::string& name, const Use& use)
+eachValue(const CloudFile& cloud,
+          const std::uint8_t* data,
+          std::size_t points,
+          const std::string& name,
+          const Use& use)
 {
   const pcl::PCLPointField& field = floatingField(cloud, name);
   const auto visit = [&](auto value) {
-    for (std::size_t i = 0; i < cloud.size(); ++i) {
-      std::memcpy(&value, cloud.at(i, field), sizeof(value));
+    const std::uint8_t* from = data + field.offset;
+    for (std::size_t i = 0; i < points; ++i, from += cloud.blob.point_step) {
+      std::memcpy(&value, from, sizeof(value));
       use(i, value);
     }
   };
@@ -70,6 +76,13 @@ eachValue(const CloudFile& cloud, const std::string& name, const Use& use)
     visit(float{});
   else
     visit(double{});
+}
+
+template <typename Use>
+void
+eachValue(const CloudFile& cloud, const std::string& name, const Use& use)
+{
+  eachValue(cloud, cloud.blob.data.data(), cloud.size(), name, use);
 }
 
 constexpr std::array<const char*, 3> coordinate_names{"x", "y", "z"};
@@ -260,12 +273,18 @@ addField(CloudFile& cloud, const std::string& name, std::uint8_t datatype)
 std::vector<std::array<double, 3>>
 coordinatesOf(const CloudFile& cloud)
 {
-  std::vector<std::array<double, 3>> points(cloud.size());
+  return coordinatesOf(cloud, cloud.blob.data.data(), cloud.size());
+}
+
+std::vector<std::array<double, 3>>
+coordinatesOf(const CloudFile& cloud, const std::uint8_t* data, std::size_t points)
+{
+  std::vector<std::array<double, 3>> places(points);
   for (std::size_t c = 0; c < coordinate_names.size(); ++c)
-    eachValue(cloud, coordinate_names[c], [&](std::size_t i, auto value) {
-      points[i][c] = static_cast<double>(value);
+    eachValue(cloud, data, points, coordinate_names[c], [&](std::size_t i, auto value) {
+      places[i][c] = static_cast<double>(value);
     });
-  return points;
+  return places;
 }
 
 std::array<float, 3>

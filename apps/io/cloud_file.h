@@ -108,6 +108,11 @@ std::vector<FieldSource> sourcesOf(const CloudFile& cloud);
  * \throws InputError unless they are single float32 or float64 values */
 std::vector<std::array<double, 3>> coordinatesOf(const CloudFile& cloud);
 
+/** \brief The same of points that are not in the cloud. \param[in] cloud their fields
+ * \param[in] data the points, packed \param[in] points how many */
+std::vector<std::array<double, 3>>
+coordinatesOf(const CloudFile& cloud, const std::uint8_t* data, std::size_t points);
+
 /** \brief The points, with the offset subtracted in double; is_dense says whether all
  * are finite. \throws InputError unless x, y and z are single float32 or float64 values
  * and a point is finite */

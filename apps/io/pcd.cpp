@@ -329,15 +329,6 @@ forgetPadding(CloudFile& cloud)
   cloud.blob.point_step = step;
 }
 
-std::size_t
-bytesWithoutPadding(const CloudFile& cloud)
-{
-  std::size_t step = 0;
-  for (const auto& field : cloud.blob.fields)
-    step += isPadding(field) ? 0 : valueSize(field.datatype) * field.count;
-  return cloud.size() * step;
-}
-
 void
 readCompressed(CloudFile& cloud, std::string_view body)
 {
@@ -346,8 +337,10 @@ readCompressed(CloudFile& cloud, std::string_view body)
     failTruncated(cloud, sizeof(sizes), body.size());
   std::memcpy(sizes.data(), body.data(), sizeof(sizes));
   body.remove_prefix(sizeof(sizes));
-  if (sizes[1] != 0 && sizes[1] == bytesWithoutPadding(cloud))
-    forgetPadding(cloud);
+  CloudFile bare = cloud;
+  forgetPadding(bare);
+  if (sizes[1] != 0 && sizes[1] == bare.size() * bare.blob.point_step)
+    cloud = std::move(bare);
   const std::size_t expected = cloud.size() * cloud.blob.point_step;
   if (sizes[1] != expected)
     fail(cloud.path,
