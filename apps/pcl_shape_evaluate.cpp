@@ -83,7 +83,7 @@ evaluateClasses(const TaskPoints& selected, Report& report)
   report.setNumber("", "accuracy", evaluation.accuracy);
 }
 
-/** Void is no mistake of a label, but a point less. */
+/** A void label is not wrong; it only leaves fewer points. */
 void
 evaluateKept(const TaskPoints& selected, Report& report)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Reads lines, instances and grasps, and says where a file is not as expected.
+// Reads lines, instances and grasps; errors name the place in the file.
 
 #include "results/scene_files.h"
 

@@ -42,7 +42,7 @@ const std::array<std::pair<const char*, LidarPattern>, 3> patterns{
      {"rosette70", LidarPattern::Rosette70},
      {"rosette120", LidarPattern::Rosette120}}};
 
-/** The one of the choices that is named; the first one is the default. */
+/** The choice of that name; the first one is the default. */
 template <typename Choices>
 auto
 chosen(const Arguments& arguments, const std::string& option, const Choices& choices)

@@ -8,18 +8,18 @@
 
 namespace pcl::segmentation {
 
-/** \brief Which faces are of a support: planar, not much smaller than the largest such
- * face, with others on them; and pieces that lie in the same plane. */
+/** \brief Which faces belong to a support: planar ones, not much smaller than the
+ * largest such face, with others on them; and pieces that lie in the same plane. */
 std::vector<char> supportsAmong(const detail::InstanceInput& input,
                                 const Labels& labels,
                                 const std::vector<Face>& faces,
                                 const std::vector<FaceContact>& contacts);
 
-/** \brief Group faces that are on the whole convex to each other: of all pairs of
- * groups the one with the most convex border is joined as long as its convex border is
- * longer than its concave one (greedy additive edge contraction; Keuper et al.,
- * "Efficient Decomposition of Image and Mesh Graphs by Lifted Multicuts", 2015).
- * \return a group for each face; faces that are left out have none, -1 */
+/** \brief Group faces that are mostly convex to each other: join the pair of groups
+ * with the most convex border, as long as that is longer than their concave border
+ * (greedy additive edge contraction; Keuper et al., "Efficient Decomposition of Image
+ * and Mesh Graphs by Lifted Multicuts", 2015). \return a group for each face; -1 for
+ * faces that are left out */
 Labels groupFaces(const std::vector<Face>& faces,
                   const std::vector<char>& left_out,
                   const std::vector<FaceContact>& contacts);

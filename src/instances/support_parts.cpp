@@ -82,7 +82,7 @@ nodesOn(const Nodes& nodes, const SupportPlane& support)
   return on;
 }
 
-/** Of some nodes the most that are connected, weighed by their points. */
+/** The connected nodes, of some, that stand for the most points. */
 Nodes
 largestPart(const Nodes& nodes, float unit)
 {
@@ -189,7 +189,7 @@ largestPartOn(SupportPlane support, const Nodes& nodes, float min_offset, float 
   return SupportPart{support, std::move(on), area, points};
 }
 
-/** The nodes that are not among some. */
+/** The nodes without some of them. */
 Nodes
 without(const Nodes& some, const Nodes& nodes)
 {
