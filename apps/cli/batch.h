@@ -31,7 +31,8 @@ using FileJob = std::function<bool(const std::string& input, Report& report)>;
 
 /** \brief Do a job for each file. Standard error shows which file is next and how long
  * the rest will take, estimated from their sizes. Files that fail do not stop the
- * others. The -json file lists all. \param[in] finish called after the last file
+ * others. The -json file lists all.
+ * \param[in] finish called after the last file
  * \return the exit status */
 int runBatch(
     const Arguments& arguments,

@@ -93,8 +93,8 @@ public:
     return directory / "manifest.json";
   }
 
-  /** Read the files of an existing manifest. \throws InputError if it is no manifest,
-   * or one of other parameters */
+  /** Read the files of an existing manifest.
+   * \throws InputError if it is no manifest, or one of other parameters */
   void resume();
 
   /** Whether a cloud was labeled and its files are still there. */

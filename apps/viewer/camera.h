@@ -23,8 +23,9 @@ struct Camera {
 Eigen::AlignedBox3f boxOf(const pcl::PointCloud<pcl::PointXYZ>& points);
 
 /** \brief The sensor's view, if the points are in front of it, else from above the
- * cloud's corner with z up; the angle of view takes in all points. \param[in] points at
- * least one is finite \param[in] aspect width of the picture over its height */
+ * cloud's corner with z up; the angle of view takes in all points.
+ * \param[in] points at least one is finite
+ * \param[in] aspect width of the picture over its height */
 Camera defaultCamera(const pcl::PointCloud<pcl::PointXYZ>& points, float aspect);
 
 /** \brief Makes points NaN that are ten times as far from the middle as 95 % of the

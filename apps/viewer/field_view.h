@@ -69,8 +69,9 @@ struct FieldView {
 };
 
 /** \brief The view of one field: colors as they are (rgb, rgba), labels, or numbers;
- * "plain" stands for one color for all points. \param[in] names of labels, beside those
- * that are known \throws InputError that lists the fields, if this one is missing */
+ * "plain" stands for one color for all points.
+ * \param[in] names of labels, beside those that are known
+ * \throws InputError that lists the fields, if this one is missing */
 FieldView viewOf(const CloudFile& cloud,
                  const std::string& field,
                  const std::map<std::int64_t, std::string>& names);
@@ -91,7 +92,8 @@ bool hasNormals(const CloudFile& cloud);
 std::vector<float> brightnessOf(const CloudFile& cloud);
 
 /** \brief Multiply the colors by brightnessOf(): surfaces that turn away from the light
- * get darker. \throws InputError if the cloud has no normals */
+ * get darker.
+ * \throws InputError if the cloud has no normals */
 void shade(const CloudFile& cloud, FieldView& view);
 
 } // namespace pcl::app

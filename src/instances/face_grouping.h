@@ -18,8 +18,8 @@ std::vector<char> supportsAmong(const detail::InstanceInput& input,
 /** \brief Group faces that are mostly convex to each other: join the pair of groups
  * with the most convex border, as long as that is longer than their concave border
  * (greedy additive edge contraction; Keuper et al., "Efficient Decomposition of Image
- * and Mesh Graphs by Lifted Multicuts", 2015). \return a group for each face; -1 for
- * faces that are left out */
+ * and Mesh Graphs by Lifted Multicuts", 2015).
+ * \return a group for each face; -1 for faces that are left out */
 Labels groupFaces(const std::vector<Face>& faces,
                   const std::vector<char>& left_out,
                   const std::vector<FaceContact>& contacts);

@@ -119,8 +119,8 @@ assign(const SurfacePiece& piece, std::vector<SurfacePart>& parts)
   });
 }
 
-/** Drop parts with few nodes, or with nodes on the surfaces of others. \return whether
- * there were any */
+/** Drop parts with few nodes, or with nodes on the surfaces of others.
+ * \return whether there were any */
 bool
 dropNeedless(const SurfacePiece& piece, std::vector<SurfacePart>& parts)
 {
@@ -200,8 +200,8 @@ bordersOf(const SurfacePiece& piece, const std::vector<SurfacePart>& parts)
   return borders;
 }
 
-/** Whether there is no crease, and gaps (or steps) are within a limit. \param[in]
- * squares sum of the squared gaps or steps */
+/** Whether there is no crease, and gaps (or steps) are within a limit.
+ * \param[in] squares sum of the squared gaps or steps */
 bool
 goesOn(const Border& border, double squares, float limit)
 {
