@@ -11,6 +11,7 @@
 #include "evaluation/grasps.h"
 #include "evaluation/objects.h"
 #include "io/any_cloud.h"
+#include "io/text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -82,7 +83,7 @@ evaluateClasses(const TaskPoints& selected, Report& report)
   report.setNumber("", "accuracy", evaluation.accuracy);
 }
 
-/** Void is no mistake of a label, but a point less. */
+/** A void label is not wrong; it only leaves fewer points. */
 void
 evaluateKept(const TaskPoints& selected, Report& report)
 {
@@ -227,7 +228,7 @@ showGrasps(const std::vector<ObjectGrasp>& objects, Report& report)
   reportGrasps(objects, report);
 }
 
-/** The parts of the truth are those that the grasps were found with.
+/** The objects have the parts that the grasps were found with.
  * \throws InputError if -parts says otherwise */
 GraspsOfObjects
 readJudged(const Arguments& arguments, const std::string& path)
@@ -239,6 +240,21 @@ readJudged(const Arguments& arguments, const std::string& path)
                      "', but -parts is '" + std::to_string(*parts) +
                      "'; expected the same, or no -parts");
   return grasps;
+}
+
+/** The objects of the truth. \throws InputError unless the grasps are of these */
+std::vector<std::uint32_t>
+objectLabels(const CloudFile& truth,
+             const GraspsOfObjects& grasps,
+             const std::string& path)
+{
+  const std::string field = fieldOfObjects(truth);
+  if (field != grasps.field)
+    throw InputError(path + ": 'parameters.each' is " + inQuotes(grasps.field) +
+                     ", but the objects of " + truth.path +
+                     " are those of its field '" + field +
+                     "'; expected grasps of -each " + field);
+  return labelsOf(truth, field);
 }
 
 /** The grasps of a report on the objects of the truth. */
@@ -262,7 +278,7 @@ evaluateGraspFile(const Arguments& arguments, const ObjectRules& rules)
   report.setNumber("parameters", "compliance", grasps.compliance);
   const std::vector<ObjectGrasp> objects = report.time("evaluate", [&] {
     return evaluateGrasps(*pointsOf(truth),
-                          labelsOf(truth, fieldOfObjects(truth)),
+                          objectLabels(truth, grasps, operands[0]),
                           grasps,
                           rules.min_points);
   });

@@ -6,37 +6,28 @@
 #include "cli/files.h"
 #include "cli/filter_app.h"
 #include "io/pcd.h"
-#include "scene/lidar_scene.h"
-#include "scene/part_scene.h"
-#include "scene/room_scene.h"
 #include "scene/scene_kind.h"
-#include "scene/table_scene.h"
-
-#include <functional>
+#include "scene/scene_maker.h"
 
 namespace {
 
 using namespace pcl::app;
 
-/** Checks all options, and returns what makes the cloud. */
-std::function<CloudFile(Report&)>
+/** Checks all options. */
+SceneMaker
 makerOf(const Arguments& arguments)
 {
   checkKindOptions(arguments);
-  const SceneKind kind = sceneKind(arguments);
-  if (kind == SceneKind::Street)
-    return [&](Report& report) { return lidarCloud(arguments, report); };
-  if (kind == SceneKind::Part && isSampled(arguments))
-    return [&, options = partOptions(arguments)](Report& report) {
-      return partCloud(arguments, options, report);
-    };
-  if (kind == SceneKind::Room)
-    return [&, options = stationOptions(arguments)](Report& report) {
-      return roomCloud(arguments, options, report);
-    };
-  return [&, options = tableOptions(arguments)](Report& report) {
-    return tableCloud(arguments, options, report);
-  };
+  switch (sceneKind(arguments)) {
+  case SceneKind::Street:
+    return streetScene(arguments);
+  case SceneKind::Room:
+    return roomScene(arguments);
+  case SceneKind::Part: // a camera sees parts on a table
+    return isSampled(arguments) ? partScene(arguments) : tableScene(arguments);
+  default:
+    return tableScene(arguments);
+  }
 }
 
 int

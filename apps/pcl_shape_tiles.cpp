@@ -253,7 +253,7 @@ public:
   }
 
 private:
-  /** Before a directory of tiles remembers it: the next run has another one. */
+  /** Before a directory of tiles keeps it: the next run may be given another one. */
   void
   checkResolution()
   {

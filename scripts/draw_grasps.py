@@ -15,6 +15,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+from cup_rim import rim
+
 
 def read(path):
     with open(path, encoding="ascii") as file:
@@ -30,15 +32,6 @@ def read(path):
 
 def seen(points):
     return points[..., 0] / points[..., 2], -points[..., 1] / points[..., 2]
-
-
-def rim(grasp, radius):
-    """Points of the cup's rim."""
-    axis = np.array(grasp["approach"])
-    u = np.cross(axis, [1.0, 0.0, 0.0] if abs(axis[0]) < 0.5 else [0.0, 1.0, 0.0])
-    u /= np.linalg.norm(u)
-    turn = np.linspace(0.0, 2.0 * np.pi, 60)[:, None]
-    return np.array(grasp["position"]) + radius * (np.cos(turn) * u + np.sin(turn) * np.cross(axis, u))
 
 
 def main():

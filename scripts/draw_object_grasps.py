@@ -14,6 +14,7 @@ import numpy
 from PIL import Image, ImageDraw
 
 from contact_sheet import main as make_sheet
+from cup_rim import rim
 from evaluate_grasps import GENERATED, grasps_of, real_clouds
 from evaluate_sensors import fields_of, generate
 from pcd_fields import read_pcd
@@ -26,14 +27,6 @@ def projection(points, pixels):
     """Focal length and middle of one axis of a pinhole camera, from points and the pixels that see them."""
     rows = numpy.stack([points, numpy.ones(len(points))], 1)
     return numpy.linalg.lstsq(rows, pixels, rcond=None)[0]
-
-
-def rim(grasp, radius):
-    axis = numpy.array(grasp["approach"])
-    u = numpy.cross(axis, [1.0, 0.0, 0.0] if abs(axis[0]) < 0.5 else [0.0, 1.0, 0.0])
-    u /= numpy.linalg.norm(u)
-    turn = numpy.linspace(0.0, 2.0 * numpy.pi, 40)[:, None]
-    return numpy.array(grasp["position"]) + radius * (numpy.cos(turn) * u + numpy.sin(turn) * numpy.cross(axis, u))
 
 
 def shading(z, shape):

@@ -11,8 +11,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=${1:-build/sanitizers}
 
 source scripts/packages.sh
-require_packages clang cmake googletest libeigen3-dev libhwy-dev libomp-dev libpcl-dev \
-  ninja-build
+require_packages clang cmake googletest libeigen3-dev libhwy-dev liblzf-dev libomp-dev \
+  libpcl-dev ninja-build
 
 # build_with DIRECTORY COMPILER_FLAGS [LINKER_FLAGS]
 build_with() {
@@ -35,6 +35,7 @@ ASAN_OPTIONS=detect_leaks=0 "$build/address/pcl_shape_test_engine" --gtest_brief
 
 cmake -S test/readers -B "$build/readers" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo \
       -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
+      -DCMAKE_C_FLAGS="-fsanitize=address,undefined -fno-sanitize-recover=undefined" \
       -DCMAKE_CXX_FLAGS="-fsanitize=address,undefined -fno-sanitize-recover=undefined"
 cmake --build "$build/readers" --parallel "$(nproc)" --target pcl_shape_test_readers
 PCL_SHAPE_DAMAGED_FILES=20000 "$build/readers/pcl_shape_test_readers" --gtest_brief=1

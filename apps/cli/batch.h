@@ -18,7 +18,7 @@ namespace pcl::app {
 std::vector<std::string> cloudsIn(const std::string& directory,
                                   const std::vector<std::string>& endings);
 
-/** \brief Make a directory unless it is there. \throws InputError if it cannot be made
+/** \brief Create a directory unless it exists. \throws InputError if it cannot be made
  */
 void makeDirectory(const std::string& directory);
 
@@ -29,8 +29,8 @@ void prepareOutputDirectory(const std::string& output, const std::string& input)
  * false if there was nothing to do, because it was done before */
 using FileJob = std::function<bool(const std::string& input, Report& report)>;
 
-/** \brief Do a job for each file. Standard error says which one it is, and how long the
- * others will take, as far as time goes with bytes. Files that fail do not stop the
+/** \brief Do a job for each file. Standard error shows which file is next and how long
+ * the rest will take, estimated from their sizes. Files that fail do not stop the
  * others. The -json file lists all.
  * \param[in] finish called after the last file
  * \return the exit status */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// The options of an app and their help, and what is around its main().
+// The options of an app, their help, and what all main() functions share.
 
 #pragma once
 
@@ -53,9 +53,9 @@ private:
   std::vector<Option> options_;
 };
 
-/** \brief What every main() does: help, version, and from exceptions to one line on
- * standard error and the exit status. \param[in] run the app; its result is the exit
- * status */
+/** \brief What every main() does: print help or the version, or run the app, and turn
+ * exceptions into one line on standard error and an exit status. \param[in] run the
+ * app; its result is the exit status */
 int runApp(const CommandLine& command_line,
            int argc,
            const char* const* argv,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// The two kinds of errors, by who can mend them.
+// The two kinds of errors: of the command line, and of files.
 
 #pragma once
 

@@ -63,8 +63,7 @@ removePendingAndEnd(int signal)
       ::unlink(name);
   for (const EndingSignal& ending : ending_signals)
     if (ending.number == signal) {
-      // The message is the last thing that it says: there is nobody to tell of an
-      // error.
+      // If this fails, nobody is left to be told.
       const ssize_t written =
           ::write(STDERR_FILENO, ending.message, std::strlen(ending.message));
       static_cast<void>(written);

@@ -39,14 +39,14 @@ private:
 /** \brief \throws InputError if a file cannot be written at the path */
 void requireWritable(const std::string& path);
 
-/** \brief Remove the temporary files in a directory, and in the directories there,
- * whose process was killed. A file with this process's number counts as such: call it
+/** \brief Remove the temporary files that killed processes left in a directory and its
+ * subdirectories. A file with this process's number counts as one of them: call it
  * before the first AtomicFile. */
 void removeOrphans(const std::string& directory);
 
-/** \brief On the signals that end a process and that it may catch (SIGINT, SIGTERM,
- * SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU, SIGXFSZ) remove the temporary files, say so on
- * standard error, and end as usual. */
+/** \brief On each signal that ends a process and can be caught (SIGINT, SIGTERM,
+ * SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU, SIGXFSZ) remove the temporary files, report that
+ * on standard error, and end as usual. */
 void removeTemporaryFilesOnSignals();
 
 /** \brief The path that stands for standard input, or standard output. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Apps that add fields to a cloud or to all of a directory, and options of all apps.
+// Apps that add fields to one cloud or all clouds of a directory; options of all apps.
 
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace pcl::app {
 
-/** \brief Add fields to a cloud, and say what was done. */
+/** \brief Add fields to a cloud and report what was done. */
 using Filter = std::function<void(CloudFile& cloud, Report& report)>;
 
 /** \brief The options of runFilter(). */
@@ -54,8 +54,8 @@ void printSummary(const std::string& path, const Report& report);
 void
 printSummary(const std::string& path, const Report& report, const std::string& output);
 
-/** \brief Throws unless the -json file, if there is one, can be written and differs
- * from the given files and the -model file. */
+/** \brief Throws if the -json file cannot be written, or is one of the given files or
+ * the -model file. */
 void checkJsonPath(const Arguments& arguments, const std::vector<std::string>& others);
 
 /** \brief The same for another option whose value is a file to write. */
@@ -66,7 +66,7 @@ void checkOutputPath(const Arguments& arguments,
 /** \brief Throws if one of the files to write is the -model file. */
 void checkOutputs(const Arguments& arguments, const std::vector<std::string>& outputs);
 
-/** \brief The same of a cloud, and throws if its ending is KITTI's .bin. */
+/** \brief The same for one cloud; also throws if its ending is KITTI's .bin. */
 void checkCloudOutput(const Arguments& arguments, const std::string& output);
 
 /** \brief Make the output and the -json file appear, once both are written. */

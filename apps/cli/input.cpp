@@ -123,7 +123,7 @@ chooseOffset(const Arguments& arguments, CloudFile& cloud, Report& report)
     cloud.offset = pcl::coordinateOffset(coordinatesOf(cloud));
   const bool has_offset = cloud.offset != std::array<double, 3>{};
   if (has_offset && !given) {
-    // Nobody scans over such a distance: a viewpoint at the origin is none.
+    // No scanner reaches that far: a viewpoint at the origin means that it is unknown.
     const auto& v = cloud.viewpoint;
     cloud.is_view_known = v[0] != 0.0f || v[1] != 0.0f || v[2] != 0.0f;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Reads the clouds that an app is given, with the options for all of them.
+// Reads the input clouds of an app, with the options that apply to all of them.
 
 #pragma once
 
@@ -28,15 +28,15 @@ void checkInputOptions(const Arguments& arguments);
 
 /** \brief Read a cloud of any format, from standard input for "-", and choose its
  * offset: -offset, or where its coordinates are doubles that float does not hold, one
- * near its middle. An offset is said on standard error and noted in the report;
- * coordinates that float has destroyed give a warning. */
+ * near its middle. An offset is printed on standard error and noted in the report. A
+ * warning says if float has destroyed the coordinates. */
 CloudFile
 readInput(const Arguments& arguments, const std::string& path, Report& report);
 
 /** \brief Choose the offset of a cloud that was read already. */
 void chooseOffset(const Arguments& arguments, CloudFile& cloud, Report& report);
 
-/** \brief Say which offset a cloud has, if it has one. */
+/** \brief Print the offset of a cloud, if it has one. */
 void logOffset(const Arguments& arguments,
                const std::string& cloud,
                const std::array<double, 3>& offset);

@@ -35,7 +35,7 @@ public:
   CaughtErrors(const CaughtErrors&) = delete;
   CaughtErrors& operator=(const CaughtErrors&) = delete;
 
-  /** End catching: `text` is what was printed. */
+  /** Stop catching, and keep in `text` what was printed. */
   void
   restore()
   {

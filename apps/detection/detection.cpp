@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Which method detects with which settings, and the field that it makes.
+// The method and its settings, from the options, and the field that it makes.
 
 #include "detection/detection.h"
 
@@ -19,7 +19,7 @@ namespace {
 
 using FieldEstimation = pcl::ShapeFieldEstimation<pcl::PointXYZ>;
 
-/** Note the resolution of a field, and say why if it is not the one that was set. */
+/** Note the resolution of a field, and print why it is not the one that was set. */
 void
 reportResolution(const std::string& path, double of_field, double given, Report& report)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Says why points got no answer, when they are many.
+// Says why many points are unknown.
 
 #include "detection/unknown.h"
 
@@ -27,7 +27,7 @@ meters(float length)
   return text.str();
 }
 
-/** The reasons that hold, each with how many points it explains. */
+/** The reasons that apply, each with the number of points that it explains. */
 std::string
 reasonsOf(const pcl::UnknownPoints& points)
 {
@@ -51,7 +51,7 @@ reasonsOf(const pcl::UnknownPoints& points)
   return text;
 }
 
-/** Whether to say why: before the reasons are looked for, which takes longer. */
+/** Whether enough points are unknown to look for the reasons, which takes longer. */
 bool
 areMany(const pcl::XYZView& points, const std::vector<float>& values)
 {

@@ -12,7 +12,7 @@ namespace pcl::app {
 
 /** \brief For each row its column in the matching with the largest sum of gains, each
  * column at most once (Kuhn, "The Hungarian method for the assignment problem", 1955).
- * Every row has a column if there are as many; otherwise as many rows as columns do.
+ * With fewer columns than rows, some rows have none.
  * \param[in] gains rows of equal length, at least 0 */
 std::vector<std::optional<std::size_t>>
 bestAssignment(const std::vector<std::vector<double>>& gains);

@@ -33,8 +33,8 @@ struct ClassScore {
   Score score;
 };
 
-/** \brief What is known of one point. A predicted label of no class is negative for
- * each. */
+/** \brief What is known of one point. A predicted label that is no class is a negative
+ * for every class. */
 struct LabelPair {
   std::uint32_t truth;
   std::uint32_t predicted;

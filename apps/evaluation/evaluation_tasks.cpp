@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// The tasks: which true points count, and what a prediction says of them.
+// The tasks: which points of the truth count, and how predictions are read.
 
 #include "evaluation/evaluation_tasks.h"
 
@@ -102,8 +102,8 @@ failForOtherPoints(const std::string& what)
                           "the cloud of the truth file");
 }
 
-/** The points of the truth. Where the clouds say where their points are, this must be
- * the same; formats may round. */
+/** The points of the truth. If both clouds have coordinates, they must agree, up to
+ * what formats round. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr
 samePoints(const CloudFile& predicted, const CloudFile& truth)
 {

@@ -12,7 +12,7 @@
 
 namespace pcl::app {
 
-/** \brief strict leaves the points out that are hard to tell by hand; paper counts
+/** \brief strict leaves out the points that are hard to tell by hand; paper counts
  * creases as curved and as edges. */
 enum class Convention { strict, paper };
 

@@ -112,7 +112,7 @@ struct Quadric {
     return local.z() - row(local).dot(terms);
   }
 
-  /** By how much a lip has to bend, or the middle of the cup is met first. */
+  /** How far the surface departs from a plane within the cup: the lip has to follow. */
   double
   sag(double radius) const
   {

@@ -27,21 +27,34 @@ endingOf(const std::string& path)
   return toLower(std::filesystem::path(path).extension().string());
 }
 
+CloudFormat
+cloudFormatOf(const std::string& path, std::string_view head, unsigned floats)
+{
+  const std::string ending = endingOf(path);
+  if (ending == ".pcd")
+    return CloudFormat::pcd;
+  if (ending == ".bin")
+    return CloudFormat::kitti;
+  if (ending == ".ply")
+    return CloudFormat::ply;
+  if (floats > 0)
+    return CloudFormat::kitti;
+  return splitWords(takeLine(head)) == std::vector<std::string_view>{"ply"}
+             ? CloudFormat::ply
+             : CloudFormat::pcd;
+}
+
 CloudFile
 decodeAnyCloud(const std::string& path, std::string_view file, unsigned floats)
 {
-  const std::string ending = endingOf(path);
-  const auto& endings = cloudEndings();
-  const bool is_known = std::count(endings.begin(), endings.end(), ending) > 0;
-  std::string_view rest = file;
-  const auto begins_as_ply = [&] {
-    return splitWords(takeLine(rest)) == std::vector<std::string_view>{"ply"};
-  };
-  if (ending == ".bin" || (!is_known && floats > 0))
+  switch (cloudFormatOf(path, file, floats)) {
+  case CloudFormat::kitti:
     return decodeVelodyne(path, file, floats);
-  if (ending == ".ply" || (!is_known && begins_as_ply()))
+  case CloudFormat::ply:
     return decodePly(path, file);
-  return decodePcd(path, file);
+  default:
+    return decodePcd(path, file);
+  }
 }
 
 CloudFile

@@ -19,11 +19,18 @@ const std::vector<std::string>& cloudEndings();
 /** \brief A path's ending in lower case, such as .pcd. */
 std::string endingOf(const std::string& path);
 
-/** \brief A cloud of the format that its path's ending says, in whatever case: PCD,
- * PLY, or the velodyne/NAME.bin of KITTI. Without one of these endings it is PLY if it
- * begins so, else PCD. \param[in] floats of a point of a .bin file, 4 or 5; 0 if its
- * size says it \throws InputError that names the path, what is wrong, and what is
- * expected */
+enum class CloudFormat { pcd, ply, kitti };
+
+/** \brief The format that the path's ending says, in whatever case: .bin is a
+ * velodyne/NAME.bin of KITTI. With another ending a file is KITTI's if the floats of
+ * a point are given, PLY if it begins so, else PCD. \param[in] head the first bytes of
+ * the file */
+CloudFormat
+cloudFormatOf(const std::string& path, std::string_view head, unsigned floats);
+
+/** \brief A cloud of one of these formats. \param[in] floats of a point of KITTI's, 4
+ * or 5; 0 if the file's size says it \throws InputError that names the path, what is
+ * wrong, and what is expected */
 CloudFile
 decodeAnyCloud(const std::string& path, std::string_view file, unsigned floats = 0);
 

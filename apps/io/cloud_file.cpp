@@ -54,15 +54,21 @@ floatingField(const CloudFile& cloud, const std::string& name)
   return field;
 }
 
-/** Call \p use with the number of each point and its value, float or double. */
+/** Call \p use with the number of each of the packed points and its value, float or
+ * double. */
 template <typename Use>
 void
-eachValue(const CloudFile& cloud, const std::string& name, const Use& use)
+eachValue(const CloudFile& cloud,
+          const std::uint8_t* data,
+          std::size_t points,
+          const std::string& name,
+          const Use& use)
 {
   const pcl::PCLPointField& field = floatingField(cloud, name);
   const auto visit = [&](auto value) {
-    for (std::size_t i = 0; i < cloud.size(); ++i) {
-      std::memcpy(&value, cloud.at(i, field), sizeof(value));
+    const std::uint8_t* from = data + field.offset;
+    for (std::size_t i = 0; i < points; ++i, from += cloud.blob.point_step) {
+      std::memcpy(&value, from, sizeof(value));
       use(i, value);
     }
   };
@@ -72,20 +78,15 @@ eachValue(const CloudFile& cloud, const std::string& name, const Use& use)
     visit(double{});
 }
 
-/** Copy fields to the members of points: `to` gives member c of point i. */
-template <typename Member>
+template <typename Use>
 void
-copyFloats(const CloudFile& cloud,
-           const std::vector<const char*>& names,
-           const Member& to)
+eachValue(const CloudFile& cloud, const std::string& name, const Use& use)
 {
-  for (std::size_t c = 0; c < names.size(); ++c)
-    eachValue(cloud, names[c], [&](std::size_t i, auto value) {
-      to(i, c) = static_cast<float>(value);
-    });
+  eachValue(cloud, cloud.blob.data.data(), cloud.size(), name, use);
 }
 
 constexpr std::array<const char*, 3> coordinate_names{"x", "y", "z"};
+constexpr std::array<const char*, 3> normal_names{"normal_x", "normal_y", "normal_z"};
 
 /** Bytes of a point that are copied together. */
 struct Run {
@@ -261,6 +262,24 @@ setFields(CloudFile& cloud, const std::vector<FieldSource>& sources)
   cloud.blob.row_step = step * cloud.blob.width;
 }
 
+void
+appendRows(const CloudFile& cloud,
+           const std::vector<StoredValue>& values,
+           std::string& text)
+{
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const std::uint8_t* const point =
+        cloud.blob.data.data() + i * cloud.blob.point_step;
+    for (const StoredValue& stored : values)
+      visitType(stored.datatype, [&](auto value) {
+        std::memcpy(&value, point + stored.offset, sizeof(value));
+        appendFileNumber(value, text);
+        text += ' ';
+      });
+    text.back() = '\n';
+  }
+}
+
 const pcl::PCLPointField*
 findField(const CloudFile& cloud, const std::string& name)
 {
@@ -284,12 +303,18 @@ addField(CloudFile& cloud, const std::string& name, std::uint8_t datatype)
 std::vector<std::array<double, 3>>
 coordinatesOf(const CloudFile& cloud)
 {
-  std::vector<std::array<double, 3>> points(cloud.size());
+  return coordinatesOf(cloud, cloud.blob.data.data(), cloud.size());
+}
+
+std::vector<std::array<double, 3>>
+coordinatesOf(const CloudFile& cloud, const std::uint8_t* data, std::size_t points)
+{
+  std::vector<std::array<double, 3>> places(points);
   for (std::size_t c = 0; c < coordinate_names.size(); ++c)
-    eachValue(cloud, coordinate_names[c], [&](std::size_t i, auto value) {
-      points[i][c] = static_cast<double>(value);
+    eachValue(cloud, data, points, coordinate_names[c], [&](std::size_t i, auto value) {
+      places[i][c] = static_cast<double>(value);
     });
-  return points;
+  return places;
 }
 
 std::array<float, 3>
@@ -339,13 +364,13 @@ normalsOf(const CloudFile& cloud)
   const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>(
       cloud.blob.width, cloud.blob.height);
   normals->is_dense = false;
-  copyFloats(
-      cloud,
-      {"normal_x", "normal_y", "normal_z"},
-      [&](std::size_t i, std::size_t c) -> float& { return (*normals)[i].normal[c]; });
+  for (std::size_t c = 0; c < normal_names.size(); ++c)
+    eachValue(cloud, normal_names[c], [&](std::size_t i, auto value) {
+      (*normals)[i].normal[c] = static_cast<float>(value);
+    });
   if (findField(cloud, "curvature"))
-    copyFloats(cloud, {"curvature"}, [&](std::size_t i, std::size_t) -> float& {
-      return (*normals)[i].curvature;
+    eachValue(cloud, "curvature", [&](std::size_t i, auto value) {
+      (*normals)[i].curvature = static_cast<float>(value);
     });
   return normals;
 }
@@ -439,12 +464,11 @@ void
 usePclNamesOfPly(CloudFile& cloud)
 {
   usePclNames(cloud);
-  constexpr std::array<std::pair<const char*, const char*>, 3> normals{
-      {{"nx", "normal_x"}, {"ny", "normal_y"}, {"nz", "normal_z"}}};
+  constexpr std::array<const char*, 3> normals_in_ply{"nx", "ny", "nz"};
   for (auto& field : cloud.blob.fields)
-    for (const auto& [ply, pcl_name] : normals)
-      if (field.name == ply)
-        rename(cloud, field, pcl_name);
+    for (std::size_t c = 0; c < normal_names.size(); ++c)
+      if (field.name == normals_in_ply[c])
+        rename(cloud, field, normal_names[c]);
   packColors(cloud, "");
   packColors(cloud, "diffuse_");
   widenIntensity(cloud);

@@ -73,6 +73,17 @@ valueSize(std::uint8_t datatype)
   return visitType(datatype, [](auto value) { return sizeof(value); });
 }
 
+/** \brief A value of each point. */
+struct StoredValue {
+  std::uint8_t datatype;
+  std::size_t offset; ///< of its bytes in a point
+};
+
+/** \brief Append a line of numbers for each point. */
+void appendRows(const CloudFile& cloud,
+                const std::vector<StoredValue>& values,
+                std::string& text);
+
 /** \brief The field, or nullptr. */
 const pcl::PCLPointField* findField(const CloudFile& cloud, const std::string& name);
 
@@ -96,6 +107,11 @@ std::vector<FieldSource> sourcesOf(const CloudFile& cloud);
 /** \brief x, y and z of every point in double.
  * \throws InputError unless they are single float32 or float64 values */
 std::vector<std::array<double, 3>> coordinatesOf(const CloudFile& cloud);
+
+/** \brief The same of points that are not in the cloud. \param[in] cloud their fields
+ * \param[in] data the points, packed \param[in] points how many */
+std::vector<std::array<double, 3>>
+coordinatesOf(const CloudFile& cloud, const std::uint8_t* data, std::size_t points);
 
 /** \brief The points, with the offset subtracted in double; is_dense says whether all
  * are finite. \throws InputError unless x, y and z are single float32 or float64 values

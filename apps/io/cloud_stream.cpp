@@ -5,7 +5,6 @@
 #include "io/cloud_stream.h"
 
 #include "cli/errors.h"
-#include "io/any_cloud.h"
 #include "io/ply.h"
 #include "io/text.h"
 
@@ -14,7 +13,6 @@
 #include <cstring>
 #include <fcntl.h>
 #include <unistd.h>
-#include <utility>
 
 #include <sys/stat.h>
 
@@ -80,15 +78,6 @@ private:
   int descriptor_ = -1;
 };
 
-bool
-isPly(const std::string& path, std::string_view head)
-{
-  const std::string ending = endingOf(path);
-  return ending == ".ply" ||
-         (ending != ".pcd" &&
-          splitWords(takeLine(head)) == std::vector<std::string_view>{"ply"});
-}
-
 /** A part of a cloud with room for so many points. */
 CloudFile
 partOf(const CloudFile& cloud, std::uint64_t points)
@@ -99,50 +88,6 @@ partOf(const CloudFile& cloud, std::uint64_t points)
   part.blob.row_step = part.blob.width * part.blob.point_step;
   return part;
 }
-
-/** The coordinates of points in packed bytes, without a copy of their other fields. */
-class PackedPositions {
-public:
-  /** \param[in] cloud with PCL's names \throws InputError unless its coordinates are
-   * single float32 or float64 values */
-  explicit PackedPositions(CloudFile cloud) : cloud_(std::move(cloud))
-  {
-    cloud_.blob.width = 0;
-    coordinatesOf(cloud_); // says what is wrong with the fields
-  }
-
-  std::vector<std::array<double, 3>>
-  operator()(std::string_view bytes) const
-  {
-    std::vector<std::array<double, 3>> points(bytes.size() / cloud_.blob.point_step);
-    std::size_t axis = 0;
-    for (const char* const name : {"x", "y", "z"}) {
-      const pcl::PCLPointField& field = *findField(cloud_, name);
-      if (field.datatype == pcl::PCLPointField::FLOAT32)
-        copy(bytes.data() + field.offset, float{}, axis++, points);
-      else
-        copy(bytes.data() + field.offset, double{}, axis++, points);
-    }
-    return points;
-  }
-
-private:
-  template <typename T>
-  void
-  copy(const char* from,
-       T value,
-       std::size_t axis,
-       std::vector<std::array<double, 3>>& points) const
-  {
-    for (auto& point : points) {
-      std::memcpy(&value, from, sizeof value);
-      point[axis] = static_cast<double>(value);
-      from += cloud_.blob.point_step;
-    }
-  }
-
-  CloudFile cloud_;
-};
 
 /** part(body, points) for bytes that hold so many points, from the first one to the
  * end.
@@ -233,10 +178,11 @@ CloudStream::CloudStream(const std::string& path, unsigned floats)
 {
   std::string head;
   File(path, 0).read(head_bytes, head);
-  if (endingOf(path) != ".bin") {
-    is_ply_ = isPly(path, head);
-    rows_ = is_ply_ ? rowsOfPly(path, head) : rowsOfPcd(path, head);
-  }
+  format_ = cloudFormatOf(path, head, floats);
+  if (format_ == CloudFormat::ply)
+    rows_ = rowsOfPly(path, head);
+  else if (format_ == CloudFormat::pcd)
+    rows_ = rowsOfPcd(path, head);
   if (rows_) {
     // The names and types of the fields are those of a part of one point, of zeros.
     description_ = partOf(rows_->cloud, 1);
@@ -267,7 +213,7 @@ CloudStream::state() const
 void
 CloudStream::finish(CloudFile& part) const
 {
-  if (is_ply_)
+  if (format_ == CloudFormat::ply)
     usePclNamesOfPly(part);
   else
     finishPcd(part);
@@ -332,12 +278,13 @@ CloudStream::forEachPosition(std::size_t section, const UsePositions& use) const
   }
   CloudFile cloud = rows_->cloud;
   usePclNames(cloud); // those of coordinates; the rest is not needed
-  const PackedPositions positionsIn(std::move(cloud));
   const auto [begin, end] = rangeOf(section);
-  forEachBinary(path_, *rows_, begin, end, [&](std::string_view body, std::uint64_t) {
-    const std::vector<std::array<double, 3>> points = positionsIn(body);
-    use(points.data(), points.size());
-  });
+  forEachBinary(
+      path_, *rows_, begin, end, [&](std::string_view body, std::uint64_t count) {
+        const std::vector<std::array<double, 3>> points = coordinatesOf(
+            cloud, reinterpret_cast<const std::uint8_t*>(body.data()), count);
+        use(points.data(), points.size());
+      });
 }
 
 void

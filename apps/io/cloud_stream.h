@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "io/any_cloud.h"
 #include "io/cloud_file.h"
 #include "io/pcd.h"
 
@@ -76,7 +77,7 @@ private:
 
   std::string path_;
   unsigned floats_;
-  bool is_ply_ = false;
+  CloudFormat format_ = CloudFormat::pcd;
   std::optional<PointRows> rows_;
   CloudFile description_;
 };

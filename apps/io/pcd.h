@@ -68,25 +68,4 @@ void readAsciiPoints(CloudFile& cloud, std::string_view body);
 /** \brief The same from packed bytes, little-endian. */
 void readBinaryPoints(CloudFile& cloud, std::string_view body);
 
-/** \brief The LZF format of `DATA binary_compressed`: a run of literals is a byte n <
- * 32 and n + 1 bytes; a match is 3 bits of length - 2 (7: a byte more follows, which
- * adds to it) and 13 bits of distance - 1. Nothing is read or written out of bounds. */
-std::string lzfCompress(const std::vector<std::uint8_t>& input);
-
-/** \return whether the input is well-formed and gives exactly `size` bytes, in `output`
- */
-bool lzfDecompress(const std::uint8_t* input,
-                   std::size_t input_size,
-                   std::size_t size,
-                   std::vector<std::uint8_t>& output);
-
-/** \brief No input of this size decompresses to more. */
-constexpr std::uint64_t
-lzfMaxBytes(std::uint64_t input_size)
-{
-  constexpr std::uint64_t longest_match = 264;
-  constexpr std::uint64_t bytes_of_longest_match = 3;
-  return (input_size / bytes_of_longest_match + 1) * longest_match;
-}
-
 } // namespace pcl::app

@@ -448,9 +448,7 @@ takeElement(const CloudFile& cloud, const Element& element, Body& body, const Us
          "a complete file");
   for (std::uint64_t i = 0; i < element.count; ++i) {
     body.begin(element, i);
-    takeInstance(cloud, element, body, [&](const InProperty& property, const auto* v) {
-      use(property, v);
-    });
+    takeInstance(cloud, element, body, use);
     body.end();
   }
 }
@@ -559,6 +557,89 @@ hasRows(const Header& header)
                       [](const InProperty& p) { return p.count_type.has_value(); });
 }
 
+struct Property {
+  std::string name;
+  StoredValue value;
+};
+
+bool
+isColor(const pcl::PCLPointField& field)
+{
+  return (field.name == "rgb" || field.name == "rgba") &&
+         valueSize(field.datatype) == sizeof(std::uint32_t) && field.count == 1;
+}
+
+/** The name that other programs know. */
+std::string
+plyNameOf(const std::string& field)
+{
+  constexpr std::array<const char*, 3> normals{"normal_x", "normal_y", "normal_z"};
+  constexpr std::array<const char*, 3> names{"nx", "ny", "nz"};
+  const auto place = std::find(normals.begin(), normals.end(), field);
+  return place == normals.end()
+             ? field
+             : names[static_cast<std::size_t>(place - normals.begin())];
+}
+
+/** PCL packs a color as 0xAARRGGBB. */
+void
+addColor(const pcl::PCLPointField& field, std::vector<Property>& properties)
+{
+  const char* const names[] = {"red", "green", "blue", "alpha"};
+  const std::size_t bytes[] = {2, 1, 0, 3};
+  for (std::size_t c = 0; c < (field.name == "rgba" ? 4u : 3u); ++c)
+    properties.push_back(
+        {names[c], {pcl::PCLPointField::UINT8, field.offset + bytes[c]}});
+}
+
+std::vector<Property>
+propertiesOf(const CloudFile& cloud)
+{
+  std::vector<Property> properties;
+  for (const auto& field : cloud.blob.fields) {
+    if (field.name == padding_field || !nameOf(field.datatype))
+      continue;
+    if (isColor(field))
+      addColor(field, properties);
+    else
+      for (std::uint32_t i = 0; i < field.count; ++i)
+        properties.push_back(
+            {field.count == 1 ? plyNameOf(field.name)
+                              : field.name + '_' + std::to_string(i),
+             {field.datatype, field.offset + i * valueSize(field.datatype)}});
+  }
+  return properties;
+}
+
+void
+appendBytes(const CloudFile& cloud,
+            const std::vector<StoredValue>& values,
+            std::string& text)
+{
+  std::size_t step = 0;
+  for (const StoredValue& value : values)
+    step += valueSize(value.datatype);
+  text.reserve(text.size() + step * cloud.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    for (const StoredValue& value : values) {
+      const std::uint8_t* const from =
+          cloud.blob.data.data() + i * cloud.blob.point_step + value.offset;
+      text.append(reinterpret_cast<const char*>(from), valueSize(value.datatype));
+    }
+}
+
+void
+appendPoints(const CloudFile& cloud, bool is_text, std::string& text)
+{
+  std::vector<StoredValue> values;
+  for (const Property& property : propertiesOf(cloud))
+    values.push_back(property.value);
+  if (is_text)
+    appendRows(cloud, values, text);
+  else
+    appendBytes(cloud, values, text);
+}
+
 } // namespace
 
 std::optional<PointRows>
@@ -590,97 +671,6 @@ decodePly(const std::string& path, std::string_view file)
   return std::move(header.cloud);
 }
 
-namespace {
-
-struct Property {
-  std::string name;
-  const char* type;
-  std::size_t offset; ///< of its bytes in a point
-  std::size_t size;
-};
-
-bool
-isColor(const pcl::PCLPointField& field)
-{
-  return (field.name == "rgb" || field.name == "rgba") &&
-         valueSize(field.datatype) == sizeof(std::uint32_t) && field.count == 1;
-}
-
-/** The name that other programs know. */
-std::string
-plyNameOf(const std::string& field)
-{
-  constexpr std::array<const char*, 3> normals{"normal_x", "normal_y", "normal_z"};
-  constexpr std::array<const char*, 3> names{"nx", "ny", "nz"};
-  const auto place = std::find(normals.begin(), normals.end(), field);
-  return place == normals.end()
-             ? field
-             : names[static_cast<std::size_t>(place - normals.begin())];
-}
-
-/** PCL packs a color as 0xAARRGGBB. */
-void
-addColor(const pcl::PCLPointField& field, std::vector<Property>& properties)
-{
-  const char* const names[] = {"red", "green", "blue", "alpha"};
-  const std::size_t bytes[] = {2, 1, 0, 3};
-  for (std::size_t c = 0; c < (field.name == "rgba" ? 4u : 3u); ++c)
-    properties.push_back({names[c], "uchar", field.offset + bytes[c], 1});
-}
-
-std::vector<Property>
-propertiesOf(const CloudFile& cloud)
-{
-  std::vector<Property> properties;
-  for (const auto& field : cloud.blob.fields) {
-    const char* const type = nameOf(field.datatype);
-    const std::size_t size = valueSize(field.datatype);
-    if (field.name == padding_field || !type)
-      continue;
-    if (isColor(field))
-      addColor(field, properties);
-    else if (field.count == 1)
-      properties.push_back({plyNameOf(field.name), type, field.offset, size});
-    else
-      for (std::uint32_t i = 0; i < field.count; ++i)
-        properties.push_back({field.name + '_' + std::to_string(i),
-                              type,
-                              field.offset + i * size,
-                              size});
-  }
-  return properties;
-}
-
-void
-appendPoints(const CloudFile& cloud, bool is_text, std::string& text)
-{
-  const std::vector<Property> properties = propertiesOf(cloud);
-  std::size_t step = 0;
-  for (const Property& property : properties)
-    step += property.size;
-  if (!is_text)
-    text.reserve(text.size() + step * cloud.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    for (const Property& property : properties) {
-      const std::uint8_t* const from =
-          cloud.blob.data.data() + i * cloud.blob.point_step + property.offset;
-      if (!is_text) {
-        text.append(reinterpret_cast<const char*>(from), property.size);
-        continue;
-      }
-      visitType(*datatypeOf(property.type), [&](auto value) {
-        std::memcpy(&value, from, sizeof(value));
-        appendFileNumber(value, text);
-        text += ' ';
-      });
-    }
-    if (is_text)
-      text.back() = '\n';
-  }
-}
-
-} // namespace
-
 std::string
 encodePlyHeader(const CloudFile& cloud, bool is_text)
 {
@@ -694,7 +684,8 @@ encodePlyHeader(const CloudFile& cloud, bool is_text)
             "\nobj_info num_rows " + std::to_string(cloud.blob.height);
   text += "\nelement vertex " + std::to_string(cloud.size()) + '\n';
   for (const Property& property : propertiesOf(cloud))
-    text += std::string("property ") + property.type + ' ' + property.name + '\n';
+    text += std::string("property ") + nameOf(property.value.datatype) + ' ' +
+            property.name + '\n';
   return text + "end_header\n";
 }
 

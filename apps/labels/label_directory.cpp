@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// A directory of labeled clouds and its manifest, which says what is done.
+// A directory of labeled clouds, and the manifest of those that are complete.
 
 #include "labels/label_directory.h"
 
@@ -78,8 +78,8 @@ detailsOf(const Report& report,
   return details;
 }
 
-/** What is in the directory and how it was made, as manifest.json there. It is written
- * anew after each cloud, complete or not at all. */
+/** The manifest.json of a directory: what is in it and how it was made. It is
+ * rewritten, whole or not at all, after each cloud. */
 class Manifest {
 public:
   /** \param[in] classes names of the labels from 0 on */
@@ -93,7 +93,7 @@ public:
     return directory / "manifest.json";
   }
 
-  /** Take over the files of the manifest that is there, if there is one.
+  /** Read the files of an existing manifest.
    * \throws InputError if it is no manifest, or one of other parameters */
   void resume();
 
@@ -106,7 +106,7 @@ public:
            const std::vector<std::string>& outputs,
            const Json& details);
 
-  /** What went wrong in this run; failures of earlier ones are forgotten. */
+  /** The failures of this run; those of earlier runs are dropped. */
   void
   addFailure(const std::string& input, const std::string& error)
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Labels all clouds of a directory, what is missing only.
+// Labels those clouds of a directory that have no labels yet.
 
 #pragma once
 
@@ -10,9 +10,9 @@
 
 namespace pcl::app {
 
-/** \brief Label every cloud of a directory into another, with a manifest there. What
- * the manifest lists is not done again. Progress goes to standard error. \return the
- * exit status: files that fail don't stop the others */
+/** \brief Label every cloud of a directory into another, with a manifest there. Clouds
+ * in the manifest are skipped. Progress goes to standard error. \return the exit
+ * status: files that fail don't stop the others */
 int labelDirectory(const Arguments& arguments,
                    const std::string& input,
                    const std::string& output);

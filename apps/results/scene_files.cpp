@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Reads lines, instances and grasps, and says where a file is not as expected.
+// Reads lines, instances and grasps; errors name the place in the file.
 
 #include "results/scene_files.h"
 
@@ -226,6 +226,7 @@ readGraspsOfObjects(const std::string& path)
     throw InputError(path + ": 'parameters.each' is missing; expected what "
                             "pcl_shape_grasp -each wrote with -json");
   GraspsOfObjects grasps = cupOf(file.at("parameters"));
+  grasps.field = file.at("parameters").at("each").text();
   for (const Value& value : values) {
     grasps.grasps.push_back(graspOf(value));
     grasps.grasps.back().object = numberOf(value.at("object"), 1);

@@ -47,6 +47,7 @@ struct GraspsOfObjects {
   float cup_radius;          ///< meters
   double compliance;         ///< in radii, by which the lip may bend
   std::uint32_t parts;       ///< labels to an object
+  std::string field{};       ///< of the labels
 };
 
 /** \brief Read one of these files.

@@ -2,13 +2,12 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Street scenes: their options, the cloud and the report.
 
-#include "scene/lidar_scene.h"
-
 #include "cli/errors.h"
 #include "cli/filter_app.h"
 #include "scene/lidar.h"
 #include "scene/scene_cloud.h"
 #include "scene/scene_kind.h"
+#include "scene/scene_maker.h"
 
 #include <algorithm>
 #include <array>
@@ -42,7 +41,7 @@ const std::array<std::pair<const char*, LidarPattern>, 3> patterns{
      {"rosette70", LidarPattern::Rosette70},
      {"rosette120", LidarPattern::Rosette120}}};
 
-/** The one of the choices that is named; the first one is the default. */
+/** The choice of that name; the first one is the default. */
 template <typename Choices>
 auto
 chosen(const Arguments& arguments, const std::string& option, const Choices& choices)
@@ -92,30 +91,9 @@ toCloud(const LidarScan& scan, const Arguments& arguments)
   return cloud;
 }
 
-} // namespace
-
-void
-addLidarOptions(CommandLine& command_line)
-{
-  command_line.option("beams", "N", "of the lidar, 64 (default), 16, 32 or 128")
-      .option("pattern",
-              "P",
-              "of the lidar: turn (default), or rosette70 or rosette120, which look "
-              "forward only")
-      .flag("mirrors", "wet ground mirrors what is behind it: points below the ground")
-      .flag("fillers", "rays of the lidar that do not return are points at 0,0,0")
-      .option(
-          "speed",
-          "V",
-          "m/s: the lidar drives on during its scan of a tenth of a second, and each "
-          "point\nis in the frame of its own ray (0)")
-      .option("yaw_rate", "W", "degrees per second: it turns left meanwhile (0)");
-}
-
 CloudFile
-lidarCloud(const Arguments& arguments, Report& report)
+lidarCloud(const Arguments& arguments, const LidarOptions& options, Report& report)
 {
-  const LidarOptions options = lidarOptions(arguments);
   const LidarScan scan =
       report.time("generate", [&] { return pcl::scene::scanStreet(options); });
   CloudFile cloud = toCloud(scan, arguments);
@@ -137,6 +115,34 @@ lidarCloud(const Arguments& arguments, Report& report)
   report.setNumber("parameters", "speed", options.speed);
   report.setNumber("parameters", "yaw_rate", options.yaw_rate);
   return cloud;
+}
+
+} // namespace
+
+void
+addLidarOptions(CommandLine& command_line)
+{
+  command_line.option("beams", "N", "of the lidar, 64 (default), 16, 32 or 128")
+      .option("pattern",
+              "P",
+              "of the lidar: turn (default), or rosette70 or rosette120, which look "
+              "forward only")
+      .flag("mirrors", "wet ground mirrors what is behind it: points below the ground")
+      .flag("fillers", "rays of the lidar that do not return are points at 0,0,0")
+      .option(
+          "speed",
+          "V",
+          "m/s: the lidar drives on during its scan of a tenth of a second, and each "
+          "point\nis in the frame of its own ray (0)")
+      .option("yaw_rate", "W", "degrees per second: it turns left meanwhile (0)");
+}
+
+SceneMaker
+streetScene(const Arguments& arguments)
+{
+  return [&arguments, options = lidarOptions(arguments)](Report& report) {
+    return lidarCloud(arguments, options, report);
+  };
 }
 
 } // namespace pcl::app

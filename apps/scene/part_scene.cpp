@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Machined parts: their options, the cloud and the report.
 
-#include "scene/part_scene.h"
-
+#include "scene/part_samples.h"
 #include "scene/photogrammetry.h"
 #include "scene/scene_cloud.h"
 #include "scene/scene_kind.h"
+#include "scene/scene_maker.h"
 
 namespace pcl::app {
 namespace {
@@ -14,8 +14,6 @@ namespace {
 using pcl::scene::PartOptions;
 
 constexpr NumberRange size_range{0.01, 1.0, false, "a number of meters from 0.01 to 1"};
-
-} // namespace
 
 PartOptions
 partOptions(const Arguments& arguments)
@@ -58,6 +56,16 @@ partCloud(const Arguments& arguments, const PartOptions& options, Report& report
   report.setText("parameters", "spread", arguments.text("spread", "even"));
   report.setNumber("parameters", "noise", options.sigma);
   return cloud;
+}
+
+} // namespace
+
+SceneMaker
+partScene(const Arguments& arguments)
+{
+  return [&arguments, options = partOptions(arguments)](Report& report) {
+    return partCloud(arguments, options, report);
+  };
 }
 
 } // namespace pcl::app

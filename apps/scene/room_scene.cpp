@@ -2,12 +2,12 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Rooms and house fronts: their options, the cloud and the report.
 
-#include "scene/room_scene.h"
-
 #include "cli/errors.h"
 #include "scene/place.h"
 #include "scene/scene_cloud.h"
 #include "scene/scene_kind.h"
+#include "scene/scene_maker.h"
+#include "scene/station_scan.h"
 
 #include <string>
 
@@ -32,8 +32,6 @@ checkStations(const StationOptions& options)
                      " has places for " + std::to_string(places) +
                      "; expected that many at most, or another -seed");
 }
-
-} // namespace
 
 StationOptions
 stationOptions(const Arguments& arguments)
@@ -64,6 +62,16 @@ roomCloud(const Arguments& arguments, const StationOptions& options, Report& rep
   report.setNumber("parameters", "step", options.step);
   report.setNumber("parameters", "noise", options.sigma);
   return cloud;
+}
+
+} // namespace
+
+SceneMaker
+roomScene(const Arguments& arguments)
+{
+  return [&arguments, options = stationOptions(arguments)](Report& report) {
+    return roomCloud(arguments, options, report);
+  };
 }
 
 } // namespace pcl::app

@@ -28,7 +28,7 @@ pixelsOf(const Scene& scene, bool organized)
   return pixels;
 }
 
-/** So many channels of each of some pixels. */
+/** The channels of some pixels. */
 template <typename T>
 std::vector<T>
 gather(const std::vector<T>& image,

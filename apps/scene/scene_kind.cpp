@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Reads -sensor and -place, and refuses options that another one has.
+// Reads -sensor and -place, and refuses options of other sensors and places.
 
 #include "scene/scene_kind.h"
 
@@ -92,7 +92,7 @@ listOf(const std::vector<std::string>& words)
   return list;
 }
 
-/** Refuse what other sensors take. A camera with -sampling is none: its points are
+/** Refuse options of other sensors. With -sampling there is no camera: points are
  * samples. */
 void
 checkSensorOptions(const Arguments& arguments)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Which sensor looks at what, and which options go with them.
+// The sensor and the place of a scene, and which options go with them.
 
 #pragma once
 

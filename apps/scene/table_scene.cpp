@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Table scenes: their options, the cloud and the report.
 
-#include "scene/table_scene.h"
-
 #include "scene/depth_cameras.h"
+#include "scene/scene.h"
 #include "scene/scene_cloud.h"
 #include "scene/scene_kind.h"
+#include "scene/scene_maker.h"
 #include "scene/surface_samples.h"
 
 #include <algorithm>
@@ -125,8 +125,6 @@ reportSensor(const Arguments& arguments, const SceneOptions& options, Report& re
   report.setText("parameters", "noise", arguments.text("noise", usual));
 }
 
-} // namespace
-
 SceneOptions
 tableOptions(const Arguments& arguments)
 {
@@ -168,6 +166,16 @@ tableCloud(const Arguments& arguments, const SceneOptions& options, Report& repo
   reportSensor(arguments, options, report);
   report.setFlag("parameters", "organized", arguments.has("organized"));
   return cloud;
+}
+
+} // namespace
+
+SceneMaker
+tableScene(const Arguments& arguments)
+{
+  return [&arguments, options = tableOptions(arguments)](Report& report) {
+    return tableCloud(arguments, options, report);
+  };
 }
 
 } // namespace pcl::app

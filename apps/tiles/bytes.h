@@ -34,7 +34,7 @@ putAll(const std::vector<T>& values, Bytes& bytes)
   bytes.insert(bytes.end(), from, from + values.size() * sizeof(T));
 }
 
-/** \brief Takes what was put, in the same order: of a result of tiles mostly. */
+/** \brief Takes values in the order in which they were put. */
 class ByteReader {
 public:
   explicit ByteReader(Bytes bytes) : bytes_(std::move(bytes)) {}

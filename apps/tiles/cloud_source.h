@@ -74,8 +74,8 @@ using CloudSources = std::vector<std::shared_ptr<const CloudSource>>;
  * \param[in] is_given whether it was given, not chosen */
 void setOffset(CloudFile& cloud, const std::array<double, 3>& offset, bool is_given);
 
-/** \brief Where points were seen from, in floats: of several inputs the place with the
- * least coordinates, whatever their order. */
+/** \brief Where points were seen from, in floats. Of several inputs it is the place
+ * with the least coordinates, whatever their order. */
 std::array<float, 3> viewPointOf(const CloudSources& sources,
                                  const std::array<double, 3>& offset,
                                  bool is_given);

@@ -10,7 +10,8 @@
 
 namespace pcl::app {
 
-/** \brief By what Open MPI, MPICH and Slurm's PMI say to the processes they start. */
+/** \brief By the environment that Open MPI, MPICH and Slurm's PMI give to the processes
+ * they start. */
 inline bool
 isStartedByMpi()
 {

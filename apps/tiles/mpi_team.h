@@ -14,7 +14,7 @@ namespace pcl::app {
  * \throws InputError if it has, and this program was built without MPI */
 std::unique_ptr<pcl::tiling::Team> mpiTeam();
 
-/** \brief End all ranks with a status that is not 0: one of them cannot go on. Does
+/** \brief End all ranks with a nonzero status, because one of them cannot go on. Does
  * nothing without MPI. */
 void endMpi(int status);
 

@@ -59,8 +59,8 @@ public:
     counts_.assign(counts_.size(), 0);
   }
 
-  /** \brief The value, after all passes; after fewer, of which there was one at least,
-   * the least one with the bits that are found. */
+  /** \brief The value, after all passes; after fewer, but at least one, the least value
+   * with the bits found so far. */
   T
   value() const
   {

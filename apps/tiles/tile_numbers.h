@@ -20,9 +20,9 @@ struct TiledNumbers {
   std::string distances;    ///< the name of the results that have them
 };
 
-/** \brief Measure the tiles, as far as that was not done before. They give the numbers
- * that the whole cloud has, bit by bit. \param[in] resolution of the voxel means that
- * they are of, meters; 0 for the cloud's own places
+/** \brief Measure the tiles, as far as that was not done before. The numbers are those
+ * of the whole cloud, bit by bit. \param[in] resolution of the voxel means that they
+ * are of, meters; 0 for the cloud's own places
  * \throws InputError if there are too few points */
 TiledNumbers
 numbersOf(pcl::tiling::TiledCloud& cloud, double resolution, unsigned threads);

@@ -78,8 +78,8 @@ TilePlaces ownMeansOf(const pcl::tiling::TilePoints& points,
                       const pcl::tiling::Position& offset,
                       double resolution);
 
-/** \brief How far points must be there so that the places within a reach of a tile's
- * own ones are. */
+/** \brief How far around a tile points are needed, so that all places within a reach of
+ * its own ones are known. */
 double haloOf(double reach, double resolution);
 
 } // namespace pcl::app

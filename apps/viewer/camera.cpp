@@ -62,7 +62,7 @@ pictureOf(const Camera& camera, const Cloud& points)
   return picture;
 }
 
-/** Turn the camera to the middle of the points and open it as far as they go. */
+/** Turn the camera to the middle of the points and widen its view to hold them all. */
 void
 frame(Camera& camera, const Cloud& points, float aspect)
 {

@@ -23,14 +23,14 @@ struct Camera {
 Eigen::AlignedBox3f boxOf(const pcl::PointCloud<pcl::PointXYZ>& points);
 
 /** \brief The sensor's view, if the points are in front of it, else from above the
- * cloud's corner with z up; the angle of view is such that all points are seen.
+ * cloud's corner with z up; the angle of view takes in all points.
  * \param[in] points at least one is finite
  * \param[in] aspect width of the picture over its height */
 Camera defaultCamera(const pcl::PointCloud<pcl::PointXYZ>& points, float aspect);
 
-/** \brief Makes points NaN that are ten times as far from the middle as 95 % of them:
- * the others could not be seen beside them. \param[in,out] points at least one is
- * finite \return how many they are */
+/** \brief Makes points NaN that are ten times as far from the middle as 95 % of the
+ * points: beside them the rest would shrink to a dot. \param[in,out] points at least
+ * one is finite \return how many they are */
 std::size_t hideStrays(pcl::PointCloud<pcl::PointXYZ>& points);
 
 /** \brief The value of -camera: nine numbers, position, focus, up, and optionally the

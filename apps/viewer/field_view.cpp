@@ -79,9 +79,9 @@ rangeOf(const std::vector<double>& values)
   return {range.min, std::max(range.max, range.min + min_width)};
 }
 
-/** Numbers in Viridis. Angles are shown in degrees, what is a probability from 0 to 1,
- * anything else from the first to the 99th percentile; what is beyond has the color of
- * the end. */
+/** Numbers in Viridis. Angles are shown in degrees, probabilities from 0 to 1, anything
+ * else from the first to the 99th percentile; values beyond get the color of that end.
+ */
 FieldView
 numberView(const std::string& field, std::vector<double> values)
 {
@@ -104,7 +104,7 @@ numberView(const std::string& field, std::vector<double> values)
   return view;
 }
 
-/** What a label is called and drawn with. */
+/** The name and color of a label. */
 struct LabelStyle {
   std::string name;
   Color color;
@@ -146,7 +146,8 @@ knownStyles()
   return styles;
 }
 
-/** The names of the model's classes, of several: of the fields likelihood_<name>. */
+/** The names of a model's classes, if it has several: from the fields
+ * likelihood_<name>. */
 std::vector<std::string>
 classNames(const CloudFile& cloud)
 {
@@ -175,8 +176,8 @@ stylesOfModel(const std::vector<std::string>& names, const LabelStyles& known)
   return all_known ? known : styles;
 }
 
-/** What is known of the labels of this field: those that the applications write, with
- * the names of the model's classes if the cloud has their likelihoods. */
+/** The known labels of this field: those that the applications write, or the model's
+ * classes if the cloud has their likelihoods. */
 LabelStyles
 stylesOf(const CloudFile& cloud, const std::string& field)
 {
@@ -198,7 +199,7 @@ isWhole(double value)
   return std::abs(value) <= largest_exact && value == std::floor(value);
 }
 
-/** Of what has no color of its own: positive numbers in turn, then the others. */
+/** The color of a label without one of its own: positive labels come first. */
 Color
 colorOf(std::int64_t label)
 {
@@ -220,8 +221,8 @@ styleOf(std::int64_t label,
   return result;
 }
 
-/** Whether the field is a label: known as one, or of whole numbers, not too many
- * different ones. */
+/** Whether the field holds labels: a known name, or whole numbers of which not too many
+ * differ. */
 bool
 hasLabels(const CloudFile& cloud,
           const std::string& field,
@@ -236,7 +237,7 @@ hasLabels(const CloudFile& cloud,
   return different.size() <= max_labels;
 }
 
-/** Where 0 is in the legend, if it says that there is nothing at the point. */
+/** The place of label 0 in the legend, if it means that there is nothing at a point. */
 std::optional<std::size_t>
 placeOfNothing(const std::string& field,
                const std::map<std::int64_t, std::size_t>& places)

@@ -39,7 +39,7 @@ constexpr Color dark{95, 95, 95};
 /** \brief Matplotlib's Viridis from blue (0) over green to yellow (1). */
 Color viridis(double share);
 
-/** \brief Colors that differ as much as can be, of those that are seen on white. */
+/** \brief Colors that differ as much as possible and can be seen on white. */
 Color distinctColor(std::size_t position);
 
 /** \brief The values at the ends of the scale bar. */
@@ -69,7 +69,7 @@ struct FieldView {
 };
 
 /** \brief The view of one field: colors as they are (rgb, rgba), labels, or numbers;
- * "plain" is no field but one color for all points.
+ * "plain" stands for one color for all points.
  * \param[in] names of labels, beside those that are known
  * \throws InputError that lists the fields, if this one is missing */
 FieldView viewOf(const CloudFile& cloud,
@@ -86,13 +86,13 @@ std::string defaultField(const CloudFile& cloud);
 /** \brief Whether shade() can be used. */
 bool hasNormals(const CloudFile& cloud);
 
-/** \brief How bright the points are, from 0 to 1, with a light above the left shoulder
- * of who looks from the viewpoint; without a normal, a value between. \throws
- * InputError if the cloud has no normals */
+/** \brief The brightness of the points, from 0 to 1, by a light above the viewer's left
+ * shoulder; medium for points without a normal. \throws InputError if the cloud has no
+ * normals */
 std::vector<float> brightnessOf(const CloudFile& cloud);
 
-/** \brief Make the colors darker by brightnessOf(): where the surface turns away from
- * the light.
+/** \brief Multiply the colors by brightnessOf(): surfaces that turn away from the light
+ * get darker.
  * \throws InputError if the cloud has no normals */
 void shade(const CloudFile& cloud, FieldView& view);
 

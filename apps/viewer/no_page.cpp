@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// In the place of the page where it could not be made.
+// Replaces the page of -html where npm could not make it.
 
 #include "viewer/page_template.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// In the place of window.cpp where there is no X11, or PCL has no visualization.
+// Replaces window.cpp where there is no X11, or PCL has no visualization.
 
 #include "cli/errors.h"
 #include "viewer/window.h"

@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/** The arrays of a page: elements that no browser shows or runs. */
+/** The arrays of a page, in elements that browsers neither show nor run. */
 class Arrays {
 public:
   /** \return what stands for the array in the header */
@@ -161,7 +161,7 @@ cameraToJson(const Scene& scene)
           {"aspect", static_cast<double>(scene.width) / scene.height}};
 }
 
-/** Some of the normals, the first ones, as the points are in random order. */
+/** Arrows for the first points only: their order is random. */
 Json
 arrowsToJson(const PageContents& contents)
 {
@@ -336,7 +336,7 @@ headerOf(const PageContents& contents, Arrays& arrays)
   return header;
 }
 
-/** JSON that cannot end the element that it is in. */
+/** JSON without '<', so that it cannot end its element. */
 std::string
 toElement(const Json& header)
 {

@@ -13,9 +13,8 @@
 
 namespace pcl::app {
 
-/** \brief The names of the fields that a page shows unless others are asked for: the
- * one that says most, then all others of single values besides x, y and normals, and
- * plain. */
+/** \brief The fields that a page shows by default: the one that says most, then all
+ * other single-valued ones but x, y and normals, and plain. */
 std::vector<std::string> fieldsOfPage(const CloudFile& cloud);
 
 /** \brief \throws InputError if this application cannot make pages */

@@ -16,7 +16,7 @@
 namespace pcl::app {
 namespace {
 
-/** A bijection after which similar numbers are not similar any more (SplitMix64). */
+/** A bijection that scatters similar numbers (SplitMix64). */
 std::uint64_t
 mix(std::uint64_t value)
 {
@@ -35,7 +35,7 @@ hashOf(const std::uint8_t* bytes, std::size_t size)
   return hash;
 }
 
-/** The points without those at the place of another. */
+/** The points, each place once. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr
 placesOf(const pcl::PointCloud<pcl::PointXYZ>& points)
 {

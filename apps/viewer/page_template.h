@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// The page of -html without a cloud, as it was made when this application was built.
+// The page of -html without a cloud, made when this application was built.
 
 #pragma once
 

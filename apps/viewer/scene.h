@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// All that is drawn, before anything is.
+// What is drawn: points, views, camera, overlays.
 
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace pcl::app {
 
-/** \brief The points of an instance, and what it is called. */
+/** \brief A box around the points of an instance, and its name. */
 struct InstanceBox {
   std::string name;
   Color color;
@@ -39,10 +39,10 @@ struct Scene {
   bool keys = false;           ///< show what the keys do
 };
 
-/** \brief The scene with all places moved by so much. */
+/** \brief The scene, with all places moved. */
 Scene moved(Scene scene, const Eigen::Vector3f& offset);
 
-/** \brief How many views are beside each other. */
+/** \brief How many views stand side by side. */
 int columnsOf(std::size_t views);
 
 int rowsOf(std::size_t views);
@@ -51,8 +51,8 @@ int rowsOf(std::size_t views);
 std::vector<InstanceBox> boxesOf(const std::vector<Instance>& instances,
                                  const CloudFile& cloud);
 
-/** \brief So many pixels that the points of a surface touch each other in the middle of
- * the picture. \param[in] height of the picture, pixels */
+/** \brief The size in pixels with which the points of a surface just touch in the
+ * middle of the picture. \param[in] height of the picture, pixels */
 int pointSize(const pcl::PointCloud<pcl::PointXYZ>& points,
               const Camera& camera,
               int height);

@@ -110,7 +110,8 @@ addScaleBar(const FieldView& view, int width, int height, vtkRenderer& renderer)
   renderer.AddActor2D(bar);
 }
 
-/** Of many labels those with most points, in the order of the values. */
+/** If there are many labels, those with the most points, in the order of their values.
+ */
 std::vector<LegendEntry>
 mostImportant(const std::vector<LegendEntry>& legend)
 {
@@ -131,7 +132,7 @@ mostImportant(const std::vector<LegendEntry>& legend)
   return shown;
 }
 
-/** A square with a color of its own: that of a legend's entry is its text's. */
+/** A square with its own color: an entry's color in VTK is that of its text. */
 vtkSmartPointer<vtkPolyData>
 swatchOf(const Color& color)
 {
@@ -236,8 +237,8 @@ overlaysOf(const Scene& scene)
   return props;
 }
 
-/** The visualizer's parts of the window, one for each view; it has one of its own for
- * the whole window, which is the only one if there is a single view. */
+/** The visualizer's viewports, one for each view. A single view takes the one that
+ * always exists, the whole window. */
 std::vector<int>
 makeViewports(Visualizer& visualizer, std::size_t views)
 {

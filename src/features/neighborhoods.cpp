@@ -97,6 +97,21 @@ problemOfSize(double radius, int k, const XYZView& surface)
              : "radius is " + numberText(radius) + " m: it must be positive and finite";
 }
 
+ListedNeighborhoods::Find
+listsOf(const NeighborFinder& finder,
+        const pcl::Indices& indices,
+        const NeighborhoodSize& size)
+{
+  return [&finder, &indices, size](std::size_t position, pcl::Indices& found) {
+    thread_local std::vector<float> squared_distances;
+    finder(indices[position],
+           size.radii ? size.radii[position] : size.radius,
+           static_cast<int>(size.k),
+           found,
+           squared_distances);
+  };
+}
+
 } // namespace
 
 std::string
@@ -186,25 +201,6 @@ Neighborhoods::madeFor(const Arguments&... arguments) const
     engine.setIndex(index_);
   return engine;
 }
-
-namespace {
-
-ListedNeighborhoods::Find
-listsOf(const NeighborFinder& finder,
-        const pcl::Indices& indices,
-        const NeighborhoodSize& size)
-{
-  return [&finder, &indices, size](std::size_t position, pcl::Indices& found) {
-    thread_local std::vector<float> squared_distances;
-    finder(indices[position],
-           size.radii ? size.radii[position] : size.radius,
-           static_cast<int>(size.k),
-           found,
-           squared_distances);
-  };
-}
-
-} // namespace
 
 bool
 Neighborhoods::computeNormals(const NeighborhoodSize& size,

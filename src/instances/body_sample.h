@@ -21,7 +21,7 @@ struct BodySample {
   std::vector<Eigen::Vector3f> normals;
   Eigen::Vector3f middle = Eigen::Vector3f::Zero();
   Eigen::Vector3f facing = Eigen::Vector3f::Zero(); ///< mean normal, short if curved
-  float low = 0.0f, high = 0.0f; ///< heights, but for the lowest and highest points
+  float low = 0.0f, high = 0.0f; ///< heights without the lowest and highest points
   float spacing = 0.0f;
   float upright = 0.0f; ///< share of the points on walls
   float level = 0.0f;   ///< share of the points on floors and lids

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PCL's models of planes, cylinders and spheres that count the points on them faster.
+// PCL's models of planes, cylinders and spheres, with a faster count of the points on
+// them.
 
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Where faces meet, and whether they are one body there.
+// Where faces meet, and whether they belong to one body there.
 
 #pragma once
 
@@ -17,7 +17,7 @@ namespace pcl::segmentation {
 struct FaceContact {
   std::int32_t first = 0;  ///< label of a face
   std::int32_t second = 0; ///< a larger one
-  float convex = 0.0f;     ///< length where they are one body
+  float convex = 0.0f;     ///< length where they belong to one body
   float concave = 0.0f;    ///< length where one stands on or before the other
 };
 

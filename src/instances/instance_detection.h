@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Instances of a class or whole objects: what they are found of.
+// Instances of a class or whole objects: the data they are found from, and the steps.
 
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace pcl::detail {
 
-/** \brief What is known about points that instances are made of; one entry a point. */
+/** \brief What instances are found from; one entry for each point. */
 struct InstanceInput {
   XYZView points;
   std::vector<float> normals;    ///< three each, towards the viewpoint; NaN unknown
@@ -30,11 +30,11 @@ struct InstanceInput {
 /** \brief The instance of each point, 0 and up, -1 for none; the largest is first. */
 using InstanceLabels = std::vector<std::int32_t>;
 
-/** \brief Which points instances of a class may hold: those that are known, and of at
- * least the low likelihood. \param[in] with_edges whether they may be on edges */
+/** \brief Which points an instance of a class may hold: those whose likelihood is known
+ * and at least the low one. \param[in] with_edges whether they may be on edges */
 std::vector<char> membersOf(const InstanceInput& input, double low, bool with_edges);
 
-/** \brief Whether enough of a piece's points are of the high likelihood. */
+/** \brief Whether enough of a piece's points have the high likelihood. */
 bool isLikely(std::size_t points, std::size_t high_points);
 
 /** \brief The size of the cells that points are visited in, meters. */

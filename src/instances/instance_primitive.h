@@ -12,7 +12,7 @@
 
 namespace pcl::segmentation {
 
-/** \brief Some points of a cloud about an origin, in units of their mean spacing. */
+/** \brief Some points of a cloud around an origin, in units of their mean spacing. */
 struct SurfaceSample : PrimitiveSample {
   float unit = 0.0f; ///< meters
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Labels of points: how they spread over edges, and in what order they are.
+// Labels of points: how they spread over edges, and their order.
 
 #pragma once
 
@@ -16,7 +16,7 @@ namespace pcl::segmentation {
 /** \brief How labels spread to points without one. */
 struct Growth {
   std::vector<char> open; ///< which points may take a label
-  bool fitting = true;    ///< only where the surface goes on
+  bool fitting = true;    ///< only where the surface continues
 };
 
 /** \brief Give labels to the open points around labeled ones, round by round, as far as
@@ -27,8 +27,7 @@ void growLabels(const detail::InstanceInput& input,
                 const Growth& growth,
                 Labels& labels);
 
-/** \brief How far from a point that is to be determines its label after growth, in
- * spacings. */
+/** \brief How far away points can influence a point's label by growth, in spacings. */
 float growthReach(double noise);
 
 /** \brief The points of a label. */

@@ -45,7 +45,7 @@ bodiesOf(const InstanceInput& input,
   return bodySamples(input, up, bodies, groups.size());
 }
 
-/** Without a lid, which a closed box has. */
+/** Whether a body is mostly walls, without a lid. */
 bool
 isOpenWall(const BodySample& body)
 {
@@ -123,7 +123,7 @@ outwardShare(const BodySample& body, const Vector3f& middle, const Vector3f& up)
   return static_cast<float>(outward) / static_cast<float>(body.points.size());
 }
 
-/** Around an inside, back to back with it. */
+/** Whether a body is an outer wall around an inside, back to back with it. */
 bool
 isOutside(const BodySample& body, const BodySample& inside, const Vector3f& up)
 {
@@ -137,7 +137,7 @@ isOutside(const BodySample& body, const BodySample& inside, const Vector3f& up)
          distanceBetween(body, inside) < limit;
 }
 
-/** Between inner walls, at their feet. */
+/** Whether a body is the floor between inner walls, at their feet. */
 bool
 isFloor(const BodySample& body, const BodySample& inside, const Vector3f& up)
 {
@@ -175,7 +175,7 @@ struct Inside {
   float radius = 0.0f; ///< level, from the middle to the farthest point
 };
 
-/** More than a wall apart, by their middles: no need to compare their points. */
+/** Whether the middles alone show that they are more than a wall apart. */
 bool
 areFarApart(const Inside& first, const Inside& second, const Vector3f& up)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Boxes without a lid: walls seen from inside, their outsides and the floor are one.
+// Boxes without a lid: their inner and outer walls and the floor become one object.
 
 #pragma once
 

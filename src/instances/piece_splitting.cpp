@@ -50,7 +50,7 @@ partOfNodes(const SurfacePiece& piece, const std::vector<SurfacePart>& parts)
   return part_of;
 }
 
-/** The part of a node whose surface is near and which others around it are of; none if
+/** The part for a node: its surface is near, and nodes around it belong to it. None if
  * no surface is near. */
 std::uint32_t
 bestPart(const SurfacePiece& piece,
@@ -119,7 +119,7 @@ assign(const SurfacePiece& piece, std::vector<SurfacePart>& parts)
   });
 }
 
-/** Parts with few nodes, or with nodes on the surfaces of others, go.
+/** Drop parts with few nodes, or with nodes on the surfaces of others.
  * \return whether there were any */
 bool
 dropNeedless(const SurfacePiece& piece, std::vector<SurfacePart>& parts)
@@ -200,7 +200,7 @@ bordersOf(const SurfacePiece& piece, const std::vector<SurfacePart>& parts)
   return borders;
 }
 
-/** Without a crease, and gaps (or steps) are within a limit.
+/** Whether there is no crease, and gaps (or steps) are within a limit.
  * \param[in] squares sum of the squared gaps or steps */
 bool
 goesOn(const Border& border, double squares, float limit)
@@ -209,7 +209,7 @@ goesOn(const Border& border, double squares, float limit)
          border.cosines > same_surface * border.pairs;
 }
 
-/** The nodes themselves run on, whatever the primitives beside them are. */
+/** Whether the nodes continue across, whatever the primitives beside them say. */
 bool
 isSmooth(const Border& border, const SurfacePiece& piece)
 {
@@ -229,7 +229,7 @@ crosses(const Border& border, float tolerance)
          is_on_both_sides(0) && is_on_both_sides(1);
 }
 
-/** Both parts are wider than their border: a bridge of few nodes where they touch. */
+/** Whether both parts are wider than their border, a bridge of few nodes. */
 bool
 isNeck(const SurfacePiece& piece,
        const SurfacePart& a,
@@ -280,7 +280,8 @@ areOne(const SurfacePiece& piece,
          goesOn(border, border.squared_gaps, curved_gap * piece.gap_limit);
 }
 
-/** The group that a group has most of its borders with, itself if it has none. */
+/** The group that shares the longest border with a group; itself if it has no border.
+ */
 std::uint32_t
 neighborOf(std::uint32_t group, const Borders& borders, DisjointSets& sets)
 {

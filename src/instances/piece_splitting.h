@@ -12,14 +12,15 @@
 
 namespace pcl::segmentation {
 
-/** \brief Give each node of a piece to a part whose surface is near and which others
- * around it are of (iterated conditional modes; Besag, "On the statistical analysis of
- * dirty pictures", 1986); nodes near none to none. Parts that are left with few nodes,
- * or with nodes on the surfaces of others, go. The largest part is first then. */
+/** \brief Assign each node of a piece to a part whose surface is near and which nodes
+ * around it belong to (iterated conditional modes; Besag, "On the statistical analysis
+ * of dirty pictures", 1986); nodes near no surface to none. Drop parts that are left
+ * with few nodes, or with nodes on the surfaces of others, and put the largest part
+ * first. */
 void assignNodes(const SurfacePiece& piece, std::vector<SurfacePart>& parts);
 
-/** \brief The nodes of parts that are one surface: those that meet where their nodes
- * do, and those too small to be another. */
+/** \brief The nodes of parts that form one surface: parts whose surfaces meet where
+ * their nodes do, and parts too small to be another surface. */
 std::vector<NodeIndices> joinParts(const SurfacePiece& piece,
                                    const std::vector<SurfacePart>& parts);
 

@@ -71,7 +71,8 @@ fitAt(const InstanceInput& input,
           static_cast<std::uint32_t>(i)};
 }
 
-/** Two points of a circle, or of a line: the chord is square to the mean normal. */
+/** Whether two points are on a circle or a line: the chord is perpendicular to the mean
+ * normal. */
 bool
 isSmooth(const SurfaceNode& a, const SurfaceNode& b, float step_limit)
 {
@@ -84,7 +85,7 @@ isSmooth(const SurfaceNode& a, const SurfaceNode& b, float step_limit)
   return step < step_limit * std::min(a.spacing, b.spacing);
 }
 
-/** There is surface between two nodes. */
+/** Whether there is surface between two nodes. */
 bool
 hasMiddle(const SurfaceNode& a, const SurfaceNode& b, const PointGrid& nodes)
 {

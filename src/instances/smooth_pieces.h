@@ -62,10 +62,10 @@ Labels labelsAt(const detail::InstanceInput& input,
 
 /** \brief Pieces of surface that are smooth inside.
  *
- * The surface runs from one node to another if both are on one circle or line
+ * The surface continues from one node to another if both are on one circle or line
  * (co-circular: Parent and Zucker, "Trace inference, curvature consistency, and curve
  * detection", 1989), it turns less than a crease does, and there is surface between
- * them. Those from which it runs to enough of the others around are joined.
+ * them. Nodes from which it continues to enough of those around are joined.
  * \param[in] members which points may be in a piece
  * \return labels from 0, the largest piece first */
 Labels smoothPieces(const detail::InstanceInput& input,

@@ -36,7 +36,8 @@ hasNothingBehind(const Surroundings& around)
   return around.behind <= max_behind * (around.before + around.behind);
 }
 
-/** Things lie before it and nothing behind, or things stand on it and it has a rim. */
+/** Whether things lie before it and nothing behind, or things stand on it and it has a
+ * rim. */
 bool
 carries(const SupportPart& part, const PartSize& largest, const Surroundings& around)
 {
@@ -48,7 +49,7 @@ carries(const SupportPart& part, const PartSize& largest, const Surroundings& ar
   return hasNothingBehind(around) && part.area >= min_share * largest.area;
 }
 
-/** Things lie before it and nothing behind. Around the lid of a box that is seen from
+/** Whether things lie before it and nothing behind. Around the lid of a box seen from
  * above there is nothing at all. */
 bool
 isFoot(const Surroundings& around)
@@ -56,7 +57,7 @@ isFoot(const Surroundings& around)
   return around.before > 0.0 && hasNothingBehind(around);
 }
 
-/** Behind another plane, and parallel to it: what stands on it is above it. */
+/** Whether a plane is parallel to another one and behind it. */
 bool
 isBelow(const Plane<float>& plane, const Plane<float>& other)
 {

@@ -118,7 +118,7 @@ connected(const Nodes& nodes, float unit)
   return sets;
 }
 
-/** Of some nodes the most that are connected, weighed by their points. */
+/** The connected nodes, of some, that stand for the most points. */
 Nodes
 largestPart(const Nodes& nodes, float unit)
 {
@@ -220,7 +220,7 @@ largestPartOn(SupportPlane support, const Nodes& nodes, float min_offset, float 
   return SupportPart{support, std::move(on), area, points};
 }
 
-/** The nodes that are not among some. */
+/** The nodes without some of them. */
 Nodes
 without(const Nodes& some, const Nodes& nodes)
 {

@@ -44,8 +44,8 @@ struct PartSize {
 /** \brief The largest area and the most points that any of the parts has. */
 PartSize largestOf(const std::vector<SupportPart>& parts);
 
-/** \brief Whether a part has this share of the largest area or, as a near table is
- * small before a far floor, of the most points. */
+/** \brief Whether a part has this share of the largest area, or of the most points: a
+ * near table is small beside a far floor. */
 bool isLarge(const SupportPart& part, const PartSize& largest, double share);
 
 /** \brief Where a part is: some of its nodes, spread over it. */

@@ -158,8 +158,8 @@ SurfacePiece::fitted(const NodeIndices& some,
   return fit;
 }
 
-/** The primitive with most connected nodes; the simplest one if others have not many
- * more. */
+/** The primitive with the most connected nodes, or a simpler one with nearly as many.
+ */
 SurfacePart
 SurfacePiece::largestPart(const NodeIndices& some) const
 {

@@ -237,7 +237,8 @@ heightOfSheet(const FaceLevel& level, const PointGrid& grid, std::uint32_t i)
 }
 
 /** Where noise makes a sheet as thick as a cell, walls between cells cut it to layers,
- * with no gap between them. These move to its middle. */
+ * with no gap between them. These move to its middle, and their points with them:
+ * scatters, which are about the means, stay. */
 void
 joinLayers(FaceLevel& level, unsigned threads)
 {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Files that are complete or not there, with a checksum.
-//
-// The applications' AtomicFile is another thing: it cleans up on signals, follows links
-// and keeps permissions. Here the next run removes what a killed one has left.
+// Files that are complete or absent, with a checksum.  The applications' AtomicFile is
+// another thing: it cleans up on signals, follows links and keeps permissions. Here the
+// next run removes what a killed one has left.
 
 #include "tiling/checked_file.h"
 
@@ -90,8 +89,8 @@ public:
     return static_cast<std::size_t>(status.st_size);
   }
 
-  /** Some file systems notice only here that the disk is full. What a machine loses
-   * that is switched off is noticed by the checksums. */
+  /** Some file systems report only here that the disk is full. The checksums detect
+   * what is lost if the machine is switched off. */
   void
   finish()
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Files that are complete or not there, with a checksum.
+// Files that are complete or absent, with a checksum.
 
 #pragma once
 

@@ -10,8 +10,8 @@
 
 namespace pcl::tiling {
 
-/** \brief Whether floats hold a place as it is: the clouds of most sensors consist of
- * such, and take half of the bytes. */
+/** \brief Whether floats hold a place exactly. Those of most sensors do, and take half
+ * of the bytes. */
 inline bool
 areFloats(const Position& p)
 {

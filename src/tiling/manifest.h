@@ -12,7 +12,7 @@
 namespace pcl::tiling {
 
 /** \brief The lines of a manifest, each with its checksum. A line that a killed run
- * left unfinished is forgotten; any other change is an error. */
+ * left unfinished is ignored; any other damage is an error. */
 class Manifest {
 public:
   using Record = nlohmann::ordered_json;

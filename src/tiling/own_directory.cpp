@@ -36,8 +36,8 @@ openLock(const std::string& path)
   return descriptor;
 }
 
-/** A run that ended after the file was opened has removed it: then the lock is one of a
- * file that nobody else finds. */
+/** A run that ends after the file was opened removes it: the lock is then on a file
+ * that nobody else finds. */
 bool
 isStillAt(const std::string& path, int descriptor)
 {
@@ -67,7 +67,7 @@ isThere(const std::string& path)
   return fs::exists(fs::symlink_status(path, error));
 }
 
-/** A directory with other files is that of somebody else: nothing there may be removed.
+/** A directory with other files belongs to somebody else: nothing there may be removed.
  */
 void
 requireOwn(const std::string& directory)

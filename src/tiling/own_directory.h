@@ -19,7 +19,7 @@ std::string manifestPath(const std::string& directory);
 /** \brief With its parents. \throws TilingError */
 void makeDirectory(const std::string& path);
 
-/** \brief Holds a file so that no other run does; it is released with the process. */
+/** \brief Locks a file against other runs; the lock ends with the process. */
 class Lock {
 public:
   explicit Lock(const std::string& path);
@@ -35,8 +35,8 @@ private:
  * else in it is ever removed. All methods throw a TilingError. */
 class OwnDirectory {
 public:
-  /** \brief Makes it, unless it is there. Files that a killed run has not renamed are
-   * removed. */
+  /** \brief Creates the directory unless it exists. Removes files that a killed run has
+   * not renamed. */
   explicit OwnDirectory(const std::string& path);
 
   /** \brief Remove the files of a name. */

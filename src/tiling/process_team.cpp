@@ -106,7 +106,7 @@ receiveText(int from, std::string& text)
   return receiveAll(from, text.data(), size);
 }
 
-/** A process that works, seen from the one that gives tasks out. */
+/** A working process, as the one that hands out tasks sees it. */
 class Worker {
 public:
   Worker(const Team::Work& work, const std::vector<std::unique_ptr<Worker>>& others)
@@ -170,7 +170,7 @@ public:
     return results_;
   }
 
-  /** What it has to say of its task; if nothing, it was killed. */
+  /** Its answer about the task; without one it was killed. */
   Outcome
   take(bool& is_alive)
   {

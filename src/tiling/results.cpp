@@ -27,7 +27,7 @@ allOf(const Tasks& tasks)
   return all;
 }
 
-/** Use a record, whose form may be that of another version. */
+/** Use a record, which may be in the form of another version. */
 template <typename Use>
 void
 useRecord(const std::string& directory, const Use& use)
@@ -283,7 +283,7 @@ Results::refresh()
   readRecords();
 }
 
-/** Writes what results depend on, or compares it with what is there. */
+/** Writes what the results depend on, or compares it with the existing record. */
 void
 Results::begin(const Record& now)
 {
@@ -340,7 +340,7 @@ Results::completeAt(const std::string& name, std::size_t number) const
   return *complete;
 }
 
-/** Those whose file is not there, or not as long as it was. */
+/** Those whose file is missing, or not as long as it was. */
 std::vector<std::size_t>
 Results::missingOf(const std::string& name, const Tasks& tasks) const
 {

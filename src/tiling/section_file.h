@@ -18,7 +18,7 @@ namespace pcl::tiling {
 // Of a section, in memory: 52 bytes each.
 constexpr std::size_t points_sorted_at_a_time = std::size_t{1} << 20;
 
-/** \brief Writes points sorted by tile, some at a time: a section may be larger than
+/** \brief Writes points sorted by tile, in batches: a section may be larger than
  * memory. */
 class SectionWriter {
 public:

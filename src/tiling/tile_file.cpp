@@ -23,7 +23,8 @@ struct Header {
   std::uint32_t check = 0, coordinate = 0; ///< how many bytes it has
 };
 
-/** A point, and its place among those of the tile; there are less than 2^32. */
+/** A point, and its place among those of the tile, of which there are fewer than 2^32.
+ */
 template <typename Coordinate>
 struct Entry {
   std::array<Coordinate, 3> position;

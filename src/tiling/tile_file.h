@@ -43,7 +43,7 @@ struct Box {
 };
 
 /** \brief The bytes of a file with the points of a tile, at least one; in single
- * precision if that is as they are. */
+ * precision if that loses nothing. */
 Bytes encodeTile(const std::vector<Position>& points);
 
 /** \brief A file of points, of which some are read. */

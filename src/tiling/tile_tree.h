@@ -34,7 +34,7 @@ struct Cell {
 /** \brief How many points are in each cell: a hash table that holds cells in place. */
 class CellCounts {
 public:
-  /** \param[in] slots a power of two; they become more when they are needed */
+  /** \param[in] slots a power of two; the table grows when it has to */
   explicit CellCounts(std::size_t slots = 64) : slots_(slots) {}
 
   void add(const CellKey& key, std::uint64_t count);

@@ -243,6 +243,11 @@ TEST_F(GraspTask, RefusesWhatItCannotJudge)
     expectRefused(evaluate(file("less.json", reportOf("", member)), {}),
                   1,
                   {"less.json", "parameters." + std::string(member), "missing"});
+  std::string other = reportOf("");
+  other.replace(other.find("label"), 5, "instance");
+  expectRefused(evaluate(file("other.json", other), {}),
+                1,
+                {"other.json", "'instance'", cloud, "'label'", "-each label"});
   const std::string place =
       R"("seals": true, "position": [0, 0, 1], "approach": [0, 0, 1])";
   expectRefused(evaluate(file("bad.json", reportOf("{" + place + "}")), {}),

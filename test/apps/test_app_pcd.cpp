@@ -136,10 +136,22 @@ INSTANTIATE_TEST_SUITE_P(PCD,
                                            PCDFormat::binary_compressed),
                          [](const auto& info) { return nameOf(info.param); });
 
-std::vector<std::uint8_t>
-bytesOf(const std::string& text)
+/** A cloud with one field, of one byte. */
+CloudFile
+cloudOfBytes(std::vector<std::uint8_t> bytes)
 {
-  return {text.begin(), text.end()};
+  CloudFile cloud;
+  addField(cloud, "a", pcl::PCLPointField::UINT8);
+  cloud.blob.width = static_cast<std::uint32_t>(bytes.size());
+  cloud.blob.height = 1;
+  cloud.blob.data = std::move(bytes);
+  return cloud;
+}
+
+std::string
+compressed(const CloudFile& cloud)
+{
+  return encodeCloud(cloud, PCDFormat::binary_compressed);
 }
 
 TEST(LZF, RoundTrips)
@@ -152,35 +164,43 @@ TEST(LZF, RoundTrips)
       for (auto& byte : input)
         byte = static_cast<std::uint8_t>(
             std::uniform_int_distribution<>(0, alphabet - 1)(random));
-      const auto compressed = bytesOf(lzfCompress(input));
-      std::vector<std::uint8_t> output;
-      ASSERT_TRUE(lzfDecompress(compressed.data(), compressed.size(), size, output));
-      EXPECT_EQ(output, input);
-      EXPECT_LE(size, lzfMaxBytes(compressed.size()));
+      const std::string file = compressed(cloudOfBytes(input));
+      EXPECT_EQ(decodePcd("a.pcd", file).blob.data, input);
+      EXPECT_EQ(compressed(cloudOfBytes(input)), file);
     }
 }
 
 TEST(LZF, CompressesRepetition)
 {
   const std::vector<std::uint8_t> input(100000, 7);
-  EXPECT_LT(lzfCompress(input).size(), 1200u);
+  EXPECT_LT(compressed(cloudOfBytes(input)).size(), 1500u);
 }
 
 TEST(LZF, RefusesWhatWouldLeaveItsBounds)
 {
-  std::vector<std::uint8_t> output;
-  const auto decompress = [&](std::vector<std::uint8_t> input, std::size_t size) {
-    return lzfDecompress(input.data(), input.size(), size, output);
+  const auto decompress = [&](const std::vector<std::uint8_t>& input,
+                              std::size_t points) {
+    std::string file = "FIELDS a\nSIZE 1\nTYPE U\nCOUNT 1\nPOINTS " +
+                       std::to_string(points) + "\nDATA binary_compressed\n";
+    for (const std::size_t size : {input.size(), points})
+      for (unsigned byte = 0; byte < 4; ++byte)
+        file += static_cast<char>(size >> 8 * byte & 0xff);
+    file.append(input.begin(), input.end());
+    return decodePcd("a.pcd", file).blob.data;
   };
-  EXPECT_FALSE(decompress({5, 'a'}, 6)) << "literals beyond the input";
-  EXPECT_FALSE(decompress({1, 'a', 'b'}, 1)) << "literals beyond the output";
-  EXPECT_FALSE(decompress({0x20, 0}, 3)) << "match before the output";
-  EXPECT_FALSE(decompress({0, 'a', 0x20}, 4)) << "match without distance";
-  EXPECT_FALSE(decompress({0, 'a', 0xe0, 1}, 14)) << "long match without distance";
-  EXPECT_FALSE(decompress({0, 'a', 0x20, 0}, 3)) << "match beyond the output";
-  EXPECT_FALSE(decompress({0, 'a'}, 2)) << "too little";
-  EXPECT_TRUE(decompress({0, 'a', 0x20, 0}, 4));
-  EXPECT_EQ(output, (std::vector<std::uint8_t>{'a', 'a', 'a', 'a'}));
+  EXPECT_THROW(decompress({}, 1), InputError) << "nothing";
+  EXPECT_THROW(decompress({5, 'a'}, 6), InputError) << "literals beyond the input";
+  EXPECT_THROW(decompress({1, 'a', 'b'}, 1), InputError)
+      << "literals beyond the output";
+  EXPECT_THROW(decompress({0x20, 0}, 3), InputError) << "match before the output";
+  EXPECT_THROW(decompress({0, 'a', 0x20}, 4), InputError) << "match without distance";
+  EXPECT_THROW(decompress({0, 'a', 0xe0, 1}, 14), InputError)
+      << "long match without distance";
+  EXPECT_THROW(decompress({0, 'a', 0x20, 0}, 3), InputError)
+      << "match beyond the output";
+  EXPECT_THROW(decompress({0, 'a'}, 2), InputError) << "too little";
+  EXPECT_EQ(decompress({0, 'a', 0x20, 0}, 4),
+            (std::vector<std::uint8_t>{'a', 'a', 'a', 'a'}));
 }
 
 TEST_F(PCDTest, EveryTruncationIsRefused)

@@ -70,6 +70,26 @@ movedFold(double x, double y, double z)
   return moved;
 }
 
+TEST(CloudStreams, AreOfTheFormatThatCloudsAreReadIn)
+{
+  const std::string ply = "ply\nformat ascii 1.0\n";
+  const auto format = [&](const char* path, const std::string& head, unsigned floats) {
+    return cloudFormatOf(path, head, floats);
+  };
+  EXPECT_EQ(format("a.PCD", ply, 4), CloudFormat::pcd);
+  EXPECT_EQ(format("a.ply", "", 4), CloudFormat::ply);
+  EXPECT_EQ(format("a.Bin", ply, 0), CloudFormat::kitti);
+  EXPECT_EQ(format("a", ply, 0), CloudFormat::ply);
+  EXPECT_EQ(format("a", ply, 4), CloudFormat::kitti);
+  EXPECT_EQ(format("-", "VERSION 0.7", 0), CloudFormat::pcd);
+}
+
+TEST_F(Streams, FloatsOfAPointAreThoseOfAnUnknownEnding)
+{
+  const CloudStream stream(file("scan", std::string(40, '\0')), 5);
+  EXPECT_EQ(stream.size(), 2u);
+}
+
 TEST_F(Streams, TheEndingSaysTheFormatInAnyCase)
 {
   const std::string in = fold("in.PCD");

@@ -279,6 +279,20 @@ TEST(AdaptiveRadius, StepsOfASensorAreBeyondRadii)
   })));
 }
 
+TEST(AdaptiveRadius, RadiiWhoseSquaresAreZeroHaveNoNoiseLevel)
+{
+  const Surface surface = noisyFold(0.001);
+  Indices all(surface.size());
+  std::iota(all.begin(), all.end(), 0);
+  const detail::Neighborhoods neighborhoods(surface.points(), surface.points(), all, 1);
+  const segmentation::PointGrid grid(surface.points(), 0.012f);
+  const std::vector<float> spacings(surface.size(), 1e-30f);
+  const detail::NoiseLevel level =
+      detail::noiseLevelOf(neighborhoods, spacings, 0.2, grid);
+  EXPECT_EQ(0.0, level.level);
+  EXPECT_EQ(0.0, level.correlation);
+}
+
 /** How far normals differ at each level, in degrees, as noiseLevelOf() needs it. */
 detail::NormalAngles
 anglesOf(const std::array<double, 8>& degrees)

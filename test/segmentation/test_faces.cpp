@@ -269,6 +269,31 @@ TEST(FaceWindows, OneForEachNodeOfTheNextLevel)
   }
 }
 
+TEST(FaceWindows, NoiseOfALevelWithoutThemDoesNotBoundTheNext)
+{
+  const Cloud::Ptr cloud = sampled(0.3, 1.0, 0.01, 0.004, [](double u, double v) {
+    return Eigen::Vector3d(u, v, 2.0 * u * u);
+  });
+  const ShapeField field = edgeFieldOf(cloud);
+  const float usual = medianSpacing(field.spacings);
+  segmentation::FacePyramid faces =
+      segmentation::firstFaces(field.points, field, usual, 1);
+  segmentation::addLevels(3, faces, 1);
+  std::vector<segmentation::FaceFits> fits;
+  for (std::size_t l = 0; l < faces.levels.size(); ++l) {
+    const std::vector<bool> wanted(faces.levels[l].nodes.size(), l > 0);
+    fits.push_back(segmentation::fitsOf(faces, l, wanted, usual, 1));
+  }
+  const float noise = 0.2f * usual;
+  const auto curved = [&](float first_noise) {
+    return segmentation::faceEvidence(
+               faces, fits, {first_noise, noise, noise}, usual, 1)
+        .curved;
+  };
+  EXPECT_TRUE(sameBits(curved(noise), curved(0.0f)));
+  EXPECT_FALSE(sameBits(curved(noise), curved(0.1f * noise))) << "a bound";
+}
+
 /** Nodes of one window on a paraboloid whose curvature along x is 1 / radius. */
 FaceLevel
 paraboloid(float radius)

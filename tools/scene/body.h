@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Objects of random size and pose with what it takes to place them.
+// Objects of random size and pose, and the data to place them without collisions.
 
 #pragma once
 

@@ -21,7 +21,7 @@ public:
 
   Curve part(double from, double to) const;
 
-  /** \brief The same curve of an object that is put there. */
+  /** \brief The curve of an object with this pose. */
   Curve placed(const Pose& pose) const;
 
   Vec3 point(double parameter) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// What objects cover when seen from above, and how far these areas are apart.
+// The areas that objects cover when seen from above, and the distances between them.
 
 #pragma once
 

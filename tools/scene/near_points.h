@@ -45,7 +45,7 @@ public:
   }
 
 private:
-  /** Calls until the answer is true; returns whether it was. */
+  /** Calls until the answer is true. \return whether it was */
   template <class Predicate>
   bool
   findNear(const Vec3& p, const Predicate& is_wanted) const

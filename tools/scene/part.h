@@ -11,7 +11,7 @@
 
 namespace pcl::scene {
 
-/** \brief A line where a face goes over into one of another curvature. */
+/** \brief A line where a face continues smoothly into one of another curvature. */
 struct Seam {
   Curve line;
   double radius = 0.0; /**< the smaller radius of curvature of the two */

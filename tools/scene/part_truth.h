@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// What is true of a point of a machined part.
+// The truth about a point of a machined part.
 
 #pragma once
 

@@ -31,14 +31,14 @@ class PointSource {
 public:
   virtual ~PointSource() = default;
 
-  /** \brief For messages, and to find the cloud again. */
+  /** \brief The name of the cloud, for messages and to find it again. */
   virtual std::string name() const = 0;
 
-  /** \brief Words that change when the cloud does, such as its size and its date. */
+  /** \brief Text that changes when the cloud does, such as its size and date. */
   virtual std::string state() const = 0;
 
-  /** \brief Gives all points in their order, some at a time. It is called several
-   * times, and gives the same points each time. */
+  /** \brief Gives all points in their order, in batches. It is called several times and
+   * must give the same points each time. */
   virtual void
   read(const std::function<void(const Position* points, std::size_t count)>& use)
       const = 0;

@@ -21,7 +21,8 @@ namespace pcl::tiling {
  * of them make the same calls. */
 class Team {
 public:
-  /** \brief Done by any process; an exception is reported, and the others go on. */
+  /** \brief What a process does for one task; an exception is reported, and the other
+   * tasks continue. */
   using Work = std::function<std::string(std::size_t task)>;
 
   /** \brief Called in the first process, for each task as it ends. \param[in] error
@@ -38,7 +39,7 @@ public:
     return true;
   }
 
-  /** \brief Do tasks, those at the front of the list first. */
+  /** \brief Do the tasks, in the order of the list. */
   virtual void run(const std::vector<std::size_t>& tasks,
                    const Work& work,
                    const Report& report) = 0;
@@ -52,7 +53,7 @@ public:
 /** \brief This process alone. */
 std::unique_ptr<Team> makeTeam();
 
-/** \brief Processes that are started for each run. One that is killed fails its task.
+/** \brief Processes that are started for each run. If one is killed, its task fails.
  * The caller must not have used OpenMP before. */
 std::unique_ptr<Team> makeTeam(std::size_t processes);
 

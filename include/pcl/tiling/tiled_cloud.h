@@ -44,10 +44,10 @@ struct TileSettings {
 
 /** \brief Sources divided into tiles on disk, and results for each tile.
  *
- * A directory holds the tiles, the results, and a manifest of what is complete. A run
- * that was killed goes on where it ended when the same calls are made again. A point
- * that is not finite belongs to no tile. The bytes of tiles and results depend neither
- * on the number of processes nor on who did what.
+ * A directory holds the tiles, the results, and a manifest of what is complete. After a
+ * run was killed, the same calls continue where it ended. A point that is not finite
+ * belongs to no tile. The bytes of tiles and results depend neither on the number of
+ * processes nor on who did what.
  *
  * All methods throw a TilingError that says what is wrong. */
 class TiledCloud {
@@ -55,7 +55,8 @@ public:
   /** \brief What the points are read from, one after the other. */
   using Sources = std::vector<std::shared_ptr<const PointSource>>;
 
-  /** \brief The directory is made if it does not exist. One run at a time uses it.
+  /** \brief Creates the directory if it does not exist. Only one run can use it at a
+   * time.
    * \param[in] directory of tiles and results alone
    * \param[in] sources of all points
    * \param[in] settings how large tiles are, and what else decides
@@ -68,7 +69,7 @@ public:
   TiledCloud(const TiledCloud&) = delete;
   TiledCloud& operator=(const TiledCloud&) = delete;
 
-  /** \brief Divide the sources, as far as that was not done before. */
+  /** \brief Divide the sources, unless that was done before. */
   void partition();
 
   /** \brief How many tiles there are. */
@@ -94,7 +95,7 @@ public:
    * points, meters. */
   double typicalDistance() const;
 
-  /** \brief Whether a point is of a tile: whether it is finite as floats, after the
+  /** \brief Whether a point is in a tile: whether it is finite in float, after the
    * offset is subtracted. */
   bool holds(const Position& point) const;
 
@@ -165,8 +166,8 @@ public:
   /** \brief Gives what is computed of a section to a sink. */
   using SectionFunction = std::function<void(std::size_t section, const Sink& sink)>;
 
-  /** \brief Compute what is missing of a result of sections as run() does of tiles. The
-   * name is none of a result of tiles. */
+  /** \brief Compute what is missing of a result of sections, as run() does for tiles.
+   * The name must differ from those of results of tiles. */
   void runOnSections(const std::string& name, const SectionFunction& function);
 
   /** \brief What run() and its likes have computed. \param[in] name of the result
@@ -180,12 +181,12 @@ public:
   /** \brief Where it is. */
   std::string pathOf(const std::string& name, std::size_t number) const;
 
-  /** \brief Read a result of all tiles, for those who read parts of it by pathOf().
+  /** \brief Check a result of all tiles, before parts of it are read by pathOf().
    * \throws TilingError if it is damaged */
   void check(const std::string& name);
 
-  /** \brief Remove what was computed, in the first process; the next run makes it anew
-   * if it is asked for. */
+  /** \brief Remove a result, in the first process; the next run computes it again if it
+   * is asked for. */
   void removeResult(const std::string& name);
 
   /** \brief A value that the first process finds and all of them use; kept in the
