@@ -136,6 +136,9 @@ findObjects(const InstanceInput& input, const InstanceLimits& limits)
     joinOpenBoxes(input, up, faces, contacts, groups, grown);
     joinInsides(input, up, grown);
   }
+  for (const Support& plane : planes)
+    for (const std::uint32_t i : plane.smeared)
+      grown[i] = -1;
   sortLabels(input, limits.min_points, grown);
   return grown;
 }

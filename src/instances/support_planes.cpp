@@ -35,32 +35,40 @@ isSmear(const SurfaceNode& node, const SupportPlane& support)
          node.normal.dot(support.plane.normal) > same_normal;
 }
 
-/** The points near a support's nodes that are on its plane. */
-std::vector<std::uint32_t>
-pointsOn(const SupportPart& part,
-         const InstanceInput& input,
-         float unit,
-         std::vector<char>& is_free)
+/** A support and the points near its nodes that are on its plane. */
+Support
+supportOf(const SupportPart& part,
+          const InstanceInput& input,
+          float unit,
+          std::vector<char>& is_free)
 {
   const PointGrid grid(positionsOf(part.nodes), around_spacings * unit);
-  std::vector<char> is_on(is_free.size(), 0);
+  std::vector<char> is_on(is_free.size(), 0), is_smeared(is_free.size(), 0);
   kernels::parallelForEach(is_free.size(), input.threads, [&](std::size_t i) {
     if (!is_free[i])
       return;
     const Vector3f position = positionOf(input.points, i);
     const SurfaceNode node{position, normalOf(input, i), input.spacings[i]};
-    is_on[i] = (isOn(node, part.support) || isSmear(node, part.support)) &&
-               grid.anyWithin(position,
-                              around_spacings * node.spacing,
-                              [](std::uint32_t, const Vector3f&) { return true; });
+    const bool may_be_on = isOn(node, part.support);
+    if (!may_be_on && !isSmear(node, part.support))
+      return;
+    const bool is_near =
+        grid.anyWithin(position,
+                       around_spacings * node.spacing,
+                       [](std::uint32_t, const Vector3f&) { return true; });
+    is_on[i] = is_near && may_be_on;
+    is_smeared[i] = is_near && !may_be_on;
   });
-  std::vector<std::uint32_t> points;
-  for (std::uint32_t i = 0; i < is_on.size(); ++i)
+  Support support{part.support.plane, part.support.offset, {}, {}};
+  for (std::uint32_t i = 0; i < is_on.size(); ++i) {
     if (is_on[i]) {
-      points.push_back(i);
+      support.points.push_back(i);
       is_free[i] = 0;
     }
-  return points;
+    if (is_smeared[i])
+      support.smeared.push_back(i);
+  }
+  return support;
 }
 
 } // namespace
@@ -76,10 +84,8 @@ supportPlanes(const InstanceInput& input,
   const std::vector<SupportPart> parts = supportParts(nodes, offsetLimit(input), unit);
   std::vector<char> is_free = members;
   std::vector<Support> supports;
-  for (const std::size_t k : carriersAmong(parts, nodes, unit, input.threads)) {
-    const auto& [plane, offset] = parts[k].support;
-    supports.push_back({plane, offset, pointsOn(parts[k], input, unit, is_free)});
-  }
+  for (const std::size_t k : carriersAmong(parts, nodes, unit, input.threads))
+    supports.push_back(supportOf(parts[k], input, unit, is_free));
   return supports;
 }
 

@@ -18,6 +18,8 @@ struct Support {
   Plane<float> plane;                ///< the normal is towards the viewpoint
   float offset = 0.0f;               ///< how far its points are off, in spacings
   std::vector<std::uint32_t> points; ///< on it, and on no other one
+  /** Little before it, where things touch it: of no object, whatever face they are of. */
+  std::vector<std::uint32_t> smeared;
 };
 
 /** \brief The supports of a cloud, as wavy as a depth camera makes them.

@@ -124,7 +124,7 @@ pointsOfSupports(const pcl::test::Surface& surface)
   std::size_t points = 0;
   for (const Support& support :
        supportPlanes(input, grid, std::vector<char>(surface.size(), 1)))
-    points += support.points.size();
+    points += support.points.size() + support.smeared.size();
   return points;
 }
 
