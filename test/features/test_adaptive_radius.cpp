@@ -285,10 +285,9 @@ TEST(AdaptiveRadius, RadiiWhoseSquaresAreZeroHaveNoNoiseLevel)
   Indices all(surface.size());
   std::iota(all.begin(), all.end(), 0);
   const detail::Neighborhoods neighborhoods(surface.points(), surface.points(), all, 1);
-  const segmentation::PointGrid grid(surface.points(), 0.012f);
   const std::vector<float> spacings(surface.size(), 1e-30f);
   const detail::NoiseLevel level =
-      detail::noiseLevelOf(neighborhoods, spacings, 0.2, grid);
+      detail::noiseLevelOf(neighborhoods, spacings, 0.2, 1);
   EXPECT_EQ(0.0, level.level);
   EXPECT_EQ(0.0, level.correlation);
 }

@@ -282,7 +282,7 @@ TEST(FaceWindows, NoiseOfALevelWithoutThemDoesNotBoundTheNext)
   std::vector<segmentation::FaceFits> fits;
   for (std::size_t l = 0; l < faces.levels.size(); ++l) {
     const std::vector<bool> wanted(faces.levels[l].nodes.size(), l > 0);
-    fits.push_back(segmentation::fitsOf(faces, l, wanted, usual, 1));
+    fits.push_back(segmentation::fitsOf(faces, l, wanted, 1));
   }
   const float noise = 0.2f * usual;
   const auto curved = [&](float first_noise) {
