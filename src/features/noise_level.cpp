@@ -56,15 +56,15 @@ crossing(double low, float at_low, double high, float at_high)
   return low + share * (high - low);
 }
 
-/** The points that are nearer than a reach to some of them, and others. */
+/** The points that are nearer than a reach to chosen ones, and others. */
 pcl::Indices
-pointsNear(const pcl::Indices& some,
+pointsNear(const pcl::Indices& chosen,
            const XYZView& points,
            float reach,
            unsigned threads)
 {
   CellsAround cells(reach);
-  for (const pcl::index_t i : some)
+  for (const pcl::index_t i : chosen)
     cells.add(positionOf(points, static_cast<std::size_t>(i)));
   return kernels::collectForEach<pcl::index_t>(
       static_cast<std::uint32_t>(points.size),
@@ -94,6 +94,7 @@ public:
                        rounding * *std::max_element(reaches.begin(), reaches.end()),
                        threads);
     places_ = placesOf(near_);
+    chosen_among_near_ = positionsAmong(near_);
     const float cell = median(std::move(reaches));
     grid_.emplace(XYZView{places_.data()->data(), 3, places_.size()}, cell);
   }
@@ -131,7 +132,8 @@ public:
   }
 
 private:
-  static constexpr float rounding = 1.001f; // none decides whose normals are needed
+  // So that rounding does not decide whose normals are needed.
+  static constexpr float rounding = 1.001f;
 
   static double
   inadRadius(double noise)
@@ -144,9 +146,8 @@ private:
   neighborsOf(const std::vector<float>& radii) const
   {
     std::vector<bool> is_needed(near_.size(), false);
-    const pcl::Indices chosen = positionsAmong(near_);
-    for (std::size_t k = 0; k < chosen.size(); ++k) {
-      const auto at = static_cast<std::size_t>(chosen[k]);
+    for (std::size_t k = 0; k < radii.size(); ++k) {
+      const auto at = static_cast<std::size_t>(chosen_among_near_[k]);
       is_needed[at] = true; // even if squares of the radii are 0
       grid_->forEachWithin(places_[at],
                            rounding * radii[k],
@@ -195,9 +196,10 @@ private:
   const Neighborhoods& neighborhoods_;
   const std::vector<float>& spacings_;
   pcl::Indices chosen_;
-  pcl::Indices near_;             ///< those whose normals some level may need
-  std::vector<Vector3f> places_;  ///< of these
-  std::optional<PointGrid> grid_; ///< of these, if any
+  pcl::Indices near_; ///< those whose normals some level may need, and others
+  pcl::Indices chosen_among_near_; ///< where the chosen ones are there
+  std::vector<Vector3f> places_;   ///< of these
+  std::optional<PointGrid> grid_;  ///< of these, if any
 };
 
 /** Those on the flattest part of a cloud, 0 if nothing is known. */

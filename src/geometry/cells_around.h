@@ -15,7 +15,7 @@ namespace pcl::segmentation {
 /** \brief Cells of space that hold all points nearer than their size to some places. */
 class CellsAround {
 public:
-  /** \param[in] size of a cell, meters */
+  /** \param[in] size of a cell, meters, positive */
   explicit CellsAround(float size) : size_(size), is_marked_(slots) {}
 
   void
@@ -39,7 +39,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t slots = 1 << 20; // of few the cells of 1,000 places
+  static constexpr std::size_t slots = 1 << 20; // 1,000 places mark 3 % of them
 
   Eigen::Array3f
   cellOf(const Eigen::Vector3f& place) const

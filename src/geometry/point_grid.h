@@ -103,6 +103,8 @@ private:
   anyRangeWithin(const Eigen::Vector3f& center, float radius, const Is& is) const
   {
     const auto& [low, high] = cellsAround(center, radius);
+    if (low.x() > high.x())
+      return false;
     for (int z = low.z(); z <= high.z(); ++z)
       for (int y = low.y(); y <= high.y(); ++y) {
         const CellRange cells = cellsOf(low.x(), high.x(), y, z);

@@ -8,6 +8,7 @@
 #include "common/parallel.h"
 #include "common/statistics.h"
 #include "features/even_sampling.h"
+#include "geometry/cells_around.h"
 #include "geometry/point_grid.h"
 #include "geometry/voxel_means.h"
 #include "segmentation/uneven_field.h"
@@ -16,6 +17,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
 namespace pcl::detail {
@@ -125,6 +127,7 @@ private:
         fieldOf(request_, nullptr, of_means, {true, nullptr}, conditions);
     const std::vector<std::int32_t> stands_for = representatives(
         request_.surface, means.points, means.spacings, request_.threads);
+    // Where some points told it, `unknown` may be off by a tenth; means leave few.
     if (countUnknown(request_.surface, means, stands_for) >= unknown)
       return ofSurface({false, &spacings}, {});
     const std::vector<char> keeps_own = ownPoints(means, stands_for, even_spacings);
@@ -184,30 +187,45 @@ private:
                 const std::vector<float>& spacings,
                 const CloudNumbers& numbers) const
   {
-    const double reach = reachOf(numbers, request_.edge_model).edges /
-                         mostSpacing(numbers.distance); // in spacings
-    std::vector<float> own;
+    // In spacings of the points that keep their own: these may differ a hundredfold.
+    const double reach =
+        reachOf(numbers, request_.edge_model).edges / mostSpacing(numbers.distance);
+    std::map<int, std::vector<float>> own; // by the octave of their spacing
     for (std::size_t i = 0; i < keeps_own.size(); ++i)
-      if (keeps_own[i] && kernels::isFinite(request_.surface[i]))
-        own.insert(own.end(), request_.surface[i], request_.surface[i] + 3);
-    const segmentation::PointGrid grid(XYZView{own.data(), 3, own.size() / 3},
-                                       static_cast<float>(reach) * numbers.spacing,
-                                       request_.threads);
+      if (const float* const p = request_.surface[i];
+          keeps_own[i] && kernels::isFinite(p)) {
+        std::vector<float>& of_octave = own[std::ilogb(spacings[i])];
+        of_octave.insert(of_octave.end(), p, p + 3);
+      }
     std::vector<char> is_near(keeps_own.size(), 0);
-    kernels::parallelForEach(is_near.size(), request_.threads, [&](std::size_t i) {
-      const float* const p = request_.surface[i];
-      const auto any = [](std::uint32_t, const Eigen::Vector3f&) { return true; };
-      if (kernels::isFinite(p) &&
-          grid.anyWithin(Eigen::Map<const Eigen::Vector3f>(p),
-                         static_cast<float>(reach) * spacings[i],
-                         any))
-        is_near[i] = 1;
-    });
+    for (const auto& [octave, places] : own)
+      markNear(places, static_cast<float>(std::ldexp(reach, octave + 1)), is_near);
     pcl::Indices near;
     for (std::size_t i = 0; i < is_near.size(); ++i)
       if (is_near[i])
         near.push_back(static_cast<pcl::index_t>(i));
     return near;
+  }
+
+  /** Marks the points that are nearer to some places than a reach. */
+  void
+  markNear(const std::vector<float>& places,
+           float reach,
+           std::vector<char>& is_near) const
+  {
+    const XYZView view{places.data(), 3, places.size() / 3};
+    const segmentation::PointGrid grid(view, reach, request_.threads);
+    segmentation::CellsAround cells(reach);
+    for (std::size_t k = 0; k < view.size; ++k)
+      cells.add(segmentation::positionOf(view, k));
+    const auto any = [](std::uint32_t, const Eigen::Vector3f&) { return true; };
+    kernels::parallelForEach(is_near.size(), request_.threads, [&](std::size_t i) {
+      if (is_near[i] || !kernels::isFinite(request_.surface[i]))
+        return;
+      const Eigen::Vector3f place = segmentation::positionOf(request_.surface, i);
+      if (cells.mayHold(place) && grid.anyWithin(place, reach, any))
+        is_near[i] = 1;
+    });
   }
 
   const FieldRequest& request_;

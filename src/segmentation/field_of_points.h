@@ -10,9 +10,9 @@
 
 namespace pcl::detail {
 
-/** \brief The field at the points of the request's surface. Where the spacing changes
- * so fast that too many of them stay unknown, they take it from means that even them
- * out. \param[in] toEdges whether it goes on to edges */
+/** \brief The field at the points of the request's surface. If the spacing changes so
+ * fast that too many points stay unknown, points take values from means that even the
+ * cloud out. \param[in] toEdges whether the field goes on to edges */
 ShapeField
 fieldOfPoints(const FieldRequest& request,
               const std::function<bool(const MeasuredCloud& cloud)>& toEdges);

@@ -66,17 +66,20 @@ struct Sums {
   float weights = 0.0f, first = 0.0f, second = 0.0f;
 };
 
-/** Adds nodes from one to another, by what they count at a point: nothing beyond its
- * radius. */
+/** Where a mean is asked for. */
+struct Center {
+  const float *position, *normal;
+  float squared_radius;
+};
+
+/** Adds nodes from one to another, by what they count at a center: nothing beyond its
+ * radius. \param[in] classes two of which values are summed */
 void
-addNodes(const Nodes& nodes,
+sumNodes(const Nodes& nodes,
          std::size_t begin,
          std::size_t end,
-         const float* p,
-         const float* n,
-         float squared_radius,
-         const Floats& first_values,
-         const Floats& second_values,
+         const Center& center,
+         const std::array<std::size_t, 2>& classes,
          Sums& sums)
 {
   const float *x = &nodes.positions[0][begin], *y = &nodes.positions[1][begin],
@@ -84,8 +87,11 @@ addNodes(const Nodes& nodes,
   const float *nx = &nodes.normals[0][begin], *ny = &nodes.normals[1][begin],
               *nz = &nodes.normals[2][begin];
   const float* const own_weight = &nodes.weights[begin];
-  const float *v = &first_values[begin], *w = &second_values[begin];
-  const float px = p[0], py = p[1], pz = p[2], qx = n[0], qy = n[1], qz = n[2];
+  const float *v = &nodes.values[classes[0]][begin],
+              *w = &nodes.values[classes[1]][begin];
+  const float px = center.position[0], py = center.position[1], pz = center.position[2];
+  const float qx = center.normal[0], qy = center.normal[1], qz = center.normal[2];
+  const float squared_radius = center.squared_radius;
   const std::size_t count = end - begin;
   float weights = 0.0f, first = 0.0f, second = 0.0f;
 #pragma omp simd reduction(+ : weights, first, second)
@@ -118,19 +124,13 @@ meanAt(const FieldInput& input,
   const std::size_t classes = nodes.values.size();
   float weights = 0.0f;
   mean.resize(classes);
-  for (std::size_t c = 0; c < classes; c += 2) { // mostly two
-    const std::size_t next = std::min(c + 1, classes - 1);
+  for (std::size_t c = 0; c < classes; c += 2) {           // mostly two
+    const std::size_t next = std::min(c + 1, classes - 1); // the last again if odd
     Sums sums;
+    const Center center{
+        input.points[point], edges.normals[point].data(), radius * radius};
     const auto add = [&](std::uint32_t begin, std::uint32_t end) {
-      addNodes(nodes,
-               begin,
-               end,
-               input.points[point],
-               edges.normals[point].data(),
-               radius * radius,
-               nodes.values[c],
-               nodes.values[next],
-               sums);
+      sumNodes(nodes, begin, end, center, {c, next}, sums);
     };
     nodes.grid.forEachRangeWithin(positionOf(input.points, point), radius, add);
     mean[c] = sums.first / sums.weights;

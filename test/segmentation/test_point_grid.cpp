@@ -119,6 +119,22 @@ TEST(PointGrid, FarPointsCostTheOthersNothing)
   }
 }
 
+TEST(PointGrid, NothingIsVisitedBetweenFarPoints)
+{
+  Random random(48);
+  Surface surface = plane(3000, 1.0, random);
+  surface.add({{1e9, -3e8, 2e4}, {0, 0, 1}});
+  const PointGrid grid(surface.points(), 0.05f);
+  for (const Vector3f& center : {Vector3f(-1e5f, 0.5f, 0.0f),
+                                 Vector3f(1e5f, 0.5f, 0.0f),
+                                 Vector3f(0.5f, -1e5f, 0.0f),
+                                 Vector3f(0.5f, 0.5f, 1e5f),
+                                 Vector3f(2e9f, 0.5f, 0.0f)})
+    grid.forEachRangeWithin(center, 0.1f, [&](std::uint32_t begin, std::uint32_t end) {
+      ADD_FAILURE() << end - begin << " points at " << center.transpose();
+    });
+}
+
 TEST(PointGrid, PartsVisitInTheOrderOfTheWholeCloudWithFarPoints)
 {
   Random random(47);
@@ -282,8 +298,8 @@ TEST(CentralPoints, AreNearestToTheMiddlesOfCells)
 TEST(CellsAround, HoldAllThatIsNear)
 {
   Random random(11);
-  // Near the origin, off it, and so far that floats are coarser than the cells.
-  for (const double origin : {0.0, -1000.0, 1e9}) {
+  // Near the origin, off it, where cells are few steps of a float, and beyond.
+  for (const double origin : {0.0, -1000.0, 3e5, 1e9}) {
     SCOPED_TRACE(origin);
     constexpr float size = 0.1f;
     CellsAround cells(size);
@@ -308,7 +324,7 @@ TEST(CellsAround, HoldAllThatIsNear)
       EXPECT_TRUE(!is_near || cells.mayHold(point));
       held += cells.mayHold(point) ? 1 : 0;
     }
-    if (origin != 1e9) { // 50 times 27 cells of a million, and as many share slots
+    if (origin < 1e5) { // 50 times 27 cells of a million, and as many share slots
       EXPECT_LT(held, 2U * 2U * 20000U * 50U * 27U / 1000000U);
     }
     for (const Vector3f& place : places)
