@@ -52,10 +52,10 @@ supportOf(const SupportPart& part,
     const bool may_be_on = isOn(node, part.support);
     if (!may_be_on && !isSmear(node, part.support))
       return;
-    const bool is_near =
-        grid.anyWithin(position,
-                       around_spacings * node.spacing,
-                       [](std::uint32_t, const Vector3f&) { return true; });
+    // What is smeared is as near to the support as it is low: not the floor of a bowl.
+    const float reach = (may_be_on ? around_spacings : max_ripple) * node.spacing;
+    const bool is_near = grid.anyWithin(
+        position, reach, [](std::uint32_t, const Vector3f&) { return true; });
     is_on[i] = is_near && may_be_on;
     is_smeared[i] = is_near && !may_be_on;
   });
