@@ -349,8 +349,7 @@ private:
 };
 
 /** What a tile has freed is for the next one. Large blocks would go back to the system,
- * which clears each of their pages when it gives them again: a twentieth of all time.
- */
+ * which clears each of their pages when it gives them again. */
 void
 keepFreedMemory()
 {

@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // PCD files: the header, and the three kinds of data.
 //
-// Why not pcl::PCDReader and PCDWriter: libpcl_io loads all of VTK, 68 libraries
-// instead of 8. `pcl_shape_detect --version` would take 43 ms of processor time instead
-// of 18, pcl_shape_scene's 25 ms instead of 2. Some malformed files also make the
-// reader crash. It is the reference of the tests instead.
+// Why not pcl::PCDReader and PCDWriter: libpcl_io loads some 60 libraries, half of them
+// VTK's. `pcl_shape_detect --version` takes some 20 ms of processor time, and 50 with
+// libpcl_io of PCL 1.13 in LD_PRELOAD; `pcl_shape_scene --version` 2 and 20. Some
+// malformed files also make the reader crash. It is the reference of the tests instead.
 
 #include "io/pcd.h"
 

@@ -264,7 +264,7 @@ ownPlaces(TileDistances own,
 {
   TilePlaces result;
   result.places = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  result.places->reserve(points.size());
+  result.places->reserve(count);
   auto repeat = own.repeats.begin();
   auto place = own.places.begin();
   for (std::size_t i = 0; i < count; ++i)
@@ -369,7 +369,7 @@ ownMeasuredPlacesOf(const TiledCloud& cloud,
 PointBox
 boxOfPlaces(const TiledCloud& cloud, std::size_t tile, const TiledNumbers& numbers)
 {
-  return distancesOf(cloud, numbers.distances, tile).box;
+  return ByteReader(cloud.resultOf(numbers.distances, tile)).take<PointBox>();
 }
 
 } // namespace pcl::app

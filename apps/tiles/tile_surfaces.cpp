@@ -14,6 +14,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
+#include <memory>
 #include <utility>
 
 namespace pcl::app {
@@ -51,22 +53,28 @@ facesOf(const TiledCloud& cloud, std::size_t tile)
   return faces;
 }
 
-/** What other tiles have near a tile. */
-void
-addNeighbors(const TiledCloud& cloud,
-             std::size_t tile,
-             const TiledNumbers& numbers,
-             double resolution,
-             FacesAround& faces)
+/** The same nodes each time: their windows are found in one pass and used in the next.
+ */
+std::unique_ptr<FacesAround>
+facesAround(const TiledCloud& cloud,
+            std::size_t tile,
+            const pcl::PartOfFaces& own,
+            const TiledNumbers& numbers,
+            double resolution,
+            unsigned threads)
 {
+  const PointBox box = boxOfPlaces(cloud, tile, numbers);
+  auto faces = std::make_unique<FacesAround>(
+      own, FacesAround::Box{box.low, box.high}, numbers.of_cloud, threads);
   const double halo =
       haloOf(pcl::reachOf(numbers.of_cloud, pcl::ShapeModel::defaultEdges()).surfaces,
              resolution);
   for (const std::size_t other : cloud.tilesAround(tile, halo)) {
     ByteReader reader(cloud.resultOf(facesName(), other));
     reader.take<std::uint64_t>();
-    faces.add(takeLinked(reader));
+    faces->add(takeLinked(reader));
   }
+  return faces;
 }
 
 Bytes
@@ -77,15 +85,12 @@ windowsOf(const TiledCloud& cloud,
           unsigned threads)
 {
   const TileFaces own = facesOf(cloud, tile);
-  const PointBox box = boxOfPlaces(cloud, tile, numbers);
-  const std::array<std::array<float, 3>, 2> corners{box.low, box.high};
-  const bool is_empty = own.part.piece_of_place.empty(); // its means are of other tiles
-  const pcl::XYZView places{corners[0].data(), 3, is_empty ? 0 : corners.size()};
-  FacesAround faces(own.part, places, numbers.of_cloud, threads);
-  addNeighbors(cloud, tile, numbers, resolution, faces);
+  const auto faces = facesAround(cloud, tile, own.part, numbers, resolution, threads);
   Bytes bytes;
-  for (const std::vector<FacesAround::Window>& of_level : faces.windows())
-    putAll(of_level, bytes);
+  for (const FacesAround::LevelWindows& of_level : faces->windows()) {
+    put(of_level.nodes, bytes);
+    putAll(of_level.windows, bytes);
+  }
   return bytes;
 }
 
@@ -94,8 +99,10 @@ takeWindows(const TiledCloud& cloud, std::size_t tile)
 {
   ByteReader reader(cloud.resultOf(windows_name, tile));
   FacesAround::Windows windows;
-  for (std::vector<FacesAround::Window>& of_level : windows)
-    of_level = reader.takeAll<FacesAround::Window>();
+  for (FacesAround::LevelWindows& of_level : windows) {
+    of_level.nodes = reader.take<std::uint64_t>();
+    of_level.windows = reader.takeAll<FacesAround::Window>();
+  }
   return windows;
 }
 
@@ -109,7 +116,7 @@ noiseOfWindows(const TiledCloud& cloud)
     forEachTile(cloud, [&](std::size_t tile) {
       const FacesAround::Windows windows = takeWindows(cloud, tile);
       for (std::size_t level = 0; level < windows.size(); ++level)
-        for (const FacesAround::Window& window : windows[level])
+        for (const FacesAround::Window& window : windows[level].windows)
           selections[level].add(window.residual, 1);
     });
   };
@@ -208,10 +215,9 @@ surfacesOf(const TiledCloud& cloud,
   TileFaces own = facesOf(cloud, tile);
   if (places.places->empty()) // the means of its voxels are of other tiles
     return {};
-  FacesAround faces(own.part, places.view(), numbers.of_cloud, threads);
-  addNeighbors(cloud, tile, numbers, resolution, faces);
-  const pcl::ShapeField::ConstPtr field =
-      fieldOf(places, faces.likelihoods(noise, takeWindows(cloud, tile)));
+  const auto faces = facesAround(cloud, tile, own.part, numbers, resolution, threads);
+  const pcl::ShapeField::ConstPtr field = fieldOf(
+      places, faces->likelihoods(places.view(), noise, takeWindows(cloud, tile)));
   SurfaceDetector detector;
   detector.setInputCloud(places.places);
   detector.setShapeField(field);

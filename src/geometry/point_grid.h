@@ -34,8 +34,11 @@ public:
   PointGrid(const XYZView& points, float cell, unsigned threads = 1);
 
   /** \param[in] bounds cells are placed in this box: parts of a cloud with its bounds
-   * visit points in the same order as the whole; what is outside is in the nearest cell
-   */
+   * visit points in the same order as the whole. If the box has more cells than fit,
+   * only slabs of space with points are numbered, and cells keep their size. If
+   * millions of points are each far from all others, even these numbers take more than
+   * the 64 bits of a key: then cells grow, and a part may visit points in another
+   * order. */
   PointGrid(const XYZView& points,
             float cell,
             const Bounds& bounds,
@@ -125,7 +128,8 @@ private:
    * \return whether that was possible */
   bool numberSlabs(const XYZView& points);
 
-  /** The cell of a position, the nearest one of the grid if it is outside. */
+  /** The cell of a position: of a point, if slabs are numbered; otherwise of any, and
+   * the nearest one if it is outside of the box. */
   Eigen::Array3i cellOf(const Eigen::Array3f& position) const;
 
   CellBox cellsAround(const Eigen::Vector3f& center, float radius) const;

@@ -91,14 +91,12 @@ private:
   std::uint32_t next_ = 0;
 };
 
-/** The box of some places, grown along each axis; empty of none. */
+/** A box, grown along each axis; that of no places stays empty. */
 struct GrownBox {
-  GrownBox(const XYZView& places, double by)
-  {
-    const Bounds bounds = Bounds::of(places);
-    low = bounds.low.cast<double>() - by;
-    high = bounds.high.cast<double>() + by;
-  }
+  GrownBox(const FacesAround::Box& box, double by)
+  : low(toVector(box.low).cast<double>().array() - by)
+  , high(toVector(box.high).cast<double>().array() + by)
+  {}
 
   bool
   holds(const Place& place) const
@@ -225,20 +223,47 @@ windowOf(std::uint32_t node, const FaceFit& fit)
 {
   return {node,
           fit.residual,
-          {fit.half_width,
-           fit.bulge,
-           fit.bulge_error,
-           fit.inliers,
-           fit.center_offset,
-           fit.center_cosine}};
+          fit.half_width,
+          fit.bulge,
+          fit.bulge_error,
+          fit.inliers,
+          fit.center_offset,
+          fit.center_cosine};
 }
 
 FaceFit
 fitOf(const FacesAround::Window& window)
 {
-  const auto& [half_width, bulge, bulge_error, inliers, offset, cosine] =
-      window.of_quadric;
-  return {half_width, bulge, bulge_error, window.residual, inliers, offset, cosine};
+  return {window.half_width,
+          window.bulge,
+          window.bulge_error,
+          window.residual,
+          window.inliers,
+          window.center_offset,
+          window.center_cosine};
+}
+
+void
+checkPlaces(std::size_t places, const PartOfFaces& part)
+{
+  const std::size_t expected = part.piece_of_place.size();
+  if (places != expected)
+    throw std::invalid_argument("there are " + std::to_string(places) +
+                                " places; expected the part's own, " +
+                                std::to_string(expected));
+}
+
+void
+checkWindows(const FacesAround::Windows& windows, const FacePyramid& faces)
+{
+  for (std::size_t l = 0; l < windows.size(); ++l) {
+    const std::size_t nodes = faces.levels[l].nodes.size();
+    if (windows[l].nodes != nodes)
+      throw std::invalid_argument("the windows of level " + std::to_string(l) +
+                                  " are of " + std::to_string(windows[l].nodes) +
+                                  " nodes, and there are " + std::to_string(nodes) +
+                                  ": the part, its box or the parts around it differ");
+  }
 }
 
 /** Nodes of all levels that some of the first are in. */
@@ -335,10 +360,10 @@ facesOfPart(const ShapeField& edges,
 
 struct FacesAround::State {
   const PartOfFaces& own;
-  XYZView places;
+  Box box; ///< of its own places
   const CloudNumbers& numbers;
   unsigned threads;
-  GrownBox box;                    ///< of what is near
+  GrownBox around;                 ///< it
   std::vector<LinkedPieces> parts; ///< the own one first
 
   float
@@ -376,7 +401,7 @@ struct FacesAround::State {
   std::vector<bool>
   nearNodes(const FacePyramid& faces) const
   {
-    const GrownBox near(places, evidenceReach(numbers));
+    const GrownBox near(box, evidenceReach(numbers));
     std::vector<bool> is_near;
     for (const FaceNode& node : faces.levels.front().nodes)
       is_near.push_back(near.holds(toArray(node.position)));
@@ -384,17 +409,23 @@ struct FacesAround::State {
   }
 };
 
+FacesAround::Box
+FacesAround::Box::of(const XYZView& places)
+{
+  const Bounds bounds = Bounds::of(places);
+  return {toArray(bounds.low), toArray(bounds.high)};
+}
+
 FacesAround::FacesAround(const PartOfFaces& own,
-                         const XYZView& places,
+                         const Box& box,
                          const CloudNumbers& numbers,
                          unsigned threads)
-: state_(
-      new State{own,
-                places,
-                numbers,
-                threads,
-                GrownBox(places, reachOf(numbers, ShapeModel::defaultEdges()).surfaces),
-                {own.linked}})
+: state_(new State{own,
+                   box,
+                   numbers,
+                   threads,
+                   GrownBox(box, reachOf(numbers, ShapeModel::defaultEdges()).surfaces),
+                   {own.linked}})
 {}
 
 FacesAround::~FacesAround() = default;
@@ -402,7 +433,7 @@ FacesAround::~FacesAround() = default;
 void
 FacesAround::add(const LinkedPieces& other)
 {
-  state_->parts.push_back(piecesIn(state_->box, other));
+  state_->parts.push_back(piecesIn(state_->around, other));
 }
 
 FacesAround::Windows
@@ -413,19 +444,24 @@ FacesAround::windows() const
   const auto own = state_->ownOfLevels(assembly, faces);
   Windows windows;
   for (std::size_t l = 0; l < levels; ++l) {
+    windows[l].nodes = faces.levels[l].nodes.size();
     const FaceFits fits = fitsOf(faces, l, own[l], state_->threads);
     for (std::uint32_t node = 0; node < fits.size(); ++node)
       if (fits[node])
-        windows[l].push_back(windowOf(node, *fits[node]));
+        windows[l].windows.push_back(windowOf(node, *fits[node]));
   }
   return windows;
 }
 
 std::vector<std::vector<float>>
-FacesAround::likelihoods(const Noise& noise, const Windows& windows) const
+FacesAround::likelihoods(const XYZView& places,
+                         const Noise& noise,
+                         const Windows& windows) const
 {
+  checkPlaces(places.size, state_->own);
   const Assembly assembly(state_->parts, state_->cell());
   FacePyramid faces = state_->pyramid(assembly);
+  checkWindows(windows, faces);
   const float spacing = state_->numbers.spacing;
   const auto near = withParents(faces, state_->nearNodes(faces));
   const auto own_nodes = state_->ownOfLevels(assembly, faces);
@@ -436,7 +472,7 @@ FacesAround::likelihoods(const Noise& noise, const Windows& windows) const
     for (std::size_t node = 0; node < wanted.size(); ++node)
       of_others[node] = wanted[node] && !own_nodes[l][node];
     fits.push_back(fitsOf(faces, l, of_others, state_->threads));
-    for (const Window& window : windows[l])
+    for (const Window& window : windows[l].windows)
       if (wanted.at(window.node))
         fits[l][window.node] = fitOf(window);
   }
@@ -449,12 +485,8 @@ FacesAround::likelihoods(const Noise& noise, const Windows& windows) const
         piece == PartOfFaces::none ? FacePyramid::none
         : piece < own_pieces       ? assembly.nodesOf(0)[piece]
                              : assembly.nodeAt(own.linked.others[piece - own_pieces]));
-  const FaceEvidence of_faces = evidenceOfFaces(state_->places,
-                                                faces,
-                                                of_nodes,
-                                                spacing,
-                                                boundsOf(state_->numbers),
-                                                state_->threads);
+  const FaceEvidence of_faces = evidenceOfFaces(
+      places, faces, of_nodes, spacing, boundsOf(state_->numbers), state_->threads);
   std::vector<float> values = joinedEvidence(own.of_model, of_faces);
   const ShapeModel& model = ShapeModel::defaultSurfaces();
   toPosteriors(model, values);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Files that are complete or absent, with a checksum.  The applications' AtomicFile is
-// another thing: it cleans up on signals, follows links and keeps permissions. Here the
-// next run removes what a killed one has left.
+// Files that are complete or absent, with a checksum.
+//
+// The applications' AtomicFile is another thing: it cleans up on signals, follows links
+// and keeps permissions. Here the next run removes what a killed one has left.
 
 #include "tiling/checked_file.h"
 

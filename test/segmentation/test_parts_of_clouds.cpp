@@ -358,8 +358,8 @@ protected:
   forEachFaces(const Use& use) const
   {
     for (const Part& part : parts) {
-      const XYZView places = detail::xyzOf(part.own);
-      FacesAround faces(part.faces, places, numbers, 1);
+      const auto box = FacesAround::Box::of(detail::xyzOf(part.own));
+      FacesAround faces(part.faces, box, numbers, 1);
       for (const Part& other : parts)
         if (&other != &part)
           faces.add(other.faces.linked);
@@ -374,7 +374,7 @@ protected:
     forEachFaces([&](const Part&, const FacesAround& faces) {
       const FacesAround::Windows of_part = faces.windows();
       for (std::size_t l = 0; l < residuals.size(); ++l)
-        for (const FacesAround::Window& window : of_part[l])
+        for (const FacesAround::Window& window : of_part[l].windows)
           residuals[l].push_back(window.residual);
     });
     FacesAround::Noise noise{};
@@ -398,7 +398,7 @@ TEST_F(PartsOfClouds, HaveTheSurfacesOfTheWhole)
   std::size_t compared = 0;
   forEachFaces([&](const Part& part, const FacesAround& faces) {
     const std::vector<std::vector<float>> likelihoods =
-        faces.likelihoods(noise, faces.windows());
+        faces.likelihoods(detail::xyzOf(part.own), noise, faces.windows());
     ASSERT_EQ(likelihoods.size(), whole->likelihoods.size());
     for (std::size_t c = 0; c < likelihoods.size(); ++c)
       EXPECT_TRUE(sameBits(likelihoods[c], ofWhole(part, c))) << "class " << c;
@@ -416,10 +416,25 @@ TEST_F(PartsOfClouds, HaveOtherSurfacesWithoutWhatIsAround)
   const FacesAround::Noise noise = noiseOfFaces();
   for (const Part& part : parts) {
     const XYZView places = detail::xyzOf(part.own);
-    const FacesAround alone(part.faces, places, numbers, 1);
-    EXPECT_FALSE(sameBits(alone.likelihoods(noise, alone.windows())[curved],
+    const FacesAround alone(part.faces, FacesAround::Box::of(places), numbers, 1);
+    EXPECT_FALSE(sameBits(alone.likelihoods(places, noise, alone.windows())[curved],
                           ofWhole(part, curved)));
   }
+}
+
+TEST_F(PartsOfClouds, RefuseWindowsOfOtherNodesAndOtherPlaces)
+{
+  const FacesAround::Noise noise{};
+  forEachFaces([&](const Part& part, const FacesAround& faces) {
+    const XYZView places = detail::xyzOf(part.own);
+    const FacesAround alone(part.faces, FacesAround::Box::of(places), numbers, 1);
+    EXPECT_THROW(faces.likelihoods(places, noise, alone.windows()),
+                 std::invalid_argument);
+    EXPECT_THROW(faces.likelihoods({places.first, places.stride, places.size - 1},
+                                   noise,
+                                   faces.windows()),
+                 std::invalid_argument);
+  });
 }
 
 TEST_F(PartsOfClouds, HaveTheInstancesOfTheWhole)

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -72,11 +73,23 @@ public:
   /** \brief For each level the noise of the whole cloud, meters. */
   using Noise = std::array<float, levels>;
 
-  /** \brief The arguments are not copied: they must outlive this. \param[in] own of the
-   * part \param[in] places the part's own, three coordinates each \param[in] numbers of
-   * the whole cloud \param[in] threads 0 for all cores */
+  /** \brief The box that holds places; by default of none. */
+  struct Box {
+    std::array<float, 3> low{far, far, far}, high{-far, -far, -far};
+
+    /** \param[in] places three coordinates each; those that are not finite are left out
+     */
+    PCL_SHAPE_EXPORTS static Box of(const XYZView& places);
+
+  private:
+    static constexpr float far = std::numeric_limits<float>::infinity();
+  };
+
+  /** \brief The part and the numbers are not copied: they must outlive this.
+   * \param[in] own of the part \param[in] box of the part's own places
+   * \param[in] numbers of the whole cloud \param[in] threads 0 for all cores */
   FacesAround(const PartOfFaces& own,
-              const XYZView& places,
+              const Box& box,
               const CloudNumbers& numbers,
               unsigned threads);
   ~FacesAround();
@@ -89,23 +102,39 @@ public:
 
   /** \brief How a window of the part's own pieces bends. */
   struct Window {
-    std::uint32_t node = 0;            ///< in its middle
-    float residual = 0.0f;             ///< how far it is from a quadric, meters
-    std::array<float, 6> of_quadric{}; ///< size, bulge and error, inliers, its middle
+    std::uint32_t node = 0;     ///< in its middle, of those of the level
+    float residual = 0.0f;      ///< of its nodes from a quadric, r.m.s., meters
+    float half_width = 0.0f;    ///< in the direction in which it bends, meters
+    float bulge = 0.0f;         ///< of the quadric out of a plane there, meters
+    float bulge_error = 0.0f;   ///< standard error of that, meters
+    float inliers = 0.0f;       ///< share of the nodes that count
+    float center_offset = 0.0f; ///< of its middle from the quadric, meters
+    float center_cosine = 0.0f; ///< of the angle between their normals
+  };
+
+  /** \brief The windows of one level. */
+  struct LevelWindows {
+    std::uint64_t nodes = 0;     ///< how many the level has, of the part and around it
+    std::vector<Window> windows; ///< of the part's own nodes
   };
 
   /** \brief Those of each level. */
-  using Windows = std::array<std::vector<Window>, levels>;
+  using Windows = std::array<LevelWindows, levels>;
 
-  /** \brief Of the windows of all parts rankOfNoise() chooses a residual. */
+  /** \brief The windows of the part's own pieces. The noise of the cloud follows from
+   * the residuals of all parts, see rankOfNoise(). */
   Windows windows() const;
 
   /** \brief For each class of ShapeModel::defaultSurfaces() the posterior of each of
    * the part's own places; NaN unknown.
+   * \param[in] places the part's own, in the order of PartOfFaces::piece_of_place
    * \param[in] noise of the cloud \param[in] windows those of windows(), which are not
-   * found again */
-  std::vector<std::vector<float>> likelihoods(const Noise& noise,
-                                              const Windows& windows) const;
+   * found again: of this object, or of another one with the same part, the same box and
+   * the same other parts, as they name nodes by their numbers
+   * \throws std::invalid_argument if there are more or fewer places than the part has,
+   * or if windows are of another number of nodes */
+  std::vector<std::vector<float>>
+  likelihoods(const XYZView& places, const Noise& noise, const Windows& windows) const;
 
   /** \brief The noise of a cloud is the residual of all parts that so many others are
    * below; it is 0 if there is none. \param[in] residuals how many all parts have */
