@@ -4,15 +4,17 @@
 
 #include "instances/hidden_parts.h"
 
-#include "common/finite.h"
+#include "common/parallel.h"
 #include "common/quiet.h"
-#include "geometry/point_grid.h"
 #include "geometry/principal_axes.h"
 #include "instances/instance_primitive.h"
+#include "instances/lines_of_sight.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -32,13 +34,9 @@ constexpr float same_direction = 0.966f; // cosine of 15 degrees
 constexpr float other_direction = 0.94f; // of 20: as flat as one face may be
 constexpr float max_tilt = 0.035f;       // of 2 degrees: noise
 constexpr float max_radius_ratio = 1.25f;
-
-constexpr std::size_t max_ends = 150;         // points of a face that lines begin at
-constexpr std::size_t lines = 12, places = 8; // between two faces, and on each line
-constexpr float before = 3.0f; // in spacings: beyond the noise of a far point
-// Beside what is nearer some sensors see nothing; what is farther is seen past the end
-// of a body, but for the points that fly at its border.
-constexpr float min_covered = 0.5f, max_beyond = 0.1f;
+// Of the lengths of both faces together: each surface is extended by its own length,
+// where the error of its direction puts it off three times as far as at its own end.
+constexpr float max_gap = 1.0f;
 
 Vector3f
 directionOf(const ShapePrimitive& surface)
@@ -94,8 +92,9 @@ angleBetween(const ShapePrimitive& a, const ShapePrimitive& b)
   return std::acos(std::min(1.0f, cosine));
 }
 
-/** No more tilted to one of two than these are to each other: a plane through two
- * levels is. */
+/** Whether the direction of a surface through two faces differs from that of each no
+ * more than theirs differ. A plane that rises from one face to a higher, parallel one
+ * is tilted to both. */
 bool
 isBetween(const ShapePrimitive& one, const ShapePrimitive& a, const ShapePrimitive& b)
 {
@@ -104,132 +103,12 @@ isBetween(const ShapePrimitive& one, const ShapePrimitive& a, const ShapePrimiti
          std::max(angleBetween(one, a), angleBetween(one, b)) < limit;
 }
 
-/** What the ray from the viewpoint to a place meets. */
-enum class Sight { Nothing, Nearer, There, Beyond };
-
-/** Lines between two faces, and what is seen along them. */
-class LinesOfSight {
-public:
-  LinesOfSight(const InstanceInput& input, const Members& from, const Members& to)
-  : input_(input)
-  {
-    const Members starts = some(from), ends = some(to);
-    std::vector<std::pair<float, std::pair<std::uint32_t, std::uint32_t>>> pairs;
-    for (const std::uint32_t i : starts) {
-      const Vector3f start = positionOf(input.points, i);
-      float nearest = std::numeric_limits<float>::infinity();
-      std::uint32_t end = ends.front();
-      for (const std::uint32_t k : ends) {
-        const float squared = (positionOf(input.points, k) - start).squaredNorm();
-        if (squared < nearest) {
-          nearest = squared;
-          end = k;
-        }
-      }
-      pairs.push_back({nearest, {i, end}});
-    }
-    std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) {
-      return a.first < b.first;
-    });
-    pairs.resize(std::min(lines, pairs.size()));
-    for (const auto& [distance, pair] : pairs)
-      addLine(pair.first, pair.second);
-  }
-
-  /** Whether something nearer hides what is between the faces. */
-  bool
-  areHidden() const
-  {
-    const Members near = pointsInView();
-    std::size_t covered = 0, beyond = 0;
-    for (const Place& place : places_) {
-      const Sight sight = sightAt(place, near);
-      covered += sight == Sight::Nearer ? 1 : 0;
-      beyond += sight == Sight::Beyond ? 1 : 0;
-    }
-    const auto all = static_cast<float>(places_.size());
-    return static_cast<float>(covered) >= min_covered * all &&
-           static_cast<float>(beyond) <= max_beyond * all;
-  }
-
-private:
-  struct Place {
-    Vector3f direction; ///< unit, from the viewpoint
-    float distance;     ///< from it
-    float spacing;
-  };
-
-  static Members
-  some(const Members& members)
-  {
-    const std::size_t step = (members.size() + max_ends - 1) / max_ends;
-    Members chosen;
-    for (std::size_t k = 0; k < members.size(); k += step)
-      chosen.push_back(members[k]);
-    return chosen;
-  }
-
-  void
-  addLine(std::uint32_t from, std::uint32_t to)
-  {
-    const Vector3f start = positionOf(input_.points, from) - input_.view_point;
-    const Vector3f end = positionOf(input_.points, to) - input_.view_point;
-    const float spacing = std::max(input_.spacings[from], input_.spacings[to]);
-    for (std::size_t k = 1; k <= places; ++k) {
-      const float share = static_cast<float>(k) / static_cast<float>(places + 1);
-      const Vector3f place = start + share * (end - start);
-      places_.push_back({place.normalized(), place.norm(), spacing});
-    }
-  }
-
-  /** The points in the cone around all places. */
-  Members
-  pointsInView() const
-  {
-    Vector3f axis = Vector3f::Zero();
-    for (const Place& place : places_)
-      axis += place.direction;
-    axis.normalize();
-    float min_cosine = 1.0f, spacing = 0.0f;
-    for (const Place& place : places_) {
-      min_cosine = std::min(min_cosine, axis.dot(place.direction));
-      spacing = std::max(spacing, place.spacing / place.distance);
-    }
-    const float angle = std::acos(std::min(1.0f, min_cosine)) + 2.0f * spacing;
-    Members near;
-    for (std::uint32_t i = 0; i < input_.points.size; ++i) {
-      if (!kernels::isFinite(input_.points[i]))
-        continue;
-      const Vector3f from = positionOf(input_.points, i) - input_.view_point;
-      if (from.dot(axis) > std::cos(angle) * from.norm())
-        near.push_back(i);
-    }
-    return near;
-  }
-
-  Sight
-  sightAt(const Place& place, const Members& near) const
-  {
-    float nearest = std::numeric_limits<float>::infinity();
-    for (const std::uint32_t i : near) {
-      const Vector3f from = positionOf(input_.points, i) - input_.view_point;
-      const float along = from.dot(place.direction);
-      const float aside = (from - along * place.direction).squaredNorm();
-      if (along > 0.0f && aside < input_.spacings[i] * input_.spacings[i])
-        nearest = std::min(nearest, along);
-    }
-    if (!std::isfinite(nearest))
-      return Sight::Nothing;
-    const float step = before * place.spacing;
-    return nearest < place.distance - step   ? Sight::Nearer
-           : nearest > place.distance + step ? Sight::Beyond
-                                             : Sight::There;
-  }
-
-  const InstanceInput& input_;
-  std::vector<Place> places_;
+/** A face of one group and the face of another that goes on with its surface. */
+struct FacePair {
+  std::size_t first, second;
 };
 
+/** Groups of faces, and which of them are one body. */
 class HiddenParts {
 public:
   HiddenParts(const InstanceInput& input,
@@ -237,57 +116,126 @@ public:
               const std::vector<Face>& properties,
               const Labels& groups)
   : input_(input)
+  , spacing_(medianSpacing(input))
   , properties_(properties)
   , members_(membersInOrder(input, faces, properties.size(), [&](std::uint32_t i) {
     return mayJoin(static_cast<std::size_t>(faces[i]), groups);
   }))
   {
+    for (const Members& members : members_) {
+      boxes_.emplace_back();
+      for (const std::uint32_t i : members)
+        boxes_.back().extend(positionOf(input.points, i));
+    }
+    std::map<std::int32_t, std::vector<std::size_t>> faces_of;
     for (std::size_t f = 0; f < groups.size(); ++f)
       if (mayJoin(f, groups))
-        faces_of_[groups[f]].push_back(f);
+        faces_of[groups[f]].push_back(f);
+    for (auto& [group, its_faces] : faces_of)
+      groups_.push_back({group, std::move(its_faces)});
   }
 
   void
   join(Labels& groups) const
   {
-    for (auto a = faces_of_.begin(); a != faces_of_.end(); ++a)
-      for (auto b = std::next(a); b != faces_of_.end(); ++b) {
-        const std::int32_t first = groups[a->second.front()];
-        const std::int32_t second = groups[b->second.front()];
-        if (first != second && areOne(a->second, b->second))
-          std::replace(groups.begin(),
-                       groups.end(),
-                       std::max(first, second),
-                       std::min(first, second));
-      }
+    const std::vector<Continuation> continuations = allContinuations();
+    if (continuations.empty())
+      return;
+    const SeenDirections seen(input_);
+    std::vector<char> are_hidden(continuations.size());
+    kernels::parallelFor(continuations.size(), input_.threads, [&](std::size_t k) {
+      const std::vector<FacePair>& pairs = continuations[k].pairs;
+      are_hidden[k] =
+          std::all_of(pairs.begin(), pairs.end(), [&](const FacePair& pair) {
+            return linesBetween(pair).areHidden(seen);
+          });
+    });
+    for (std::size_t k = 0; k < continuations.size(); ++k) {
+      const std::int32_t first = groups[continuations[k].first];
+      const std::int32_t second = groups[continuations[k].second];
+      if (are_hidden[k])
+        std::replace(groups.begin(),
+                     groups.end(),
+                     std::max(first, second),
+                     std::min(first, second));
+    }
   }
 
 private:
+  struct Group {
+    std::int32_t label;
+    std::vector<std::size_t> faces;
+  };
+
+  /** Two groups whose surfaces go on from one to the other. */
+  struct Continuation {
+    std::size_t first, second; ///< a face of each
+    std::vector<FacePair> pairs;
+  };
+
   bool
   mayJoin(std::size_t face, const Labels& groups) const
   {
     return groups[face] >= 0 && properties_[face].points >= min_points;
   }
 
-  bool
-  areOne(const std::vector<std::size_t>& first,
-         const std::vector<std::size_t>& second) const
+  /** Of all pairs of groups, in their order. */
+  std::vector<Continuation>
+  allContinuations() const
   {
-    std::vector<std::pair<std::size_t, std::size_t>> planes;
+    std::vector<std::vector<Continuation>> of_groups(groups_.size());
+    kernels::parallelFor(groups_.size(), input_.threads, [&](std::size_t a) {
+      for (std::size_t b = a + 1; b < groups_.size(); ++b) {
+        std::vector<FacePair> pairs = pairsThatGoOn(groups_[a].faces, groups_[b].faces);
+        if (!pairs.empty())
+          of_groups[a].push_back(
+              {groups_[a].faces.front(), groups_[b].faces.front(), std::move(pairs)});
+      }
+    });
+    std::vector<Continuation> all;
+    for (std::vector<Continuation>& of_group : of_groups)
+      std::move(of_group.begin(), of_group.end(), std::back_inserter(all));
+    return all;
+  }
+
+  /** One pair of curved faces, or two of planes in two directions; else none. */
+  std::vector<FacePair>
+  pairsThatGoOn(const std::vector<std::size_t>& first,
+                const std::vector<std::size_t>& second) const
+  {
+    std::vector<FacePair> planes;
     for (const std::size_t a : first)
       for (const std::size_t b : second) {
-        if (!areAlike(properties_[a], properties_[b]) || !areOneSurface(a, b))
+        if (!areAlike(properties_[a], properties_[b]) || !areNear({a, b}) ||
+            !areOneSurface(a, b))
           continue;
-        if (properties_[a].surface.type != PrimitiveType::Plane)
-          return areHidden(a, b);
-        for (const auto& [other_a, other_b] : planes)
-          if (std::abs(directionOf(properties_[a].surface)
-                           .dot(directionOf(properties_[other_a].surface))) <
-              other_direction)
-            return areHidden(a, b) && areHidden(other_a, other_b);
+        const ShapePrimitive& surface = properties_[a].surface;
+        if (surface.type != PrimitiveType::Plane)
+          return {{a, b}};
+        for (const FacePair& other : planes)
+          if (std::abs(directionOf(surface).dot(
+                  directionOf(properties_[other.first].surface))) < other_direction)
+            return {{a, b}, other};
         planes.push_back({a, b});
       }
-    return false;
+    return {};
+  }
+
+  LinesOfSight
+  linesBetween(const FacePair& pair) const
+  {
+    return LinesOfSight(input_, members_[pair.first], members_[pair.second]);
+  }
+
+  bool
+  areNear(const FacePair& pair) const
+  {
+    const double lengths =
+        properties_[pair.first].length + properties_[pair.second].length;
+    const float limit = max_gap * spacing_ * static_cast<float>(lengths);
+    // Boxes are no farther apart than what they hold, and take less time.
+    return boxes_[pair.first].exteriorDistance(boxes_[pair.second]) <= limit &&
+           linesBetween(pair).gap() <= limit;
   }
 
   /** One primitive describes both nearly as well as it must describe one. */
@@ -313,16 +261,12 @@ private:
            one.residual < off_both * stepLimit(input_) && isBetween(one, first, second);
   }
 
-  bool
-  areHidden(std::size_t a, std::size_t b) const
-  {
-    return LinesOfSight(input_, members_[a], members_[b]).areHidden();
-  }
-
   const InstanceInput& input_;
+  float spacing_;
   const std::vector<Face>& properties_;
   std::vector<Members> members_;
-  std::map<std::int32_t, std::vector<std::size_t>> faces_of_;
+  std::vector<Eigen::AlignedBox3f> boxes_; ///< around the members
+  std::vector<Group> groups_;              ///< by their labels
 };
 
 } // namespace

@@ -14,8 +14,10 @@ namespace pcl::segmentation {
  *
  * Only at the ends of the rim can a sensor see them meet. So their shapes decide: the
  * inside is concave, both face away from or towards one axis at about the same
- * distance, and their rims are equally high. \param[in] up the normal of what they
- * stand on \param[in,out] labels of the objects */
+ * distance, and the inside ends at most 0.3 of the height above the outside's rim,
+ * and at most half of it below, as where the image cuts it off.
+ * \param[in] up the normal of what they stand on
+ * \param[in,out] labels of the objects */
 void joinInsides(const detail::InstanceInput& input,
                  const Eigen::Vector3f& up,
                  Labels& labels);

@@ -58,8 +58,8 @@ public:
 
 private:
   static constexpr std::int32_t several = -1;
-  static constexpr int axis_bits =
-      21; // of a key; what is farther shares the last cells
+  // Of a key; what is farther shares the last cells.
+  static constexpr int axis_bits = 21;
 
   Eigen::Array3i
   cellOf(const Eigen::Vector3f& position) const

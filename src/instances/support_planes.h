@@ -18,7 +18,8 @@ struct Support {
   Plane<float> plane;                ///< the normal is towards the viewpoint
   float offset = 0.0f;               ///< how far its points are off, in spacings
   std::vector<std::uint32_t> points; ///< on it, and on no other one
-  /** Little before it, where things touch it: of no object, whatever face they are of. */
+  /** A little above the plane where things touch it, as cameras smear it there. They
+   * are of no object, though they may be of an object's face. */
   std::vector<std::uint32_t> smeared;
 };
 

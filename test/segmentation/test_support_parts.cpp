@@ -116,23 +116,70 @@ floorWithBump(double height)
   return floor;
 }
 
-std::size_t
-pointsOfSupports(const pcl::test::Surface& surface)
+std::vector<Support>
+supportsOf(const pcl::test::Surface& surface)
 {
   const pcl::detail::InstanceInput input = pcl::test::inputOf(surface);
-  const PointGrid grid(input.points, 1.5f);
-  std::size_t points = 0;
-  for (const Support& support :
-       supportPlanes(input, grid, std::vector<char>(surface.size(), 1)))
-    points += support.points.size() + support.smeared.size();
-  return points;
+  return supportPlanes(
+      input, PointGrid(input.points, 1.5f), std::vector<char>(surface.size(), 1));
 }
 
-TEST(SupportPlanes, HaveWhatIsSmearedWhereThingsTouchThem)
+TEST(SupportPlanes, KnowWhatIsSmearedWhereThingsTouchThem)
 {
-  const auto low = floorWithBump(1.2), high = floorWithBump(3.0);
-  EXPECT_EQ(low.size(), pointsOfSupports(low));
-  EXPECT_LT(pointsOfSupports(high), high.size() - 100) << "high and steep";
+  const auto floor = floorWithBump(1.2);
+  const std::vector<Support> supports = supportsOf(floor);
+  ASSERT_EQ(1u, supports.size());
+  const Support& support = supports.front();
+  EXPECT_EQ(floor.size(), support.points.size() + support.smeared.size());
+  ASSERT_FALSE(support.smeared.empty());
+  const auto heightOf = [&](std::uint32_t i) {
+    return support.plane.distance(floor.position(i).cast<float>());
+  };
+  for (const std::uint32_t i : support.smeared) {
+    EXPECT_GE(heightOf(i), support.offset) << "higher than what is on the plane";
+    EXPECT_LT(heightOf(i), max_ripple);
+  }
+  for (const std::uint32_t i : support.points)
+    EXPECT_LT(heightOf(i), support.offset);
+}
+
+TEST(SupportPlanes, HaveNothingOfWhatIsHighAndSteep)
+{
+  const auto floor = floorWithBump(3.0);
+  const std::vector<Support> supports = supportsOf(floor);
+  ASSERT_EQ(1u, supports.size());
+  EXPECT_LT(supports[0].points.size() + supports[0].smeared.size(), floor.size() - 100);
+}
+
+/** \brief Four walls and a lid, 10 wide, that stand on a bump. */
+pcl::test::Surface
+boxOnABump()
+{
+  using Eigen::Vector3d;
+  const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
+  pcl::test::Surface box = pcl::test::floorPatch(-5, -5, 10, 21, 21);
+  box.append(pcl::test::patch({-5, -5, 1}, x, z, 21, 18));
+  box.append(pcl::test::patch({5, 5, 1}, -x, z, 21, 18));
+  box.append(pcl::test::patch({5, -5, 1}, y, z, 21, 18));
+  box.append(pcl::test::patch({-5, 5, 1}, -y, z, 21, 18));
+  return box;
+}
+
+TEST(SupportPlanes, WhatIsSmearedIsOfNoObject)
+{
+  const auto scene = pcl::test::together(floorWithBump(1.2), boxOnABump());
+  pcl::detail::InstanceInput input = pcl::test::inputOf(scene);
+  input.view_point = {0.0f, 0.0f, 1000.0f};
+  pcl::InstanceLimits limits;
+  limits.min_points = 100;
+  const Labels labels = pcl::detail::findObjects(input, limits);
+  const std::size_t of_floor = scene.size() - boxOnABump().size();
+  EXPECT_EQ(0, labels[of_floor]) << "the lid";
+  const std::vector<Support> supports = supportsOf(scene);
+  ASSERT_EQ(1u, supports.size());
+  ASSERT_FALSE(supports[0].smeared.empty());
+  for (const std::uint32_t i : supports[0].smeared)
+    EXPECT_EQ(-1, labels[i]) << scene.position(i).transpose();
 }
 
 } // namespace

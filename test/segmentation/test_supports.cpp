@@ -185,7 +185,7 @@ addPost(Setting& setting)
   setting.things.push_back(addBox(setting, {0, -0.02, 0.72}, {0.07, 0.05, 0.24}));
 }
 
-/** \brief Of a box the two ends are seen. */
+/** \brief The post hides the middle of a box. */
 Setting
 boxBehindAPost()
 {
@@ -195,7 +195,7 @@ boxBehindAPost()
   return setting;
 }
 
-/** \brief Likewise of a cylinder that lies. */
+/** \brief Or of a cylinder that lies on its side. */
 Setting
 cylinderBehindAPost()
 {
