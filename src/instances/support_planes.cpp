@@ -23,7 +23,9 @@ using Nodes = std::vector<SurfaceNode>;
 
 constexpr float max_bend = 8.0f;     // of a plane at the corners of an image
 constexpr float same_normal = 0.94f; // cosine of 20 degrees
-constexpr double patch_share = 0.8;  // of a face's points, as some are at its borders
+// From the support, half of a stereo camera's window: not the floor of a bowl.
+constexpr float smear_spacings = 3.0f;
+constexpr double patch_share = 0.8; // of a face's points, as some are at its borders
 
 /** Raised by what touches it, as by a stereo camera, which finds one depth for a
  * window: lower than what is told from a support, and nearly parallel to it. */
@@ -52,8 +54,7 @@ supportOf(const SupportPart& part,
     const bool may_be_on = isOn(node, part.support);
     if (!may_be_on && !isSmear(node, part.support))
       return;
-    // What is smeared is as near to the support as it is low: not the floor of a bowl.
-    const float reach = (may_be_on ? around_spacings : max_ripple) * node.spacing;
+    const float reach = (may_be_on ? around_spacings : smear_spacings) * node.spacing;
     const bool is_near = grid.anyWithin(
         position, reach, [](std::uint32_t, const Vector3f&) { return true; });
     is_on[i] = is_near && may_be_on;
