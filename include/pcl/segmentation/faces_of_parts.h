@@ -75,7 +75,8 @@ public:
 
   /** \brief The box that holds places; by default of none. */
   struct Box {
-    std::array<float, 3> low{far, far, far}, high{-far, -far, -far};
+    std::array<float, 3> low{far, far, far};     ///< least x, y and z, meters
+    std::array<float, 3> high{-far, -far, -far}; ///< largest x, y and z, meters
 
     /** \param[in] places three coordinates each; those that are not finite are left out
      */
