@@ -7,9 +7,9 @@
 #include "common/finite.h"
 #include "common/parallel.h"
 #include "common/statistics.h"
+#include "features/normal_scatter.h"
+#include "features/sensor_steps.h"
 #include "features/some_points.h"
-#include "geometry/cells_around.h"
-#include "geometry/point_grid.h"
 
 #include <pcl/features/impl/neighborhoods.hpp>
 
@@ -56,151 +56,15 @@ crossing(double low, float at_low, double high, float at_high)
   return low + share * (high - low);
 }
 
-/** The points that are nearer than a reach to chosen ones, and others. */
-pcl::Indices
-pointsNear(const pcl::Indices& chosen,
-           const XYZView& points,
-           float reach,
-           unsigned threads)
+constexpr double most_radius = inad_radius + inad_radius_noise * levels.back();
+
+/** With the radii for a noise. */
+std::vector<float>
+anglesAt(double noise, const NormalScatter& scatter)
 {
-  CellsAround cells(reach);
-  for (const pcl::index_t i : chosen)
-    cells.add(positionOf(points, static_cast<std::size_t>(i)));
-  return kernels::collectForEach<pcl::index_t>(
-      static_cast<std::uint32_t>(points.size),
-      threads,
-      [&](std::uint32_t i, pcl::Indices& near) {
-        if (kernels::isFinite(points[i]) && cells.mayHold(positionOf(points, i)))
-          near.push_back(static_cast<pcl::index_t>(i));
-      });
+  return scatter(normal_radius + normal_radius_noise * noise,
+                 inad_radius + inad_radius_noise * noise);
 }
-
-/** Measures how far normals differ around some points. */
-class NormalScatter {
-public:
-  NormalScatter(const Neighborhoods& neighborhoods,
-                const std::vector<float>& spacings,
-                pcl::Indices chosen,
-                unsigned threads)
-  : neighborhoods_(neighborhoods)
-  , spacings_(spacings)
-  , chosen_(std::move(chosen))
-  {
-    if (chosen_.empty())
-      return;
-    std::vector<float> reaches = radiiOf(chosen_, inadRadius(levels.back()));
-    near_ = pointsNear(chosen_,
-                       neighborhoods.input(),
-                       rounding * *std::max_element(reaches.begin(), reaches.end()),
-                       threads);
-    places_ = placesOf(near_);
-    chosen_among_near_ = positionsAmong(near_);
-    const float cell = median(std::move(reaches));
-    grid_.emplace(XYZView{places_.data()->data(), 3, places_.size()}, cell);
-  }
-
-  /** Radians, with the radii for a noise; NaN where no neighbor has a normal. */
-  std::vector<float>
-  operator()(double noise) const
-  {
-    if (chosen_.empty())
-      return {};
-    const std::vector<float> radii = radiiOf(chosen_, inadRadius(noise));
-    const pcl::Indices near = neighborsOf(radii);
-    const std::vector<float> normal_radii =
-        radiiOf(near, normal_radius + normal_radius_noise * noise);
-    std::vector<float> normals(4 * near.size());
-    neighborhoods_.among(near).computeNormals(
-        NeighborhoodSize::ofRadii(normal_radii.data()),
-        normals.data(),
-        normals.data() + 3,
-        4);
-    std::vector<float> mu_sigma(2 * chosen_.size());
-    const std::vector<Eigen::Vector3f> places = placesOf(near);
-    const XYZView cloud{places.data()->data(), 3, places.size()};
-    const pcl::Indices chosen = positionsAmong(near);
-    constexpr unsigned threads = 1; // for few points
-    Neighborhoods(cloud, cloud, chosen, threads)
-        .computeINAD(NeighborhoodSize::ofRadii(radii.data()),
-                     {normals.data(), 4, near.size()},
-                     0.0,
-                     mu_sigma.data());
-    std::vector<float> mu;
-    for (std::size_t k = 0; k < chosen_.size(); ++k)
-      mu.push_back(mu_sigma[2 * k]);
-    return mu;
-  }
-
-private:
-  // So that rounding does not decide whose normals are needed.
-  static constexpr float rounding = 1.001f;
-
-  static double
-  inadRadius(double noise)
-  {
-    return inad_radius + inad_radius_noise * noise;
-  }
-
-  /** The chosen points, and those that their INAD needs the normals of. */
-  pcl::Indices
-  neighborsOf(const std::vector<float>& radii) const
-  {
-    std::vector<bool> is_needed(near_.size(), false);
-    for (std::size_t k = 0; k < radii.size(); ++k) {
-      const auto at = static_cast<std::size_t>(chosen_among_near_[k]);
-      is_needed[at] = true; // even if squares of the radii are 0
-      grid_->forEachWithin(places_[at],
-                           rounding * radii[k],
-                           [&](std::uint32_t i, float) { is_needed[i] = true; });
-    }
-    pcl::Indices needed;
-    for (std::size_t i = 0; i < near_.size(); ++i)
-      if (is_needed[i])
-        needed.push_back(near_[i]);
-    return needed;
-  }
-
-  std::vector<Eigen::Vector3f>
-  placesOf(const pcl::Indices& points) const
-  {
-    std::vector<Eigen::Vector3f> places;
-    places.reserve(points.size());
-    for (const pcl::index_t i : points)
-      places.push_back(positionOf(neighborhoods_.input(), static_cast<std::size_t>(i)));
-    return places;
-  }
-
-  /** Where the chosen points are among others that hold them, in ascending order. */
-  pcl::Indices
-  positionsAmong(const pcl::Indices& points) const
-  {
-    pcl::Indices positions;
-    positions.reserve(chosen_.size());
-    for (const pcl::index_t i : chosen_)
-      positions.push_back(static_cast<pcl::index_t>(
-          std::lower_bound(points.begin(), points.end(), i) - points.begin()));
-    return positions;
-  }
-
-  std::vector<float>
-  radiiOf(const pcl::Indices& indices, double count) const
-  {
-    std::vector<float> radii;
-    radii.reserve(indices.size());
-    for (const pcl::index_t i : indices)
-      radii.push_back(static_cast<float>(count) *
-                      spacings_[static_cast<std::size_t>(i)]);
-    return radii;
-  }
-
-  const Neighborhoods& neighborhoods_;
-  const std::vector<float>& spacings_;
-  pcl::Indices chosen_;
-  pcl::Indices near_; ///< those whose normals some level may need, and others
-  pcl::Indices chosen_among_near_; ///< where the chosen ones are there
-  std::vector<Vector3f> places_;   ///< of these
-  std::optional<PointGrid> grid_;  ///< of these, if any
-};
 
 /** Those on the flattest part of a cloud, 0 if nothing is known. */
 float
@@ -318,10 +182,20 @@ noiseLevelOf(const Neighborhoods& neighborhoods,
              double noise,
              unsigned threads)
 {
-  const NormalScatter scatter(
-      neighborhoods, spacings, somePoints(neighborhoods.input(), some), threads);
+  const NormalScatter scatter(neighborhoods,
+                              spacings,
+                              somePoints(neighborhoods.input(), some),
+                              most_radius,
+                              threads);
+  const auto angles = [&](std::size_t level) {
+    return finiteOf(anglesAt(levels[level], scatter));
+  };
+  const std::vector<float> first = angles(0);
+  if (!first.empty() && median(first) <= stable &&
+      areOnWideSteps(neighborhoods, spacings, threads))
+    return {max_noise, 1.0};
   return levelOf(noise, [&](std::size_t level) {
-    return flattestOf(finiteOf(scatter(levels[level])));
+    return flattestOf(level == 0 ? first : angles(level));
   });
 }
 
@@ -332,9 +206,12 @@ shareUnknown(const Neighborhoods& neighborhoods,
              double noise_level,
              unsigned threads)
 {
-  const NormalScatter scatter(
-      neighborhoods, spacings, somePoints(neighborhoods.input(), points), threads);
-  const std::vector<float> angles = scatter(noise_level);
+  const NormalScatter scatter(neighborhoods,
+                              spacings,
+                              somePoints(neighborhoods.input(), points),
+                              most_radius,
+                              threads);
+  const std::vector<float> angles = anglesAt(noise_level, scatter);
   const auto unknown = std::count_if(
       angles.begin(), angles.end(), [](float angle) { return std::isnan(angle); });
   return angles.empty()
@@ -354,10 +231,10 @@ normalAngles(const pcl::Indices& chosen,
              const std::vector<float>& spacings,
              unsigned threads)
 {
-  const NormalScatter scatter(neighborhoods, spacings, chosen, threads);
+  const NormalScatter scatter(neighborhoods, spacings, chosen, most_radius, threads);
   NormalAngles angles;
   for (std::size_t level = 0; level < levels.size(); ++level)
-    angles[level] = finiteOf(scatter(levels[level]));
+    angles[level] = finiteOf(anglesAt(levels[level], scatter));
   return angles;
 }
 

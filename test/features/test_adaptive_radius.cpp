@@ -268,8 +268,9 @@ TEST(AdaptiveRadius, StepsOfASensorAreBeyondRadii)
   EXPECT_FALSE(isBeyondRadii(planeOfSteps(1e-6)));
   EXPECT_TRUE(isBeyondRadii(planeOfSteps(6.0)));
   EXPECT_TRUE(isBeyondRadii(planeOfSteps(8.0)));
-  // Wide stairs, edges and curvature are not.
-  EXPECT_FALSE(isBeyondRadii(planeOfSteps(12.0)));
+  EXPECT_TRUE(isBeyondRadii(planeOfSteps(12.0)));
+  // Stairs that are higher than neighborhoods, edges and curvature are not.
+  EXPECT_FALSE(isBeyondRadii(planeOfSteps(24.0)));
   EXPECT_FALSE(isBeyondRadii(noisyFold(0.0)));
   Random random(43);
   EXPECT_FALSE(isBeyondRadii(sampled(60000, random, [](Random& any) {

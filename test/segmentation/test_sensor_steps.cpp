@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -61,6 +62,83 @@ TEST(SensorSteps, AreLookedAtFromFartherAway)
   }
   EXPECT_GT(static_cast<double>(near), 0.98 * static_cast<double>(edges));
   EXPECT_GT(static_cast<double>(found), 0.98 * static_cast<double>(on_ridge));
+}
+
+/** Where two walls meet, 3.5 m before a depth camera. Its depths come in the steps of a
+ * Kinect's disparities, 35 mm and six pixels wide here, a fifth of them in the next
+ * one.
+ */
+Cloud::Ptr
+corner(double disparity_step)
+{
+  constexpr double focal_length = 575.0, distance = 3.5; // pixels, meters
+  constexpr int half = 110;                              // pixels
+  Random random(72);
+  const auto cloud = make_shared<Cloud>();
+  for (int row = -half; row < half; ++row)
+    for (int column = -half; column < half; ++column) {
+      const double x = column / focal_length, y = row / focal_length;
+      const double left = distance / (1.0 - 0.6 * x),
+                   right = distance / (1.0 + 1.2 * x);
+      const double jitter = random.uniform(-0.2, 0.2);
+      const double disparity =
+          disparity_step *
+          std::round(1.0 / (std::min(left, right) * disparity_step) + jitter);
+      const double z = 1.0 / disparity;
+      cloud->emplace_back(
+          static_cast<float>(x * z), static_cast<float>(y * z), static_cast<float>(z));
+    }
+  return cloud;
+}
+
+TEST(SensorSteps, AreSeenIfTheyAreWiderThanNeighborhoods)
+{
+  const auto cloud = corner(0.00287);
+  const ShapeField field = edgeFieldOf(cloud);
+  EXPECT_GT(field.resolution, 0.0061); // the distance between points
+  std::size_t edges = 0, near = 0, on_crease = 0, found = 0;
+  for (std::size_t i = 0; i < cloud->size(); ++i) {
+    const double x = std::abs((*cloud)[i].x);
+    const bool is_edge = field.edge_likelihood[i] > 0.5f;
+    edges += is_edge ? 1 : 0;
+    near += is_edge && x < 0.15 ? 1 : 0;
+    on_crease += x < 0.01 ? 1 : 0;
+    found += is_edge && x < 0.01 ? 1 : 0;
+  }
+  EXPECT_GT(static_cast<double>(near), 0.98 * static_cast<double>(edges));
+  EXPECT_GT(static_cast<double>(found), 0.9 * static_cast<double>(on_crease));
+}
+
+TEST(SensorSteps, AreNotSeenOnWallsWithoutThem)
+{
+  EXPECT_EQ(0.0, edgeFieldOf(corner(1e-7)).resolution);
+}
+
+/** Both sides of a tilted plate. */
+Cloud::Ptr
+plate(double spacing, double thickness)
+{
+  constexpr int half = 75;
+  Random random(73);
+  const auto cloud = make_shared<Cloud>();
+  for (const double side : {0.0, thickness})
+    for (int i = -half; i < half; ++i)
+      for (int j = -half; j < half; ++j) {
+        const double x = spacing * (i + random.uniform(-0.3, 0.3));
+        const double y = spacing * (j + random.uniform(-0.3, 0.3));
+        cloud->emplace_back(static_cast<float>(x),
+                            static_cast<float>(y),
+                            static_cast<float>(1.0 + 0.3 * x + 0.2 * y + side));
+      }
+  return cloud;
+}
+
+TEST(SensorSteps, AreNotTheSidesOfThinPlates)
+{
+  constexpr double spacing = 0.001;
+  for (const double thickness : {5.0, 6.0})
+    EXPECT_EQ(0.0, edgeFieldOf(plate(spacing, thickness * spacing)).resolution)
+        << thickness;
 }
 
 TEST(SensorSteps, MakeTheBitsOfTheResolutionThatIsChosen)

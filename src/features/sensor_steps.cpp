@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Whether points lie on the steps of a sensor that are wider than their neighborhoods.
+
+#include "features/sensor_steps.h"
+
+#include "common/statistics.h"
+#include "features/normal_scatter.h"
+#include "features/some_points.h"
+#include "geometry/point_grid.h"
+#include "geometry/voxel_means.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+
+namespace pcl::detail {
+namespace {
+
+using namespace segmentation;
+using Eigen::Vector3f;
+
+constexpr std::size_t some = 300; // a quarter of them is known to 3 %
+// The means of the next resolution, and of coarser ones for wider steps: a Kinect's at
+// 9 meters, the widest of a common sensor, are eight spacings wide.
+constexpr double voxel = 0.8; // spacings
+constexpr double growths[] = {1.0, 2.0};
+constexpr double means_spacing = 1.9; // voxels: to the 12th mean on a plane
+// Of the least neighborhoods of the edge model, spacings.
+constexpr double normal_radius = 1.2, inad_radius = 1.0;
+
+// To what the normal of a mean beside the place depends on, and more, in their
+// spacings.
+constexpr double normal_reach = 1.5;
+
+constexpr float bent = 0.09f; // radians, 5 degrees: means on a plane differ by less
+constexpr float parallel =
+    0.5f; // of the angle of means; of a shape the points' is larger
+
+/** Some points of a cloud, and what tells a step from a shape there. */
+class Samples {
+public:
+  Samples(const Neighborhoods& neighborhoods,
+          const std::vector<float>& spacings,
+          unsigned threads)
+  : neighborhoods_(neighborhoods)
+  , points_(neighborhoods.input())
+  , spacings_(spacings)
+  , spacing_(static_cast<double>(medianSpacing(spacings)))
+  , chosen_(somePoints(points_, some))
+  , threads_(threads)
+  {
+    for (const pcl::index_t i : chosen_) {
+      const float* const p = points_[static_cast<std::size_t>(i)];
+      places_.insert(places_.end(), p, p + 3);
+    }
+  }
+
+  double
+  spacing() const
+  {
+    return spacing_;
+  }
+
+  /** Whether the cloud is on steps, as means show it. On steps is a quarter of its area
+   * at least (of parts without noise it was at most a seventh), and half of that where
+   * means bend. Of it two thirds at most are thick: on steps these are their ends, on
+   * thin walls it is all. \param[in] size of the means' voxels, meters */
+  bool
+  areOnSteps(const std::vector<float>& means, double size) const
+  {
+    const double radius = means_spacing * size;
+    const std::vector<float> of_means = anglesOfMeans(means, radius);
+    const std::vector<float> of_points =
+        NormalScatter(neighborhoods_, spacings_, chosen_, radius / spacing_, threads_)(
+            normal_radius, radius / spacing_);
+    double all = 0.0, bends = 0.0;
+    pcl::Indices on_steps;
+    for (std::size_t k = 0; k < chosen_.size(); ++k) {
+      if (!std::isfinite(of_means[k]) || !std::isfinite(of_points[k]))
+        continue;
+      all += areaOf(chosen_[k]);
+      if (of_means[k] <= bent)
+        continue;
+      bends += areaOf(chosen_[k]);
+      if (of_points[k] < parallel * of_means[k])
+        on_steps.push_back(chosen_[k]);
+    }
+    const double on = areaOf(on_steps);
+    return on > 0.0 && 4.0 * on >= all && 2.0 * on >= bends &&
+           3.0 * areaOf(thickOf(on_steps, static_cast<float>(normal_reach * radius))) <=
+               2.0 * on;
+  }
+
+private:
+  /** What a point stands for. */
+  double
+  areaOf(pcl::index_t point) const
+  {
+    const auto spacing =
+        static_cast<double>(spacings_[static_cast<std::size_t>(point)]);
+    return spacing * spacing;
+  }
+
+  double
+  areaOf(const pcl::Indices& points) const
+  {
+    double area = 0.0;
+    for (const pcl::index_t i : points)
+      area += areaOf(i);
+    return area;
+  }
+
+  /** Between the normals of means around the mean that is nearest to each sample; NaN
+   * where there is none. */
+  std::vector<float>
+  anglesOfMeans(const std::vector<float>& means, double radius) const
+  {
+    const XYZView view{means.data(), 3, means.size() / 3};
+    const std::vector<float> spacings(view.size, static_cast<float>(radius));
+    const std::vector<std::int32_t> nearest =
+        representatives({places_.data(), 3, chosen_.size()}, view, spacings, threads_);
+    pcl::Indices near(nearest.begin(), nearest.end());
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    near.erase(near.begin(), std::lower_bound(near.begin(), near.end(), 0));
+    pcl::Indices all(view.size);
+    std::iota(all.begin(), all.end(), 0);
+    const Neighborhoods neighborhoods(view, view, all, threads_);
+    const std::vector<float> angles =
+        NormalScatter(neighborhoods, spacings, near, inad_radius, threads_)(
+            normal_radius, inad_radius);
+    std::vector<float> result;
+    for (const std::int32_t mean : nearest)
+      result.push_back(
+          mean < 0
+              ? std::numeric_limits<float>::quiet_NaN()
+              : angles[static_cast<std::size_t>(
+                    std::lower_bound(near.begin(), near.end(), mean) - near.begin())]);
+    return result;
+  }
+
+  /** Those of two sheets, such as the sides of a thin wall: their means may be between
+   * them. */
+  pcl::Indices
+  thickOf(const pcl::Indices& points, float reach) const
+  {
+    std::vector<float> radii;
+    for (const pcl::index_t i : points)
+      radii.push_back(static_cast<float>(normal_radius) *
+                      spacings_[static_cast<std::size_t>(i)]);
+    std::vector<float> normals(4 * points.size());
+    neighborhoods_.among(points).computeNormals(
+        NeighborhoodSize::ofRadii(radii.data()), normals.data(), normals.data() + 3, 4);
+    const PointGrid grid(points_, static_cast<float>(2.0 * spacing_), threads_);
+    pcl::Indices thick;
+    for (std::size_t k = 0; k < points.size(); ++k)
+      if (isThick(points[k], Vector3f(&normals[4 * k]), reach, grid))
+        thick.push_back(points[k]);
+    return thick;
+  }
+
+  bool
+  isThick(pcl::index_t point,
+          const Vector3f& normal,
+          float reach,
+          const PointGrid& grid) const
+  {
+    const auto i = static_cast<std::size_t>(point);
+    const Vector3f place = positionOf(points_, i);
+    const float aside = 0.5f * spacings_[i], layer = 0.3f * spacings_[i];
+    std::size_t own = 0, others = 0;
+    grid.forEachWithin(place, reach, [&](std::uint32_t other, float squared) {
+      const float height = (positionOf(points_, other) - place).dot(normal);
+      if (squared - height * height < aside * aside)
+        ++(std::abs(height) < layer ? own : others);
+    });
+    return 2 * others >= own;
+  }
+
+  const Neighborhoods& neighborhoods_;
+  XYZView points_;
+  const std::vector<float>& spacings_;
+  double spacing_;      ///< of the cloud, meters
+  pcl::Indices chosen_; ///< ascending
+  std::vector<float> places_;
+  unsigned threads_;
+};
+
+} // namespace
+
+bool
+areOnWideSteps(const Neighborhoods& neighborhoods,
+               const std::vector<float>& spacings,
+               unsigned threads)
+{
+  const Samples samples(neighborhoods, spacings, threads);
+  std::vector<float> means;
+  for (const double growth : growths) {
+    const double size = voxel * growth * samples.spacing();
+    const XYZView finer = means.empty() ? neighborhoods.input()
+                                        : XYZView{means.data(), 3, means.size() / 3};
+    if (!problemOfResolution(size, finer).empty())
+      return false;
+    means = voxelMeans(finer, size, threads);
+    if (samples.areOnSteps(means, size))
+      return true;
+  }
+  return false;
+}
+
+} // namespace pcl::detail
