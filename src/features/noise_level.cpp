@@ -182,11 +182,8 @@ noiseLevelOf(const Neighborhoods& neighborhoods,
              double noise,
              unsigned threads)
 {
-  const NormalScatter scatter(neighborhoods,
-                              spacings,
-                              somePoints(neighborhoods.input(), some),
-                              most_radius,
-                              threads);
+  const pcl::Indices chosen = somePoints(neighborhoods.input(), some);
+  const NormalScatter scatter(neighborhoods, spacings, chosen, most_radius, threads);
   const auto angles = [&](std::size_t level) {
     return finiteOf(anglesAt(levels[level], scatter));
   };
@@ -194,9 +191,13 @@ noiseLevelOf(const Neighborhoods& neighborhoods,
   if (!first.empty() && median(first) <= stable &&
       areOnWideSteps(neighborhoods, spacings, threads))
     return {max_noise, 1.0};
-  return levelOf(noise, [&](std::size_t level) {
+  const auto flattest = [&](std::size_t level) {
     return flattestOf(level == 0 ? first : angles(level));
-  });
+  };
+  if (isOnSteps(flattest(0), flattest) &&
+      areOfThinPlates(chosen, neighborhoods, spacings, threads))
+    return {};
+  return levelOf(noise, flattest);
 }
 
 double

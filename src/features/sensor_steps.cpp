@@ -39,6 +39,55 @@ constexpr float bent = 0.09f; // radians, 5 degrees: means on a plane differ by 
 constexpr float parallel =
     0.5f; // of the angle of means; of a shape the points' is larger
 
+/** Whether a point has as many others straight above or below it as around it, or half
+ * of that. */
+bool
+isThick(std::size_t point,
+        const Vector3f& normal,
+        float reach,
+        const XYZView& points,
+        float spacing,
+        const PointGrid& grid)
+{
+  const Vector3f place = positionOf(points, point);
+  const float aside = 0.5f * spacing, layer = 0.3f * spacing;
+  std::size_t own = 0, others = 0;
+  grid.forEachWithin(place, reach, [&](std::uint32_t other, float squared) {
+    const float height = (positionOf(points, other) - place).dot(normal);
+    if (squared - height * height < aside * aside)
+      ++(std::abs(height) < layer ? own : others);
+  });
+  return 2 * others >= own;
+}
+
+/** Those of two sheets, such as the sides of a thin wall.
+ * \param[in] chosen some points \param[in] reach how far the other one may be, meters
+ */
+pcl::Indices
+thickOf(const pcl::Indices& chosen,
+        float reach,
+        const Neighborhoods& neighborhoods,
+        const std::vector<float>& spacings,
+        unsigned threads)
+{
+  std::vector<float> radii;
+  for (const pcl::index_t i : chosen)
+    radii.push_back(static_cast<float>(normal_radius) *
+                    spacings[static_cast<std::size_t>(i)]);
+  std::vector<float> normals(4 * chosen.size());
+  neighborhoods.among(chosen).computeNormals(
+      NeighborhoodSize::ofRadii(radii.data()), normals.data(), normals.data() + 3, 4);
+  const XYZView points = neighborhoods.input();
+  const PointGrid grid(points, 2.0f * medianSpacing(spacings), threads);
+  pcl::Indices thick;
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    const auto i = static_cast<std::size_t>(chosen[k]);
+    if (isThick(i, Vector3f(&normals[4 * k]), reach, points, spacings[i], grid))
+      thick.push_back(chosen[k]);
+  }
+  return thick;
+}
+
 /** Some points of a cloud, and what tells a step from a shape there. */
 class Samples {
 public:
@@ -89,9 +138,14 @@ public:
         on_steps.push_back(chosen_[k]);
     }
     const double on = areaOf(on_steps);
-    return on > 0.0 && 4.0 * on >= all && 2.0 * on >= bends &&
-           3.0 * areaOf(thickOf(on_steps, static_cast<float>(normal_reach * radius))) <=
-               2.0 * on;
+    if (!(on > 0.0 && 4.0 * on >= all && 2.0 * on >= bends))
+      return false;
+    const pcl::Indices thick = thickOf(on_steps,
+                                       static_cast<float>(normal_reach * radius),
+                                       neighborhoods_,
+                                       spacings_,
+                                       threads_);
+    return 3.0 * areaOf(thick) <= 2.0 * on;
   }
 
 private:
@@ -142,44 +196,6 @@ private:
     return result;
   }
 
-  /** Those of two sheets, such as the sides of a thin wall: their means may be between
-   * them. */
-  pcl::Indices
-  thickOf(const pcl::Indices& points, float reach) const
-  {
-    std::vector<float> radii;
-    for (const pcl::index_t i : points)
-      radii.push_back(static_cast<float>(normal_radius) *
-                      spacings_[static_cast<std::size_t>(i)]);
-    std::vector<float> normals(4 * points.size());
-    neighborhoods_.among(points).computeNormals(
-        NeighborhoodSize::ofRadii(radii.data()), normals.data(), normals.data() + 3, 4);
-    const PointGrid grid(points_, static_cast<float>(2.0 * spacing_), threads_);
-    pcl::Indices thick;
-    for (std::size_t k = 0; k < points.size(); ++k)
-      if (isThick(points[k], Vector3f(&normals[4 * k]), reach, grid))
-        thick.push_back(points[k]);
-    return thick;
-  }
-
-  bool
-  isThick(pcl::index_t point,
-          const Vector3f& normal,
-          float reach,
-          const PointGrid& grid) const
-  {
-    const auto i = static_cast<std::size_t>(point);
-    const Vector3f place = positionOf(points_, i);
-    const float aside = 0.5f * spacings_[i], layer = 0.3f * spacings_[i];
-    std::size_t own = 0, others = 0;
-    grid.forEachWithin(place, reach, [&](std::uint32_t other, float squared) {
-      const float height = (positionOf(points_, other) - place).dot(normal);
-      if (squared - height * height < aside * aside)
-        ++(std::abs(height) < layer ? own : others);
-    });
-    return 2 * others >= own;
-  }
-
   const Neighborhoods& neighborhoods_;
   XYZView points_;
   const std::vector<float>& spacings_;
@@ -209,6 +225,18 @@ areOnWideSteps(const Neighborhoods& neighborhoods,
       return true;
   }
   return false;
+}
+
+bool
+areOfThinPlates(const pcl::Indices& chosen,
+                const Neighborhoods& neighborhoods,
+                const std::vector<float>& spacings,
+                unsigned threads)
+{
+  // Farther away the other side is in no neighborhood of the least noise level.
+  const float reach = 3.0f * medianSpacing(spacings);
+  return 3 * thickOf(chosen, reach, neighborhoods, spacings, threads).size() >
+         2 * chosen.size();
 }
 
 } // namespace pcl::detail
