@@ -10,6 +10,7 @@
 #include "features/normal_scatter.h"
 #include "features/sensor_steps.h"
 #include "features/some_points.h"
+#include "features/thin_plates.h"
 
 #include <pcl/features/impl/neighborhoods.hpp>
 
@@ -174,6 +175,16 @@ levelOf(double noise, const Scatter& scatter)
           static_cast<double>(share)};
 }
 
+/** The level at most at which normals are of one side of thin plates: what they differ
+ * by is the other side's then, and neither noise nor steps. */
+NoiseLevel
+withinPlates(const NoiseLevel& level, double thickness)
+{
+  constexpr double within = 0.9; // of the thickness
+  const double most = (within * thickness - normal_radius) / normal_radius_noise;
+  return {std::clamp(level.level, 0.0, std::max(0.0, most)), 0.0};
+}
+
 } // namespace
 
 NoiseLevel
@@ -194,10 +205,10 @@ noiseLevelOf(const Neighborhoods& neighborhoods,
   const auto flattest = [&](std::size_t level) {
     return flattestOf(level == 0 ? first : angles(level));
   };
-  if (isOnSteps(flattest(0), flattest) &&
-      areOfThinPlates(chosen, neighborhoods, spacings, threads))
-    return {};
-  return levelOf(noise, flattest);
+  const NoiseLevel level = levelOf(noise, flattest);
+  const double thickness =
+      level.level > 0.0 ? plateThickness(chosen, neighborhoods, spacings) : 0.0;
+  return thickness > 0.0 ? withinPlates(level, thickness) : level;
 }
 
 double

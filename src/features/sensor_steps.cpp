@@ -7,7 +7,7 @@
 #include "common/statistics.h"
 #include "features/normal_scatter.h"
 #include "features/some_points.h"
-#include "geometry/point_grid.h"
+#include "features/thin_plates.h"
 #include "geometry/voxel_means.h"
 
 #include <algorithm>
@@ -20,7 +20,6 @@ namespace pcl::detail {
 namespace {
 
 using namespace segmentation;
-using Eigen::Vector3f;
 
 constexpr std::size_t some = 300; // a quarter of them is known to 3 %
 // The means of the next resolution, and of coarser ones for wider steps: a Kinect's at
@@ -38,55 +37,6 @@ constexpr double normal_reach = 1.5;
 constexpr float bent = 0.09f; // radians, 5 degrees: means on a plane differ by less
 constexpr float parallel =
     0.5f; // of the angle of means; of a shape the points' is larger
-
-/** Whether a point has as many others straight above or below it as around it, or half
- * of that. */
-bool
-isThick(std::size_t point,
-        const Vector3f& normal,
-        float reach,
-        const XYZView& points,
-        float spacing,
-        const PointGrid& grid)
-{
-  const Vector3f place = positionOf(points, point);
-  const float aside = 0.5f * spacing, layer = 0.3f * spacing;
-  std::size_t own = 0, others = 0;
-  grid.forEachWithin(place, reach, [&](std::uint32_t other, float squared) {
-    const float height = (positionOf(points, other) - place).dot(normal);
-    if (squared - height * height < aside * aside)
-      ++(std::abs(height) < layer ? own : others);
-  });
-  return 2 * others >= own;
-}
-
-/** Those of two sheets, such as the sides of a thin wall.
- * \param[in] chosen some points \param[in] reach how far the other one may be, meters
- */
-pcl::Indices
-thickOf(const pcl::Indices& chosen,
-        float reach,
-        const Neighborhoods& neighborhoods,
-        const std::vector<float>& spacings,
-        unsigned threads)
-{
-  std::vector<float> radii;
-  for (const pcl::index_t i : chosen)
-    radii.push_back(static_cast<float>(normal_radius) *
-                    spacings[static_cast<std::size_t>(i)]);
-  std::vector<float> normals(4 * chosen.size());
-  neighborhoods.among(chosen).computeNormals(
-      NeighborhoodSize::ofRadii(radii.data()), normals.data(), normals.data() + 3, 4);
-  const XYZView points = neighborhoods.input();
-  const PointGrid grid(points, 2.0f * medianSpacing(spacings), threads);
-  pcl::Indices thick;
-  for (std::size_t k = 0; k < chosen.size(); ++k) {
-    const auto i = static_cast<std::size_t>(chosen[k]);
-    if (isThick(i, Vector3f(&normals[4 * k]), reach, points, spacings[i], grid))
-      thick.push_back(chosen[k]);
-  }
-  return thick;
-}
 
 /** Some points of a cloud, and what tells a step from a shape there. */
 class Samples {
@@ -140,12 +90,12 @@ public:
     const double on = areaOf(on_steps);
     if (!(on > 0.0 && 4.0 * on >= all && 2.0 * on >= bends))
       return false;
-    const pcl::Indices thick = thickOf(on_steps,
-                                       static_cast<float>(normal_reach * radius),
-                                       neighborhoods_,
-                                       spacings_,
-                                       threads_);
-    return 3.0 * areaOf(thick) <= 2.0 * on;
+    const std::vector<float> thicknesses = thicknessesAt(
+        on_steps, neighborhoods_, spacings_, static_cast<float>(normal_reach * radius));
+    double thick = 0.0;
+    for (std::size_t k = 0; k < on_steps.size(); ++k)
+      thick += thicknesses[k] > 0.0f ? areaOf(on_steps[k]) : 0.0;
+    return 3.0 * thick <= 2.0 * on;
   }
 
 private:
@@ -225,18 +175,6 @@ areOnWideSteps(const Neighborhoods& neighborhoods,
       return true;
   }
   return false;
-}
-
-bool
-areOfThinPlates(const pcl::Indices& chosen,
-                const Neighborhoods& neighborhoods,
-                const std::vector<float>& spacings,
-                unsigned threads)
-{
-  // Farther away the other side is in no neighborhood of the least noise level.
-  const float reach = 3.0f * medianSpacing(spacings);
-  return 3 * thickOf(chosen, reach, neighborhoods, spacings, threads).size() >
-         2 * chosen.size();
 }
 
 } // namespace pcl::detail

@@ -23,13 +23,4 @@ bool areOnWideSteps(const Neighborhoods& neighborhoods,
                     const std::vector<float>& spacings,
                     unsigned threads);
 
-/** \brief Whether two thirds of some points have others straight above or below them
- * within a few spacings, as both sides of thin plates have. \param[in] chosen the
- * points
- */
-bool areOfThinPlates(const pcl::Indices& chosen,
-                     const Neighborhoods& neighborhoods,
-                     const std::vector<float>& spacings,
-                     unsigned threads);
-
 } // namespace pcl::detail

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// How far the other side of a thin plate is from a point.
+
+#include "features/thin_plates.h"
+
+#include "common/statistics.h"
+#include "features/part_noise.h"
+#include "geometry/point_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace pcl::detail {
+namespace {
+
+using namespace segmentation;
+using Eigen::Vector3f;
+
+constexpr float normal_radius = 1.2f; // spacings, the least of the edge model
+// Of the column above and below a point, and of what belongs to its side in the noise
+// that is measured at most, spacings.
+constexpr float column = 0.5f, side = 0.6f;
+
+/** The normals of some points, four numbers each. */
+std::vector<float>
+normalsAt(const pcl::Indices& chosen,
+          const Neighborhoods& neighborhoods,
+          const std::vector<float>& spacings)
+{
+  std::vector<float> radii;
+  for (const pcl::index_t i : chosen)
+    radii.push_back(normal_radius * spacings[static_cast<std::size_t>(i)]);
+  std::vector<float> normals(4 * chosen.size());
+  neighborhoods.among(chosen).computeNormals(
+      NeighborhoodSize::ofRadii(radii.data()), normals.data(), normals.data() + 3, 4);
+  return normals;
+}
+
+float
+thicknessAt(const Vector3f& place,
+            const Vector3f& normal,
+            float spacing,
+            float reach,
+            const XYZView& points,
+            const PointGrid& grid)
+{
+  std::size_t own = 0;
+  std::vector<float> others;
+  grid.forEachWithin(place, reach, [&](std::uint32_t i, float squared) {
+    const float height = std::abs((positionOf(points, i) - place).dot(normal));
+    if (squared - height * height >= column * column * spacing * spacing)
+      return;
+    if (height < side * spacing)
+      ++own;
+    else
+      others.push_back(height / spacing);
+  });
+  return others.empty() || 2 * others.size() < own ? 0.0f : median(std::move(others));
+}
+
+} // namespace
+
+std::vector<float>
+thicknessesAt(const pcl::Indices& chosen,
+              const Neighborhoods& neighborhoods,
+              const std::vector<float>& spacings,
+              float reach)
+{
+  const std::vector<float> normals = normalsAt(chosen, neighborhoods, spacings);
+  constexpr int cells = 1;
+  const PointsNear near(
+      neighborhoods.input(), chosen, static_cast<double>(reach), cells);
+  const PointGrid grid(near.view(), reach);
+  std::vector<float> thicknesses;
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    thicknesses.push_back(
+        thicknessAt(positionOf(near.view(), static_cast<std::size_t>(near.some()[k])),
+                    Vector3f(&normals[4 * k]),
+                    spacings[static_cast<std::size_t>(chosen[k])],
+                    reach,
+                    near.view(),
+                    grid));
+  return thicknesses;
+}
+
+double
+plateThickness(const pcl::Indices& chosen,
+               const Neighborhoods& neighborhoods,
+               const std::vector<float>& spacings)
+{
+  // Farther away the other side is in few neighborhoods.
+  const float reach = 3.0f * medianSpacing(spacings);
+  std::vector<float> thick = thicknessesAt(chosen, neighborhoods, spacings, reach);
+  thick.erase(std::remove(thick.begin(), thick.end(), 0.0f), thick.end());
+  return 3 * thick.size() > 2 * chosen.size()
+             ? static_cast<double>(median(std::move(thick)))
+             : 0.0;
+}
+
+} // namespace pcl::detail

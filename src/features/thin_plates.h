@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// How far the other side of a thin plate is from a point.
+
+#pragma once
+
+#include <pcl/types.h>
+#include <pcl/features/impl/neighborhoods.hpp>
+
+#include <vector>
+
+namespace pcl::detail {
+
+/** \brief For each of some points of a cloud, how far straight above or below it the
+ * points of another surface are, in its spacing; 0 if there is none, or if there are
+ * less than half as many of them as around the point.
+ * \param[in] neighborhoods of all points of the cloud among themselves
+ * \param[in] spacings one for each point \param[in] chosen ascending
+ * \param[in] reach how far the other surface may be, meters */
+std::vector<float> thicknessesAt(const pcl::Indices& chosen,
+                                 const Neighborhoods& neighborhoods,
+                                 const std::vector<float>& spacings,
+                                 float reach);
+
+/** \brief The thickness of a cloud of thin plates, in spacings: the middle one, if two
+ * thirds of some points have another side within three spacings; else 0. */
+double plateThickness(const pcl::Indices& chosen,
+                      const Neighborhoods& neighborhoods,
+                      const std::vector<float>& spacings);
+
+} // namespace pcl::detail
