@@ -193,8 +193,11 @@ noiseLevelOf(const Neighborhoods& neighborhoods,
              double noise,
              unsigned threads)
 {
-  const pcl::Indices chosen = somePoints(neighborhoods.input(), some);
-  const NormalScatter scatter(neighborhoods, spacings, chosen, most_radius, threads);
+  const NormalScatter scatter(neighborhoods,
+                              spacings,
+                              somePoints(neighborhoods.input(), some),
+                              most_radius,
+                              threads);
   const auto angles = [&](std::size_t level) {
     return finiteOf(anglesAt(levels[level], scatter));
   };
@@ -207,7 +210,7 @@ noiseLevelOf(const Neighborhoods& neighborhoods,
   };
   const NoiseLevel level = levelOf(noise, flattest);
   const double thickness =
-      level.level > 0.0 ? plateThickness(chosen, neighborhoods, spacings) : 0.0;
+      level.level > 0.0 ? plateThickness(neighborhoods, spacings) : 0.0;
   return thickness > 0.0 ? withinPlates(level, thickness) : level;
 }
 

@@ -6,6 +6,7 @@
 
 #include "common/statistics.h"
 #include "features/part_noise.h"
+#include "features/some_points.h"
 #include "geometry/point_grid.h"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ namespace {
 using namespace segmentation;
 using Eigen::Vector3f;
 
+constexpr std::size_t some = 100;     // two thirds of them are known to 5 %
 constexpr float normal_radius = 1.2f; // spacings, the least of the edge model
 // Of the column above and below a point, and of what belongs to its side in the noise
 // that is measured at most, spacings.
@@ -87,10 +89,9 @@ thicknessesAt(const pcl::Indices& chosen,
 }
 
 double
-plateThickness(const pcl::Indices& chosen,
-               const Neighborhoods& neighborhoods,
-               const std::vector<float>& spacings)
+plateThickness(const Neighborhoods& neighborhoods, const std::vector<float>& spacings)
 {
+  const pcl::Indices chosen = somePoints(neighborhoods.input(), some);
   // Farther away the other side is in few neighborhoods.
   const float reach = 3.0f * medianSpacing(spacings);
   std::vector<float> thick = thicknessesAt(chosen, neighborhoods, spacings, reach);

@@ -24,8 +24,7 @@ std::vector<float> thicknessesAt(const pcl::Indices& chosen,
 
 /** \brief The thickness of a cloud of thin plates, in spacings: the middle one, if two
  * thirds of some points have another side within three spacings; else 0. */
-double plateThickness(const pcl::Indices& chosen,
-                      const Neighborhoods& neighborhoods,
+double plateThickness(const Neighborhoods& neighborhoods,
                       const std::vector<float>& spacings);
 
 } // namespace pcl::detail
