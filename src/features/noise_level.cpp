@@ -4,11 +4,9 @@
 
 #include "features/noise_level.h"
 
-#include "common/finite.h"
-#include "common/parallel.h"
 #include "common/statistics.h"
+#include "features/part_noise.h"
 #include "features/some_points.h"
-#include "geometry/cells_around.h"
 #include "geometry/point_grid.h"
 
 #include <pcl/features/impl/neighborhoods.hpp>
@@ -16,15 +14,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <optional>
 
 namespace pcl::detail {
 namespace {
 
 using namespace segmentation;
-using Eigen::Vector3f;
 
 // The radii of the default edge model, which has these factors, too.
 constexpr double normal_radius = 1.2, normal_radius_noise = 10.0;
@@ -56,25 +51,6 @@ crossing(double low, float at_low, double high, float at_high)
   return low + share * (high - low);
 }
 
-/** The points that are nearer than a reach to chosen ones, and others. */
-pcl::Indices
-pointsNear(const pcl::Indices& chosen,
-           const XYZView& points,
-           float reach,
-           unsigned threads)
-{
-  CellsAround cells(reach);
-  for (const pcl::index_t i : chosen)
-    cells.add(positionOf(points, static_cast<std::size_t>(i)));
-  return kernels::collectForEach<pcl::index_t>(
-      static_cast<std::uint32_t>(points.size),
-      threads,
-      [&](std::uint32_t i, pcl::Indices& near) {
-        if (kernels::isFinite(points[i]) && cells.mayHold(positionOf(points, i)))
-          near.push_back(static_cast<pcl::index_t>(i));
-      });
-}
-
 /** Measures how far normals differ around some points. */
 class NormalScatter {
 public:
@@ -89,14 +65,9 @@ public:
     if (chosen_.empty())
       return;
     std::vector<float> reaches = radiiOf(chosen_, inadRadius(levels.back()));
-    near_ = pointsNear(chosen_,
-                       neighborhoods.input(),
-                       rounding * *std::max_element(reaches.begin(), reaches.end()),
-                       threads);
-    places_ = placesOf(near_);
-    chosen_among_near_ = positionsAmong(near_);
-    const float cell = median(std::move(reaches));
-    grid_.emplace(XYZView{places_.data()->data(), 3, places_.size()}, cell);
+    const double reach = *std::max_element(reaches.begin(), reaches.end());
+    near_.emplace(neighborhoods.input(), chosen_, reach, 1, threads);
+    grid_.emplace(near_->view(), median(std::move(reaches)));
   }
 
   /** Radians, with the radii for a noise; NaN where no neighbor has a normal. */
@@ -106,99 +77,72 @@ public:
     if (chosen_.empty())
       return {};
     const std::vector<float> radii = radiiOf(chosen_, inadRadius(noise));
-    const pcl::Indices near = neighborsOf(radii);
-    const std::vector<float> normal_radii =
-        radiiOf(near, normal_radius + normal_radius_noise * noise);
-    std::vector<float> normals(4 * near.size());
-    neighborhoods_.among(near).computeNormals(
-        NeighborhoodSize::ofRadii(normal_radii.data()),
-        normals.data(),
-        normals.data() + 3,
-        4);
-    std::vector<float> mu_sigma(2 * chosen_.size());
-    const std::vector<Eigen::Vector3f> places = placesOf(near);
-    const XYZView cloud{places.data()->data(), 3, places.size()};
-    const pcl::Indices chosen = positionsAmong(near);
+    const auto [needed, chosen] = neededFor(radii);
+    const std::vector<float> normals = normalsWithCurvature(
+        neighborhoods_.among(needed),
+        radiiOf(needed, normal_radius + normal_radius_noise * noise));
+    std::vector<float> mu_sigma(2 * chosen.size());
+    const std::vector<float> positions = positionsAt(neighborhoods_.input(), needed);
+    const XYZView cloud = viewOfPositions(positions);
     constexpr unsigned threads = 1; // for few points
     Neighborhoods(cloud, cloud, chosen, threads)
         .computeINAD(NeighborhoodSize::ofRadii(radii.data()),
-                     {normals.data(), 4, near.size()},
+                     {normals.data(), 4, needed.size()},
                      0.0,
                      mu_sigma.data());
     std::vector<float> mu;
-    for (std::size_t k = 0; k < chosen_.size(); ++k)
+    for (std::size_t k = 0; k < chosen.size(); ++k)
       mu.push_back(mu_sigma[2 * k]);
     return mu;
   }
 
 private:
-  // So that rounding does not decide whose normals are needed.
-  static constexpr float rounding = 1.001f;
-
   static double
   inadRadius(double noise)
   {
     return inad_radius + inad_radius_noise * noise;
   }
 
-  /** The chosen points, and those that their INAD needs the normals of. */
-  pcl::Indices
-  neighborsOf(const std::vector<float>& radii) const
+  std::vector<float>
+  radiiOf(const pcl::Indices& points, double count) const
   {
-    std::vector<bool> is_needed(near_.size(), false);
+    return times(count, gathered(spacings_, points));
+  }
+
+  struct Needed {
+    pcl::Indices points;
+    pcl::Indices chosen; ///< where the chosen ones are among them
+  };
+
+  /** The chosen points, and those that their INAD needs the normals of. */
+  Needed
+  neededFor(const std::vector<float>& radii) const
+  {
+    constexpr float rounding = 1.001f; // does not decide whose normals are needed
+    const XYZView places = near_->view();
+    std::vector<bool> is_needed(places.size, false);
     for (std::size_t k = 0; k < radii.size(); ++k) {
-      const auto at = static_cast<std::size_t>(chosen_among_near_[k]);
+      const auto at = static_cast<std::size_t>(near_->some()[k]);
       is_needed[at] = true; // even if squares of the radii are 0
-      grid_->forEachWithin(places_[at],
+      grid_->forEachWithin(positionOf(places, at),
                            rounding * radii[k],
                            [&](std::uint32_t i, float) { is_needed[i] = true; });
     }
-    pcl::Indices needed;
-    for (std::size_t i = 0; i < near_.size(); ++i)
+    Needed needed;
+    for (std::size_t i = 0; i < places.size; ++i) {
+      const std::size_t next = needed.chosen.size();
+      if (next < radii.size() && near_->some()[next] == static_cast<pcl::index_t>(i))
+        needed.chosen.push_back(static_cast<pcl::index_t>(needed.points.size()));
       if (is_needed[i])
-        needed.push_back(near_[i]);
+        needed.points.push_back(near_->indices()[i]);
+    }
     return needed;
-  }
-
-  std::vector<Eigen::Vector3f>
-  placesOf(const pcl::Indices& points) const
-  {
-    std::vector<Eigen::Vector3f> places;
-    places.reserve(points.size());
-    for (const pcl::index_t i : points)
-      places.push_back(positionOf(neighborhoods_.input(), static_cast<std::size_t>(i)));
-    return places;
-  }
-
-  /** Where the chosen points are among others that hold them, in ascending order. */
-  pcl::Indices
-  positionsAmong(const pcl::Indices& points) const
-  {
-    pcl::Indices positions;
-    positions.reserve(chosen_.size());
-    for (const pcl::index_t i : chosen_)
-      positions.push_back(static_cast<pcl::index_t>(
-          std::lower_bound(points.begin(), points.end(), i) - points.begin()));
-    return positions;
-  }
-
-  std::vector<float>
-  radiiOf(const pcl::Indices& indices, double count) const
-  {
-    std::vector<float> radii;
-    radii.reserve(indices.size());
-    for (const pcl::index_t i : indices)
-      radii.push_back(static_cast<float>(count) *
-                      spacings_[static_cast<std::size_t>(i)]);
-    return radii;
   }
 
   const Neighborhoods& neighborhoods_;
   const std::vector<float>& spacings_;
   pcl::Indices chosen_;
-  pcl::Indices near_; ///< those whose normals some level may need, and others
-  pcl::Indices chosen_among_near_; ///< where the chosen ones are there
-  std::vector<Vector3f> places_;   ///< of these
+  std::optional<PointsNear> near_; ///< whose normals some level may need, and others
   std::optional<PointGrid> grid_;  ///< of these, if any
 };
 
@@ -381,11 +325,9 @@ withNoiseOfCloud(const INADParameters& parameters,
 {
   if (parameters.normal_radius_noise == 0.0 && parameters.radius_noise == 0.0)
     return parameters;
-  pcl::Indices all(cloud.size);
-  std::iota(all.begin(), all.end(), 0);
-  const Neighborhoods neighborhoods(cloud, cloud, all, threads);
+  const Neighborhoods neighborhoods(cloud, threads);
   const std::vector<float> spacings =
-      adaptiveRadii(AdaptiveRadius::DENSITY, 1.0, neighborhoods, all);
+      adaptiveRadii(AdaptiveRadius::DENSITY, 1.0, neighborhoods);
   const double noise = noiseOf(neighborhoods, spacings);
   return withNoise(parameters,
                    noiseLevelOf(neighborhoods, spacings, noise, threads).level);
