@@ -5,6 +5,7 @@
 #include "edges/edge_detection.h"
 
 #include "common/finite.h"
+#include "common/gathered.h"
 #include "common/parallel.h"
 #include "common/statistics.h"
 #include "edges/crease_votes.h"
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace pcl::detail {
@@ -58,14 +58,11 @@ evidenceOf(const FieldInput& input, const ShapeModel& model, ShapeField& field)
   field.normals = std::move(inad.normals);
   const ShapeEvidence densities(model);
   std::vector<float> evidence(input.points.size);
-  kernels::parallelForRanges(
-      evidence.size(), input.threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          float logs[2];
-          densities.logDensities(inad.mu_sigma[2 * i], inad.mu_sigma[2 * i + 1], logs);
-          evidence[i] = logs[0] - logs[1];
-        }
-      });
+  kernels::parallelForEach(evidence.size(), input.threads, [&](std::size_t i) {
+    float logs[2];
+    densities.logDensities(inad.mu_sigma[2 * i], inad.mu_sigma[2 * i + 1], logs);
+    evidence[i] = logs[0] - logs[1];
+  });
   return evidence;
 }
 
@@ -139,15 +136,12 @@ creasesOfNextLevel(const FieldInput& input,
   numbers.noise = noise;
   const NextLevel level = nextLevel(numbers);
   const std::vector<float> means = voxelMeans(input.points, level.size, input.threads);
-  const XYZView points{means.data(), 3, means.size() / 3};
-  pcl::Indices all(points.size);
-  std::iota(all.begin(), all.end(), 0);
-  const Neighborhoods neighborhoods(points, points, all, input.threads);
+  const XYZView points = viewOfPositions(means);
+  const Neighborhoods neighborhoods(points, input.threads);
   const FieldInput of_means{neighborhoods, points, {}, input.threads};
   ShapeField field;
-  field.spacings = input.is_even
-                       ? localSpacings(neighborhoods, points.size, true)
-                       : localSpacings(neighborhoods, points.size, level.numbers);
+  field.spacings = input.is_even ? localSpacings(neighborhoods, true)
+                                 : localSpacings(neighborhoods, level.numbers);
   field.noise = level.numbers.noise;
   field.noise_level = level.numbers.noise_level;
   const float spacing = level.numbers.spacing;
@@ -189,11 +183,10 @@ weakenWhatDoesNotPersist(const std::vector<CreasePoint>& next,
 MeasuredCloud
 measureCloud(const FieldInput& input, ShapeField& field)
 {
-  const std::size_t count = input.points.size;
   return measureCloud(input,
                       input.of_cloud
-                          ? localSpacings(input.neighborhoods, count, *input.of_cloud)
-                          : localSpacings(input.neighborhoods, count, input.is_even),
+                          ? localSpacings(input.neighborhoods, *input.of_cloud)
+                          : localSpacings(input.neighborhoods, input.is_even),
                       field);
 }
 

@@ -4,11 +4,10 @@
 
 #include "features/adaptive_inad.h"
 
+#include "common/gathered.h"
 #include "common/statistics.h"
 
 #include <pcl/features/impl/neighborhoods.hpp>
-
-#include <numeric>
 
 namespace pcl::detail {
 namespace {
@@ -38,16 +37,6 @@ unitNormals(const XYZView& given)
   return normals;
 }
 
-std::vector<float>
-scaled(const std::vector<float>& spacings, double count)
-{
-  std::vector<float> radii;
-  radii.reserve(spacings.size());
-  for (const float spacing : spacings)
-    radii.push_back(static_cast<float>(count) * spacing);
-  return radii;
-}
-
 std::vector<Eigen::Vector3f>
 estimatedNormals(const Neighborhoods& neighborhoods, const std::vector<float>& radii)
 {
@@ -58,18 +47,6 @@ estimatedNormals(const Neighborhoods& neighborhoods, const std::vector<float>& r
                                curvature.data(),
                                3);
   return normals;
-}
-
-/** The values of some points. */
-template <typename T>
-std::vector<T>
-chosen(const std::vector<T>& values, const pcl::Indices& points)
-{
-  std::vector<T> some;
-  some.reserve(points.size());
-  for (const pcl::index_t i : points)
-    some.push_back(values[static_cast<std::size_t>(i)]);
-  return some;
 }
 
 } // namespace
@@ -102,14 +79,13 @@ adaptiveINAD(const FieldInput& input,
              const INADParameters& parameters)
 {
   const std::size_t size = input.points.size;
-  AdaptiveINAD result{
-      input.normals.size > 0
-          ? unitNormals(input.normals)
-          : estimatedNormals(input.neighborhoods,
-                             scaled(spacings, parameters.normal_radius)),
-      std::vector<float>(2 * size)};
+  AdaptiveINAD result{input.normals.size > 0
+                          ? unitNormals(input.normals)
+                          : estimatedNormals(input.neighborhoods,
+                                             times(parameters.normal_radius, spacings)),
+                      std::vector<float>(2 * size)};
   orient(input.points, result.normals);
-  const std::vector<float> radii = scaled(spacings, parameters.radius);
+  const std::vector<float> radii = times(parameters.radius, spacings);
   input.neighborhoods.computeINAD(NeighborhoodSize::ofRadii(radii.data()),
                                   {result.normals.data()->data(), 3, size},
                                   parameters.outlier_rate,
@@ -123,24 +99,19 @@ adaptiveINADAmong(const pcl::Indices& points,
                   const std::vector<float>& spacings,
                   const INADParameters& parameters)
 {
-  const std::vector<float> some = chosen(spacings, points);
-  std::vector<Eigen::Vector3f> normals =
-      input.normals.size > 0 ? chosen(unitNormals(input.normals), points)
-                             : estimatedNormals(input.neighborhoods.among(points),
-                                                scaled(some, parameters.normal_radius));
-  std::vector<Eigen::Vector3f> positions;
-  positions.reserve(points.size());
-  for (const pcl::index_t i : points)
-    positions.emplace_back(input.points[static_cast<std::size_t>(i)]);
   std::vector<float> mu_sigma(2 * points.size());
   if (points.empty())
     return mu_sigma;
-  const XYZView cloud{positions.data()->data(), 3, positions.size()};
+  const std::vector<float> some = gathered(spacings, points);
+  std::vector<Eigen::Vector3f> normals =
+      input.normals.size > 0 ? gathered(unitNormals(input.normals), points)
+                             : estimatedNormals(input.neighborhoods.among(points),
+                                                times(parameters.normal_radius, some));
+  const std::vector<float> positions = positionsAt(input.points, points);
+  const XYZView cloud = viewOfPositions(positions);
   orient(cloud, normals);
-  pcl::Indices all(points.size());
-  std::iota(all.begin(), all.end(), 0);
-  const std::vector<float> radii = scaled(some, parameters.radius);
-  Neighborhoods(cloud, cloud, all, input.threads)
+  const std::vector<float> radii = times(parameters.radius, some);
+  Neighborhoods(cloud, input.threads)
       .computeINAD(NeighborhoodSize::ofRadii(radii.data()),
                    {normals.data()->data(), 3, normals.size()},
                    parameters.outlier_rate,

@@ -73,8 +73,8 @@ PartOfCloud::measureDistances(double reach) const
   constexpr std::size_t nearest = 13; // with fewer points each is the 12th of none
   if (measured.empty() || countFinite(places_) < nearest)
     return std::vector<float>(measured.size(), unknown);
-  std::vector<float> distances = distancesToTwelfth(
-      Neighborhoods(places_, places_, measured, threads_), measured.size());
+  std::vector<float> distances =
+      distancesToTwelfth(Neighborhoods(places_, places_, measured, threads_));
   for (float& d : distances)
     if (!(d <= reach))
       d = unknown;
@@ -84,8 +84,8 @@ PartOfCloud::measureDistances(double reach) const
 NoiseMeasures
 PartOfCloud::measureNoise(const CloudNumbers& numbers, std::uint64_t places) const
 {
-  const auto measured = [&](const PointsNear& near, const Neighborhoods& among) {
-    return localSpacings(among, near.view().size, numbers);
+  const auto measured = [&](const PointsNear& /*near*/, const Neighborhoods& among) {
+    return localSpacings(among, numbers);
   };
   return noiseOfPart(places_,
                      is_measured_,
@@ -98,16 +98,9 @@ PartOfCloud::measureNoise(const CloudNumbers& numbers, std::uint64_t places) con
 std::vector<float>
 PartOfCloud::normals(const CloudNumbers& numbers, double radius) const
 {
-  const pcl::Indices all = allOf(places_);
-  const Neighborhoods neighborhoods(places_, places_, all, threads_);
-  std::vector<float> radii = localSpacings(neighborhoods, all.size(), numbers);
-  using Limits = std::numeric_limits<float>;
-  for (float& r : radii)
-    r = std::clamp(r * static_cast<float>(radius), Limits::min(), Limits::max());
-  std::vector<float> normals(4 * places_.size);
-  neighborhoods.computeNormals(
-      NeighborhoodSize::ofRadii(radii.data()), normals.data(), normals.data() + 3, 4);
-  return normals;
+  const Neighborhoods neighborhoods(places_, threads_);
+  return normalsWithCurvature(
+      neighborhoods, radiiInMeters(radius, localSpacings(neighborhoods, numbers)));
 }
 
 } // namespace pcl

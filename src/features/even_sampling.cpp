@@ -5,6 +5,7 @@
 #include "features/even_sampling.h"
 
 #include "common/finite.h"
+#include "common/gathered.h"
 #include "common/parallel.h"
 #include "geometry/point_grid.h"
 #include "geometry/voxel_means.h"
@@ -49,8 +50,7 @@ class Level {
 public:
   Level(const XYZView& points, const std::vector<std::size_t>& members, double spacing)
   : reach_(static_cast<float>(reach_spacings * spacing))
-  , positions_(positionsOf(points, members))
-  , grid_({positions_.data(), 3, members.size()}, reach_)
+  , grid_(viewOfPositions(positionsAt(points, members)), reach_)
   {}
 
   bool
@@ -64,18 +64,7 @@ public:
   }
 
 private:
-  static std::vector<float>
-  positionsOf(const XYZView& points, const std::vector<std::size_t>& members)
-  {
-    std::vector<float> positions;
-    positions.reserve(3 * members.size());
-    for (const std::size_t i : members)
-      positions.insert(positions.end(), points[i], points[i] + 3);
-    return positions;
-  }
-
   float reach_; ///< meters
-  std::vector<float> positions_;
   segmentation::PointGrid grid_;
 };
 
@@ -134,7 +123,7 @@ evenSampling(const XYZView& points,
     to.insert(to.end(), points[i], points[i] + 3);
   }
   for (const auto& [level, positions] : too_dense) {
-    const XYZView view{positions.data(), 3, positions.size() / 3};
+    const XYZView view = viewOfPositions(positions);
     const double size = voxel_spacings * spacingOf(level);
     const std::vector<float> means = problemOfResolution(size, view).empty()
                                          ? voxelMeans(view, size, threads)

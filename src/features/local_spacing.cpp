@@ -5,6 +5,8 @@
 #include "features/local_spacing.h"
 
 #include "common/finite.h"
+#include "common/gathered.h"
+#include "common/statistics.h"
 #include "features/some_points.h"
 
 #include <pcl/features/impl/neighborhoods.hpp>
@@ -26,31 +28,24 @@ constexpr std::size_t noise_points = 20000; // the percentile is then known to 1
 
 /** The value that a share of the finite ones is below; 0 if there is none. */
 float
-quantile(std::vector<float> values, double share)
+quantileOfFinite(std::vector<float> values, double share)
 {
-  values.erase(std::remove_if(values.begin(),
-                              values.end(),
-                              [](float v) { return !std::isfinite(v); }),
-               values.end());
-  if (values.empty())
-    return 0.0f;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(
-                                           share * static_cast<double>(values.size()));
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  values = segmentation::finiteOf(std::move(values));
+  return values.empty() ? 0.0f : segmentation::quantile(std::move(values), share);
 }
 
+/** In multiples of the radius. */
 std::vector<float>
-depthRadii(double radius, const XYZView& points, const pcl::Indices& indices)
+depthFactors(const Neighborhoods& neighborhoods)
 {
-  std::vector<float> radii;
-  radii.reserve(indices.size());
-  for (const pcl::index_t index : indices) {
-    const float z = points[static_cast<std::size_t>(index)][2];
-    const float factor = std::isfinite(z) ? std::max(1.0f, z / full_depth) : 1.0f;
-    radii.push_back(static_cast<float>(radius) * factor);
+  std::vector<float> factors;
+  factors.reserve(neighborhoods.size());
+  for (std::size_t i = 0; i < neighborhoods.size(); ++i) {
+    const auto point = static_cast<std::size_t>(neighborhoods.pointAt(i));
+    const float z = neighborhoods.input()[point][2];
+    factors.push_back(std::isfinite(z) ? std::max(1.0f, z / full_depth) : 1.0f);
   }
-  return radii;
+  return factors;
 }
 
 double
@@ -60,7 +55,7 @@ medianOf(const std::vector<float>& distances)
   for (const float d : distances)
     if (d > 0.0f)
       positive.push_back(d);
-  return positive.empty() ? 1.0 : quantile(std::move(positive), 0.5);
+  return positive.empty() ? 1.0 : quantileOfFinite(std::move(positive), 0.5);
 }
 
 } // namespace
@@ -107,21 +102,19 @@ evenSpacingsOf(std::vector<float> distances)
 }
 
 std::vector<float>
-distancesToTwelfth(const Neighborhoods& neighborhoods, std::size_t count)
+distancesToTwelfth(const Neighborhoods& neighborhoods)
 {
-  std::vector<float> distances(count);
+  std::vector<float> distances(neighborhoods.size());
   neighborhoods.computeDistanceToNearest(nearest, distances.data());
   return distances;
 }
 
 std::vector<float>
-localSpacings(const Neighborhoods& neighborhoods,
-              std::size_t count,
-              const CloudNumbers& of_cloud)
+localSpacings(const Neighborhoods& neighborhoods, const CloudNumbers& of_cloud)
 {
-  std::vector<float> distances = distancesToTwelfth(neighborhoods, count);
+  std::vector<float> distances = distancesToTwelfth(neighborhoods);
   const bool are_few = countFinite(neighborhoods.input()) < nearest;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < distances.size(); ++i) {
     const bool is_far = are_few && kernels::isFinite(neighborhoods.input()[i]);
     distances[i] = spacingOf(is_far ? std::numeric_limits<float>::max() : distances[i],
                              of_cloud.distance);
@@ -130,31 +123,48 @@ localSpacings(const Neighborhoods& neighborhoods,
 }
 
 std::vector<float>
-localSpacings(const Neighborhoods& neighborhoods, std::size_t count, bool is_even)
+localSpacings(const Neighborhoods& neighborhoods, bool is_even)
 {
-  std::vector<float> distances = distancesToTwelfth(neighborhoods, count);
+  std::vector<float> distances = distancesToTwelfth(neighborhoods);
   return is_even ? evenSpacingsOf(std::move(distances))
                  : spacingsOf(std::move(distances));
 }
 
 std::vector<float>
+times(double factor, std::vector<float> lengths)
+{
+  for (float& length : lengths)
+    length *= static_cast<float>(factor);
+  return lengths;
+}
+
+std::vector<float>
+radiiInMeters(double radius, std::vector<float> units)
+{
+  using Limits = std::numeric_limits<float>;
+  for (float& r : units)
+    r = std::clamp(static_cast<float>(radius) * r, Limits::min(), Limits::max());
+  return units;
+}
+
+std::vector<float>
 adaptiveRadii(AdaptiveRadius::RadiusMode mode,
               double radius,
-              const Neighborhoods& neighborhoods,
-              const pcl::Indices& indices)
+              const Neighborhoods& neighborhoods)
 {
-  std::vector<float> radii;
-  if (mode == AdaptiveRadius::DEPTH)
-    radii = depthRadii(radius, neighborhoods.input(), indices);
-  else {
-    radii = localSpacings(neighborhoods, indices.size());
-    for (float& r : radii)
-      r *= static_cast<float>(radius);
-  }
-  using Limits = std::numeric_limits<float>;
-  for (float& r : radii)
-    r = std::clamp(r, Limits::min(), Limits::max());
-  return radii;
+  return radiiInMeters(radius,
+                       mode == AdaptiveRadius::DEPTH ? depthFactors(neighborhoods)
+                                                     : localSpacings(neighborhoods));
+}
+
+std::vector<float>
+normalsWithCurvature(const Neighborhoods& neighborhoods,
+                     const std::vector<float>& radii)
+{
+  std::vector<float> normals(4 * radii.size());
+  neighborhoods.computeNormals(
+      NeighborhoodSize::ofRadii(radii.data()), normals.data(), normals.data() + 3, 4);
+  return normals;
 }
 
 double
@@ -184,14 +194,8 @@ variationsAt(const pcl::Indices& chosen,
 {
   if (chosen.empty())
     return {};
-  std::vector<float> radii;
-  radii.reserve(chosen.size());
-  for (const pcl::index_t index : chosen)
-    radii.push_back(static_cast<float>(noise_spacings) *
-                    spacings[static_cast<std::size_t>(index)]);
-  std::vector<float> normals(4 * chosen.size());
-  neighborhoods.among(chosen).computeNormals(
-      NeighborhoodSize::ofRadii(radii.data()), normals.data(), normals.data() + 3, 4);
+  const std::vector<float> normals = normalsWithCurvature(
+      neighborhoods.among(chosen), times(noise_spacings, gathered(spacings, chosen)));
   std::vector<float> variations;
   for (std::size_t i = 0; i < chosen.size(); ++i)
     variations.push_back(normals[4 * i + 3]);
@@ -201,7 +205,7 @@ variationsAt(const pcl::Indices& chosen,
 double
 noiseOfVariations(std::vector<float> variations)
 {
-  const double variation = quantile(std::move(variations), 0.2);
+  const double variation = quantileOfFinite(std::move(variations), 0.2);
   return std::min(max_noise, 1.55 * noise_spacings * std::sqrt(0.5 * variation));
 }
 

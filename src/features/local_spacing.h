@@ -25,20 +25,16 @@ PCL_SHAPE_EXPORTS std::vector<float> spacingsOf(std::vector<float> distances);
 std::vector<float> evenSpacingsOf(std::vector<float> distances);
 
 /** \brief The distance from each point of some neighborhoods to its 12th neighbor, NaN
- * unknown. \param[in] count how many they are */
-std::vector<float> distancesToTwelfth(const Neighborhoods& neighborhoods,
-                                      std::size_t count);
+ * unknown. */
+std::vector<float> distancesToTwelfth(const Neighborhoods& neighborhoods);
 
-/** \brief The local spacings of the points of some neighborhoods.
- * \param[in] count how many they are */
+/** \brief The local spacings of the points of some neighborhoods. */
 std::vector<float> localSpacings(const Neighborhoods& neighborhoods,
-                                 std::size_t count,
                                  bool is_even = false);
 
 /** \brief Those of the points of a part of a cloud. A point with fewer neighbors in the
  * part is far from the others. \param[in] neighborhoods of all points of the part */
 std::vector<float> localSpacings(const Neighborhoods& neighborhoods,
-                                 std::size_t count,
                                  const CloudNumbers& of_cloud);
 
 /** \brief The local spacing where the 12th neighbor is so far. */
@@ -49,11 +45,21 @@ float spacingOf(float distance, double median);
 double mostSpacing(double median);
 double spacingReach(double median);
 
-/** \brief Radii in meters, one for each index, in DEPTH or DENSITY mode. */
+/** \brief Each of them, as floats are multiplied. */
+std::vector<float> times(double factor, std::vector<float> lengths);
+
+/** \brief Radii within what a float can be. \param[in] units of each, meters */
+std::vector<float> radiiInMeters(double radius, std::vector<float> units);
+
+/** \brief Radii in meters, one for each point, in DEPTH or DENSITY mode. */
 std::vector<float> adaptiveRadii(AdaptiveRadius::RadiusMode mode,
                                  double radius,
-                                 const Neighborhoods& neighborhoods,
-                                 const pcl::Indices& indices);
+                                 const Neighborhoods& neighborhoods);
+
+/** \brief Normals of either sign and their curvature, four numbers for each point; NaN
+ * unknown. \param[in] radii one for each, meters */
+std::vector<float> normalsWithCurvature(const Neighborhoods& neighborhoods,
+                                        const std::vector<float>& radii);
 
 /** \brief The most that noiseOf() gives, in spacings. */
 constexpr double max_noise = 0.3;

@@ -6,7 +6,6 @@
 #include "common/finite.h"
 #include "common/number_text.h"
 #include "common/parallel.h"
-#include "features/listed_neighborhoods.h"
 #include "features/local_spacing.h"
 
 #include <pcl/features/impl/neighborhoods.hpp>
@@ -97,21 +96,6 @@ problemOfSize(double radius, int k, const XYZView& surface)
              : "radius is " + numberText(radius) + " m: it must be positive and finite";
 }
 
-ListedNeighborhoods::Find
-listsOf(const NeighborFinder& finder,
-        const pcl::Indices& indices,
-        const NeighborhoodSize& size)
-{
-  return [&finder, &indices, size](std::size_t position, pcl::Indices& found) {
-    thread_local std::vector<float> squared_distances;
-    finder(indices[position],
-           size.radii ? size.radii[position] : size.radius,
-           static_cast<int>(size.k),
-           found,
-           squared_distances);
-  };
-}
-
 } // namespace
 
 std::string
@@ -165,7 +149,7 @@ Neighborhoods::Neighborhoods(const XYZView& input,
                              unsigned threads)
 : input_(input)
 , surface_(surface)
-, indices_(indices)
+, indices_(&indices)
 , threads_(threads)
 {
   if constexpr (!has_engine_indices) {
@@ -184,22 +168,20 @@ Neighborhoods::among(const pcl::Indices& points) const
   return some;
 }
 
-template <typename Engine, typename... Arguments>
-Engine
-Neighborhoods::madeFor(const Arguments&... arguments) const
+NeighborhoodSweep
+Neighborhoods::sweep() const
 {
-  Engine engine(surface_, arguments...);
+  NeighborhoodSweep sweep(surface_);
   if (input_.first != surface_.first)
-    engine.setQueries(input_);
-  bool is_all = indices_.size() == input_.size;
-  for (std::size_t i = 0; is_all && i < indices_.size(); ++i)
-    is_all = indices_[i] == static_cast<pcl::index_t>(i);
+    sweep.setQueries(input_);
+  bool is_all = size() == input_.size;
+  for (std::size_t i = 0; indices_ && is_all && i < size(); ++i)
+    is_all = pointAt(i) == static_cast<pcl::index_t>(i);
   if (!is_all)
-    engine.setQueryIndices(eitherOf(indices_, narrow_indices_), indices_.size());
-  engine.setNumberOfThreads(threads_);
-  if constexpr (std::is_same_v<Engine, NeighborhoodSweep>)
-    engine.setIndex(index_);
-  return engine;
+    sweep.setQueryIndices(eitherOf(*indices_, narrow_indices_), size());
+  sweep.setNumberOfThreads(threads_);
+  sweep.setIndex(index_);
+  return sweep;
 }
 
 bool
@@ -208,10 +190,8 @@ Neighborhoods::computeNormals(const NeighborhoodSize& size,
                               float* curvature,
                               std::size_t stride) const
 {
-  if (finder_)
-    return madeFor<ListedNeighborhoods>(listsOf(finder_, indices_, size))
-        .computeNormals(normals, curvature, stride);
-  return madeFor<NeighborhoodSweep>().computeNormals(size, normals, curvature, stride);
+  return finder_ ? computeListedNormals(size, normals, curvature, stride)
+                 : sweep().computeNormals(size, normals, curvature, stride);
 }
 
 bool
@@ -220,11 +200,8 @@ Neighborhoods::computeINAD(const NeighborhoodSize& size,
                            double outlier_rate,
                            float* mu_sigma) const
 {
-  if (finder_)
-    return madeFor<ListedNeighborhoods>(listsOf(finder_, indices_, size))
-        .computeINAD(normals, outlier_rate, mu_sigma);
-  return madeFor<NeighborhoodSweep>().computeINAD(
-      size, normals, outlier_rate, mu_sigma);
+  return finder_ ? computeListedINAD(size, normals, outlier_rate, mu_sigma)
+                 : sweep().computeINAD(size, normals, outlier_rate, mu_sigma);
 }
 
 void
@@ -232,16 +209,16 @@ Neighborhoods::computeDistanceToNearest(std::size_t k, float* distances) const
 {
   k = std::min(k, countFinite(surface_));
   if (!finder_) {
-    madeFor<NeighborhoodSweep>().computeDistanceToNearest(k, distances);
+    sweep().computeDistanceToNearest(k, distances);
     return;
   }
   pcl::Indices found;
   std::vector<float> squared;
-  for (std::size_t i = 0; i < indices_.size(); ++i) {
+  for (std::size_t i = 0; i < size(); ++i) {
     distances[i] = std::numeric_limits<float>::quiet_NaN();
     found.clear();
-    if (isFinite(input_[static_cast<std::size_t>(indices_[i])]))
-      finder_(indices_[i], 0.0, static_cast<int>(k), found, squared);
+    if (isFinite(input_[static_cast<std::size_t>(pointAt(i))]))
+      finder_(pointAt(i), 0.0, static_cast<int>(k), found, squared);
     if (!found.empty())
       distances[i] = std::sqrt(*std::max_element(squared.begin(), squared.end()));
   }
@@ -257,7 +234,7 @@ Neighborhoods::sizeOf(double radius,
     return NeighborhoodSize::ofNearest(static_cast<std::size_t>(k));
   if (mode == AdaptiveRadius::FIXED)
     return NeighborhoodSize::ofRadius(radius);
-  radii = adaptiveRadii(mode, radius, *this, indices_);
+  radii = adaptiveRadii(mode, radius, *this);
   return NeighborhoodSize::ofRadii(radii.data());
 }
 

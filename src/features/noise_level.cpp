@@ -4,8 +4,6 @@
 
 #include "features/noise_level.h"
 
-#include "common/finite.h"
-#include "common/parallel.h"
 #include "common/statistics.h"
 #include "features/normal_scatter.h"
 #include "features/sensor_steps.h"
@@ -17,9 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numeric>
-#include <optional>
 
 namespace pcl::detail {
 namespace {
@@ -273,11 +268,9 @@ withNoiseOfCloud(const INADParameters& parameters,
 {
   if (parameters.normal_radius_noise == 0.0 && parameters.radius_noise == 0.0)
     return parameters;
-  pcl::Indices all(cloud.size);
-  std::iota(all.begin(), all.end(), 0);
-  const Neighborhoods neighborhoods(cloud, cloud, all, threads);
+  const Neighborhoods neighborhoods(cloud, threads);
   const std::vector<float> spacings =
-      adaptiveRadii(AdaptiveRadius::DENSITY, 1.0, neighborhoods, all);
+      adaptiveRadii(AdaptiveRadius::DENSITY, 1.0, neighborhoods);
   const double noise = noiseOf(neighborhoods, spacings);
   return withNoise(parameters,
                    noiseLevelOf(neighborhoods, spacings, noise, threads).level);

@@ -4,42 +4,15 @@
 
 #include "features/normal_scatter.h"
 
-#include "common/finite.h"
-#include "common/parallel.h"
 #include "common/statistics.h"
-#include "geometry/cells_around.h"
+#include "features/local_spacing.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace pcl::detail {
-namespace {
 
 using namespace segmentation;
-
-constexpr float rounding =
-    1.001f; // so that it does not decide whose normals are needed
-
-/** The points that are nearer than a reach to chosen ones, and others. */
-pcl::Indices
-pointsNear(const pcl::Indices& chosen,
-           const XYZView& points,
-           float reach,
-           unsigned threads)
-{
-  CellsAround cells(reach);
-  for (const pcl::index_t i : chosen)
-    cells.add(positionOf(points, static_cast<std::size_t>(i)));
-  return kernels::collectForEach<pcl::index_t>(
-      static_cast<std::uint32_t>(points.size),
-      threads,
-      [&](std::uint32_t i, pcl::Indices& near) {
-        if (kernels::isFinite(points[i]) && cells.mayHold(positionOf(points, i)))
-          near.push_back(static_cast<pcl::index_t>(i));
-      });
-}
-
-} // namespace
 
 NormalScatter::NormalScatter(const Neighborhoods& neighborhoods,
                              const std::vector<float>& spacings,
@@ -53,14 +26,9 @@ NormalScatter::NormalScatter(const Neighborhoods& neighborhoods,
   if (chosen_.empty())
     return;
   std::vector<float> reaches = radiiOf(chosen_, most_radius);
-  near_ = pointsNear(chosen_,
-                     neighborhoods.input(),
-                     rounding * *std::max_element(reaches.begin(), reaches.end()),
-                     threads);
-  places_ = placesOf(near_);
-  chosen_among_near_ = positionsAmong(near_);
-  const float cell = median(std::move(reaches));
-  grid_.emplace(XYZView{places_.data()->data(), 3, places_.size()}, cell);
+  const double reach = *std::max_element(reaches.begin(), reaches.end());
+  near_.emplace(neighborhoods.input(), chosen_, reach, 1, threads);
+  grid_.emplace(near_->view(), median(std::move(reaches)));
 }
 
 std::vector<float>
@@ -69,79 +37,53 @@ NormalScatter::operator()(double normal_radius, double radius) const
   if (chosen_.empty())
     return {};
   const std::vector<float> radii = radiiOf(chosen_, radius);
-  const pcl::Indices near = neighborsOf(radii);
-  const std::vector<float> normal_radii = radiiOf(near, normal_radius);
-  std::vector<float> normals(4 * near.size());
-  neighborhoods_.among(near).computeNormals(
-      NeighborhoodSize::ofRadii(normal_radii.data()),
-      normals.data(),
-      normals.data() + 3,
-      4);
-  std::vector<float> mu_sigma(2 * chosen_.size());
-  const std::vector<Eigen::Vector3f> places = placesOf(near);
-  const XYZView cloud{places.data()->data(), 3, places.size()};
-  const pcl::Indices chosen = positionsAmong(near);
+  const auto [needed, chosen] = neededFor(radii);
+  const std::vector<float> normals = normalsWithCurvature(
+      neighborhoods_.among(needed), radiiOf(needed, normal_radius));
+  std::vector<float> mu_sigma(2 * chosen.size());
+  const std::vector<float> positions = positionsAt(neighborhoods_.input(), needed);
+  const XYZView cloud = viewOfPositions(positions);
   constexpr unsigned threads = 1; // for few points
   Neighborhoods(cloud, cloud, chosen, threads)
       .computeINAD(NeighborhoodSize::ofRadii(radii.data()),
-                   {normals.data(), 4, near.size()},
+                   {normals.data(), 4, needed.size()},
                    0.0,
                    mu_sigma.data());
   std::vector<float> mu;
-  for (std::size_t k = 0; k < chosen_.size(); ++k)
+  for (std::size_t k = 0; k < chosen.size(); ++k)
     mu.push_back(mu_sigma[2 * k]);
   return mu;
 }
 
 /** The chosen points, and those that their INAD needs the normals of. */
-pcl::Indices
-NormalScatter::neighborsOf(const std::vector<float>& radii) const
+NormalScatter::Needed
+NormalScatter::neededFor(const std::vector<float>& radii) const
 {
-  std::vector<bool> is_needed(near_.size(), false);
+  constexpr float rounding = 1.001f; // does not decide whose normals are needed
+  const XYZView places = near_->view();
+  std::vector<bool> is_needed(places.size, false);
   for (std::size_t k = 0; k < radii.size(); ++k) {
-    const auto at = static_cast<std::size_t>(chosen_among_near_[k]);
+    const auto at = static_cast<std::size_t>(near_->some()[k]);
     is_needed[at] = true; // even if squares of the radii are 0
-    grid_->forEachWithin(places_[at], rounding * radii[k], [&](std::uint32_t i, float) {
-      is_needed[i] = true;
-    });
+    grid_->forEachWithin(positionOf(places, at),
+                         rounding * radii[k],
+                         [&](std::uint32_t i, float) { is_needed[i] = true; });
   }
-  pcl::Indices needed;
-  for (std::size_t i = 0; i < near_.size(); ++i)
+  Needed needed;
+  for (std::size_t i = 0; i < places.size; ++i) {
+    const std::size_t next = needed.chosen.size();
+    if (next < radii.size() && near_->some()[next] == static_cast<pcl::index_t>(i))
+      needed.chosen.push_back(static_cast<pcl::index_t>(needed.points.size()));
     if (is_needed[i])
-      needed.push_back(near_[i]);
+      needed.points.push_back(near_->indices()[i]);
+  }
   return needed;
 }
 
-std::vector<Eigen::Vector3f>
-NormalScatter::placesOf(const pcl::Indices& points) const
-{
-  std::vector<Eigen::Vector3f> places;
-  places.reserve(points.size());
-  for (const pcl::index_t i : points)
-    places.push_back(positionOf(neighborhoods_.input(), static_cast<std::size_t>(i)));
-  return places;
-}
-
-/** Where the chosen points are among others that hold them, in ascending order. */
-pcl::Indices
-NormalScatter::positionsAmong(const pcl::Indices& points) const
-{
-  pcl::Indices positions;
-  positions.reserve(chosen_.size());
-  for (const pcl::index_t i : chosen_)
-    positions.push_back(static_cast<pcl::index_t>(
-        std::lower_bound(points.begin(), points.end(), i) - points.begin()));
-  return positions;
-}
-
 std::vector<float>
-NormalScatter::radiiOf(const pcl::Indices& indices, double count) const
+NormalScatter::radiiOf(const pcl::Indices& points, double count) const
 {
-  std::vector<float> radii;
-  radii.reserve(indices.size());
-  for (const pcl::index_t i : indices)
-    radii.push_back(static_cast<float>(count) * spacings_[static_cast<std::size_t>(i)]);
-  return radii;
+  return times(count, gathered(spacings_, points));
 }
 
 } // namespace pcl::detail

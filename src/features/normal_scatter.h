@@ -4,12 +4,11 @@
 
 #pragma once
 
+#include "features/part_noise.h"
 #include "geometry/point_grid.h"
 
 #include <pcl/types.h>
 #include <pcl/features/impl/neighborhoods.hpp>
-
-#include <Eigen/Core>
 
 #include <optional>
 #include <vector>
@@ -35,17 +34,18 @@ public:
   std::vector<float> operator()(double normal_radius, double radius) const;
 
 private:
-  pcl::Indices neighborsOf(const std::vector<float>& radii) const;
-  std::vector<Eigen::Vector3f> placesOf(const pcl::Indices& points) const;
-  pcl::Indices positionsAmong(const pcl::Indices& points) const;
-  std::vector<float> radiiOf(const pcl::Indices& indices, double count) const;
+  struct Needed {
+    pcl::Indices points;
+    pcl::Indices chosen; ///< where the chosen ones are among them
+  };
+
+  Needed neededFor(const std::vector<float>& radii) const;
+  std::vector<float> radiiOf(const pcl::Indices& points, double count) const;
 
   const Neighborhoods& neighborhoods_;
   const std::vector<float>& spacings_;
   pcl::Indices chosen_;
-  pcl::Indices near_;              ///< those whose normals may be needed, and others
-  pcl::Indices chosen_among_near_; ///< where the chosen ones are there
-  std::vector<Eigen::Vector3f> places_;         ///< of these
+  std::optional<PointsNear> near_; ///< whose normals may be needed, and others
   std::optional<segmentation::PointGrid> grid_; ///< of these, if any
 };
 

@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include "common/gathered.h"
+
 #include <pcl/features/cloud_numbers.h>
 #include <pcl/features/xyz_view.h>
 #include <pcl/types.h>
@@ -21,27 +23,21 @@ namespace pcl::detail {
  * \param[in] what there is, e.g. "distances" */
 void requireOneEach(std::size_t places, std::size_t count, const std::string& what);
 
-/** \brief All of some points, in their order. */
-pcl::Indices allOf(const XYZView& points);
-
 /** \brief The points within a distance of some of them, and others. */
 class PointsNear {
 public:
-  /** \param[in] some ascending
+  /** \param[in] some ascending, finite
    * \param[in] cells in the distance: the more, the fewer others */
-  PointsNear(const XYZView& points, const pcl::Indices& some, double reach, int cells);
+  PointsNear(const XYZView& points,
+             const pcl::Indices& some,
+             double reach,
+             int cells,
+             unsigned threads);
 
   XYZView
   view() const
   {
-    return {positions_.data(), 3, positions_.size() / 3};
-  }
-
-  /** \brief Of all points in view(). */
-  Neighborhoods
-  neighborhoods(unsigned threads) const
-  {
-    return {view(), view(), all_, threads};
+    return viewOfPositions(positions_);
   }
 
   /** \brief Which ones they are. */
@@ -59,7 +55,7 @@ public:
   }
 
 private:
-  pcl::Indices indices_, some_, all_;
+  pcl::Indices indices_, some_;
   std::vector<float> positions_;
 };
 

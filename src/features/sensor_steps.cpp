@@ -4,6 +4,7 @@
 
 #include "features/sensor_steps.h"
 
+#include "common/gathered.h"
 #include "common/statistics.h"
 #include "features/normal_scatter.h"
 #include "features/some_points.h"
@@ -14,7 +15,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 
 namespace pcl::detail {
 namespace {
@@ -34,9 +34,8 @@ constexpr double normal_radius = 1.2, inad_radius = 1.0;
 // spacings.
 constexpr double normal_reach = 1.5;
 
-constexpr float bent = 0.09f; // radians, 5 degrees: means on a plane differ by less
-constexpr float parallel =
-    0.5f; // of the angle of means; of a shape the points' is larger
+constexpr float bent = 0.09f;    // radians, 5 degrees: means on a plane differ by less
+constexpr float parallel = 0.5f; // of that angle: of a shape the points' is larger
 
 /** Some points of a cloud, and what tells a step from a shape there. */
 class Samples {
@@ -49,13 +48,9 @@ public:
   , spacings_(spacings)
   , spacing_(static_cast<double>(medianSpacing(spacings)))
   , chosen_(somePoints(points_, some))
+  , places_(positionsAt(points_, chosen_))
   , threads_(threads)
-  {
-    for (const pcl::index_t i : chosen_) {
-      const float* const p = points_[static_cast<std::size_t>(i)];
-      places_.insert(places_.end(), p, p + 3);
-    }
-  }
+  {}
 
   double
   spacing() const
@@ -122,28 +117,25 @@ private:
   std::vector<float>
   anglesOfMeans(const std::vector<float>& means, double radius) const
   {
-    const XYZView view{means.data(), 3, means.size() / 3};
+    const XYZView view = viewOfPositions(means);
     const std::vector<float> spacings(view.size, static_cast<float>(radius));
     const std::vector<std::int32_t> nearest =
-        representatives({places_.data(), 3, chosen_.size()}, view, spacings, threads_);
+        representatives(viewOfPositions(places_), view, spacings, threads_);
     pcl::Indices near(nearest.begin(), nearest.end());
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
     near.erase(near.begin(), std::lower_bound(near.begin(), near.end(), 0));
-    pcl::Indices all(view.size);
-    std::iota(all.begin(), all.end(), 0);
-    const Neighborhoods neighborhoods(view, view, all, threads_);
+    const Neighborhoods neighborhoods(view, threads_);
     const std::vector<float> angles =
         NormalScatter(neighborhoods, spacings, near, inad_radius, threads_)(
             normal_radius, inad_radius);
-    std::vector<float> result;
+    std::vector<std::int32_t> at;
     for (const std::int32_t mean : nearest)
-      result.push_back(
-          mean < 0
-              ? std::numeric_limits<float>::quiet_NaN()
-              : angles[static_cast<std::size_t>(
-                    std::lower_bound(near.begin(), near.end(), mean) - near.begin())]);
-    return result;
+      at.push_back(mean < 0 ? -1
+                            : static_cast<std::int32_t>(
+                                  std::lower_bound(near.begin(), near.end(), mean) -
+                                  near.begin()));
+    return gathered(angles, at, std::numeric_limits<float>::quiet_NaN());
   }
 
   const Neighborhoods& neighborhoods_;

@@ -4,7 +4,9 @@
 
 #include "features/thin_plates.h"
 
+#include "common/gathered.h"
 #include "common/statistics.h"
+#include "features/local_spacing.h"
 #include "features/part_noise.h"
 #include "features/some_points.h"
 #include "geometry/point_grid.h"
@@ -21,25 +23,10 @@ using namespace segmentation;
 using Eigen::Vector3f;
 
 constexpr std::size_t some = 100;     // two thirds of them are known to 5 %
-constexpr float normal_radius = 1.2f; // spacings, the least of the edge model
+constexpr double normal_radius = 1.2; // spacings, the least of the edge model
 // Of the column above and below a point, and of what belongs to its side in the noise
 // that is measured at most, spacings.
 constexpr float column = 0.5f, side = 0.6f;
-
-/** The normals of some points, four numbers each. */
-std::vector<float>
-normalsAt(const pcl::Indices& chosen,
-          const Neighborhoods& neighborhoods,
-          const std::vector<float>& spacings)
-{
-  std::vector<float> radii;
-  for (const pcl::index_t i : chosen)
-    radii.push_back(normal_radius * spacings[static_cast<std::size_t>(i)]);
-  std::vector<float> normals(4 * chosen.size());
-  neighborhoods.among(chosen).computeNormals(
-      NeighborhoodSize::ofRadii(radii.data()), normals.data(), normals.data() + 3, 4);
-  return normals;
-}
 
 float
 thicknessAt(const Vector3f& place,
@@ -71,10 +58,12 @@ thicknessesAt(const pcl::Indices& chosen,
               const std::vector<float>& spacings,
               float reach)
 {
-  const std::vector<float> normals = normalsAt(chosen, neighborhoods, spacings);
+  const std::vector<float> normals = normalsWithCurvature(
+      neighborhoods.among(chosen), times(normal_radius, gathered(spacings, chosen)));
   constexpr int cells = 1;
+  constexpr unsigned threads = 1;
   const PointsNear near(
-      neighborhoods.input(), chosen, static_cast<double>(reach), cells);
+      neighborhoods.input(), chosen, static_cast<double>(reach), cells, threads);
   const PointGrid grid(near.view(), reach);
   std::vector<float> thicknesses;
   for (std::size_t k = 0; k < chosen.size(); ++k)

@@ -7,6 +7,7 @@
 #include "common/radix_sort.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl::segmentation {
 namespace {
@@ -62,6 +63,17 @@ sortByKey(const std::array<Axis, 3>& axes,
 }
 
 } // namespace
+
+Cell
+cellOf(const float* position, float size)
+{
+  constexpr float far = 0x1p30f;
+  Cell cell;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    cell[axis] = static_cast<std::int32_t>(
+        std::clamp(std::floor(position[axis] / size), -far, far));
+  return cell;
+}
 
 void
 sortByCell(std::vector<CellPoint>& points, unsigned threads)

@@ -13,6 +13,10 @@ namespace pcl::segmentation {
 /** \brief The numbers of a cell along three axes. */
 using Cell = std::array<std::int32_t, 3>;
 
+/** \brief The cell that a position is in; what lies far off shares the outermost ones.
+ */
+Cell cellOf(const float* position, float size);
+
 /** \brief A point, and the cell that it is in. */
 struct CellPoint {
   Cell cell;

@@ -6,29 +6,44 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace pcl::segmentation {
 
-/** \brief Cells of space that hold all points nearer than their size to some places. */
+/** \brief Cells of space that hold all points nearer than a reach to some places. */
 class CellsAround {
 public:
-  /** \param[in] size of a cell, meters, positive */
-  explicit CellsAround(float size) : size_(size), is_marked_(slots) {}
+  /** \param[in] reach meters, not negative
+   * \param[in] cells in the reach: the more, the fewer other points are held
+   * \param[in] places about how many will be added */
+  explicit CellsAround(double reach, int cells = 1, std::size_t places = 1000)
+  : cells_(static_cast<float>(cells))
+  , size_(
+        std::max(static_cast<float>(reach / cells), std::numeric_limits<float>::min()))
+  {
+    // 3 % of the slots are marked, unless that would be more than 2 MB.
+    const double marks = std::pow(2.0 * cells + 1.0, 3) * static_cast<double>(places);
+    while (bits_ < 24 && std::ldexp(1.0, bits_) < 32.0 * marks)
+      ++bits_;
+    is_marked_.resize(std::size_t{1} << bits_);
+  }
 
   void
   add(const Eigen::Vector3f& place)
   {
     const Eigen::Array3f cell = cellOf(place);
-    for (float x = -1.0f; x <= 1.0f; ++x)
-      for (float y = -1.0f; y <= 1.0f; ++y)
-        for (float z = -1.0f; z <= 1.0f; ++z)
+    for (float x = -cells_; x <= cells_; ++x)
+      for (float y = -cells_; y <= cells_; ++y)
+        for (float z = -cells_; z <= cells_; ++z)
           is_marked_[slotOf(cell + Eigen::Array3f(x, y, z))] = true;
   }
 
-  /** \brief False only of a point that is no nearer than the size to any place. */
+  /** \brief False only of a point that is no nearer than the reach to any place. */
   bool
   mayHold(const Eigen::Vector3f& point) const
   {
@@ -39,8 +54,6 @@ public:
   }
 
 private:
-  static constexpr std::size_t slots = 1 << 20; // 1,000 places mark 3 % of them
-
   Eigen::Array3f
   cellOf(const Eigen::Vector3f& place) const
   {
@@ -48,18 +61,19 @@ private:
   }
 
   /** Cells may share a slot. */
-  static std::size_t
-  slotOf(const Eigen::Array3f& cell)
+  std::size_t
+  slotOf(const Eigen::Array3f& cell) const
   {
     constexpr float most = 0x1p30f;
     const Eigen::Array3i c = cell.max(-most).min(most).cast<int>();
     std::uint64_t hash = 0;
     for (int axis = 0; axis < 3; ++axis)
       hash = (hash ^ static_cast<std::uint32_t>(c[axis])) * 0x9e3779b97f4a7c15U;
-    return static_cast<std::size_t>(hash >> 44);
+    return static_cast<std::size_t>(hash >> (64 - bits_));
   }
 
-  float size_;
+  float cells_, size_; ///< of a cell, meters
+  int bits_ = 4;
   std::vector<bool> is_marked_; ///< each slot
 };
 

@@ -51,16 +51,13 @@ centralPoints(const XYZView& points,
               float cell,
               unsigned threads)
 {
-  constexpr float far = 0x1p30f; // what lies farther shares the outermost cells
   const auto inCells = [&](std::uint32_t i) -> Eigen::Array3f {
     return positionOf(points, i).array() / cell;
   };
   std::vector<CellPoint> sorted;
   sorted.reserve(candidates.size());
-  for (const std::uint32_t i : candidates) {
-    const Eigen::Array3i c = inCells(i).floor().max(-far).min(far).cast<int>();
-    sorted.push_back({{c.x(), c.y(), c.z()}, i});
-  }
+  for (const std::uint32_t i : candidates)
+    sorted.push_back({cellOf(points[i], cell), i});
   sortByCell(sorted, threads);
   const auto offCenter = [&](std::uint32_t i) {
     const Eigen::Array3f p = inCells(i);

@@ -47,13 +47,7 @@ struct Size {
 Size
 sizeOf(const XYZView& points)
 {
-  Eigen::Array3f low = Eigen::Array3f::Constant(std::numeric_limits<float>::infinity());
-  Eigen::Array3f high = -low;
-  for (std::size_t i = 0; i < points.size; ++i)
-    if (kernels::isFinite(points[i])) {
-      low = low.min(positionOf(points, i).array());
-      high = high.max(positionOf(points, i).array());
-    }
+  const auto [low, high] = Bounds::of(points);
   if (!(low <= high).all())
     return {};
   return {low.abs().max(high.abs()).maxCoeff(), (high - low).maxCoeff()};
@@ -152,17 +146,13 @@ representatives(const XYZView& queries,
     });
     return nearest;
   };
-  kernels::parallelForRanges(
-      queries.size, threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t q = begin; q < end; ++q) {
-          if (!kernels::isFinite(queries[q]))
-            continue;
-          const Eigen::Vector3f query = positionOf(queries, q);
-          for (const float radius : {near, 2.0f * near, usual, most})
-            if (result[q] < 0)
-              result[q] = nearestWithin(query, radius);
-        }
-      });
+  kernels::parallelForEach(queries.size, threads, [&](std::size_t q) {
+    if (!kernels::isFinite(queries[q]))
+      return;
+    for (const float radius : {near, 2.0f * near, usual, most})
+      if (result[q] < 0)
+        result[q] = nearestWithin(positionOf(queries, q), radius);
+  });
   return result;
 }
 

@@ -4,6 +4,8 @@
 
 #include "ground/ground_cells.h"
 
+#include <pcl/features/distinct_points.h>
+
 #include <Eigen/Geometry>
 
 #include <array>
@@ -12,54 +14,6 @@
 
 namespace pcl::segmentation {
 namespace {
-
-/** The places so far, by their coordinates: open addressing, at most two thirds full.
- */
-class PlaceTable {
-public:
-  explicit PlaceTable(std::size_t points)
-  {
-    while (2 * (std::size_t{1} << bits_) < 3 * points)
-      ++bits_;
-    slots_.assign(std::size_t{1} << bits_, no_place);
-  }
-
-  /** The place of a point, a new one if it is the first there. */
-  std::uint32_t
-  placeOf(float x, float y, float z, GroundPlaces& places)
-  {
-    const auto next = static_cast<std::uint32_t>(places.x.size());
-    for (std::size_t slot = slotOf(x, y, z);; slot = (slot + 1) & (slots_.size() - 1)) {
-      std::uint32_t& place = slots_[slot];
-      if (place == no_place) {
-        place = next;
-        places.x.push_back(x);
-        places.y.push_back(y);
-        places.z.push_back(z);
-        return next;
-      }
-      if (places.x[place] == x && places.y[place] == y && places.z[place] == z)
-        return place;
-    }
-  }
-
-private:
-  std::size_t
-  slotOf(float x, float y, float z) const
-  {
-    // Odd numbers without a pattern, of the golden ratio and of splitmix64.
-    constexpr std::uint64_t first = 0x9E3779B97F4A7C15U, second = 0xBF58476D1CE4E5B9U;
-    const std::array<float, 3> values{x + 0.0f, y + 0.0f, z + 0.0f}; // -0 is 0
-    std::array<std::uint32_t, 3> words{};
-    std::memcpy(words.data(), values.data(), sizeof words);
-    std::uint64_t hash = (words[0] | std::uint64_t{words[1]} << 32) * first;
-    hash = ((hash ^ hash >> 32) + words[2]) * second;
-    return static_cast<std::size_t>(hash >> (64 - bits_));
-  }
-
-  unsigned bits_ = 4;
-  std::vector<std::uint32_t> slots_;
-};
 
 /** Where a driver may put rays that did not return. */
 enum FillerPlace : std::size_t { AtSensor, AtZero, Elsewhere };
@@ -72,16 +26,31 @@ fillerPlaceOf(const Eigen::Vector3f& point, const Eigen::Vector3f& sensor)
   return point.isZero(0.0f) ? AtZero : Elsewhere;
 }
 
-/** Fillers are at one place, and more than twice as many as points are at a place on
- * average: one point there may have been measured, as may all if all are repeated. */
-std::array<bool, 2>
-fillersOf(const std::array<std::size_t, 3>& counts, std::size_t places)
-{
-  std::array<bool, 2> are{};
-  for (const FillerPlace at : {AtSensor, AtZero})
-    are[at] = counts[at] * places > 2 * counts[Elsewhere];
-  return are;
-}
+/** Points in the frame of the ground, and which ones of the query they are. */
+struct PointsInFrame {
+  std::vector<float> positions;
+  std::vector<std::size_t> points;
+
+  XYZView
+  view() const
+  {
+    return {positions.data(), 3, points.size()};
+  }
+
+  void
+  add(const Eigen::Vector3f& position, std::size_t point)
+  {
+    positions.insert(positions.end(), position.data(), position.data() + 3);
+    points.push_back(point);
+  }
+
+  void
+  add(const PointsInFrame& others)
+  {
+    positions.insert(positions.end(), others.positions.begin(), others.positions.end());
+    points.insert(points.end(), others.points.begin(), others.points.end());
+  }
+};
 
 // The first bits of a squared range as a float, its exponent and three of its mantissa,
 // are a scale of 8 steps per octave, 16 per octave of the range.
@@ -125,11 +94,9 @@ std::vector<std::uint32_t>
 keysOf(const GroundPlaces& places, unsigned threads)
 {
   std::vector<std::uint32_t> found(places.x.size());
-  kernels::parallelForRanges(
-      found.size(), threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-          found[i] = keyOf(places.x[i] * places.x[i] + places.y[i] * places.y[i]);
-      });
+  kernels::parallelForEach(found.size(), threads, [&](std::size_t i) {
+    found[i] = keyOf(places.x[i] * places.x[i] + places.y[i] * places.y[i]);
+  });
   return found;
 }
 
@@ -141,11 +108,9 @@ template <typename CellOf>
 void
 assignCells(Points& points, unsigned threads, const CellOf& cellOf)
 {
-  kernels::parallelForRanges(
-      points.cells.size(), threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-          points.cells[i] = cellOf(points.x[i], points.y[i], points.cells[i]);
-      });
+  kernels::parallelForEach(points.cells.size(), threads, [&](std::size_t i) {
+    points.cells[i] = cellOf(points.x[i], points.y[i], points.cells[i]);
+  });
 }
 
 /** Sectors by the angle on a square instead of a circle: no trigonometry. */
@@ -236,37 +201,40 @@ groundPlaces(const detail::GroundQuery& query, const Eigen::Vector3f& up)
       Eigen::Quaternionf::FromTwoVectors(up, Eigen::Vector3f::UnitZ())
           .toRotationMatrix();
   const Eigen::Vector3f origin(query.origin);
-  GroundPlaces places;
-  for (auto* values : {&places.x, &places.y, &places.z})
-    values->reserve(query.size);
-  places.of_points.assign(query.size, no_place);
-  PlaceTable table(query.size);
-  std::array<std::size_t, 3> counts{};
-  std::array<std::vector<std::size_t>, 2> maybe_fillers;
+  std::array<PointsInFrame, 3> found; // by FillerPlace
   for (std::size_t i = 0; i < query.size; ++i) {
     const Eigen::Map<const Eigen::Vector3f> point(
         query.points[static_cast<std::size_t>(query.indices[i])]);
     const Eigen::Vector3f p = turn * (point - origin);
     const float squared = p.x() * p.x() + p.y() * p.y();
-    if ((squared - squared) + (p.z() - p.z()) != 0.0f)
-      continue; // not finite
-    const FillerPlace at = fillerPlaceOf(point, origin);
-    ++counts[at];
-    if (at != Elsewhere)
-      maybe_fillers[at].push_back(i);
-    else
-      places.of_points[i] = table.placeOf(p.x(), p.y(), p.z(), places);
+    if ((squared - squared) + (p.z() - p.z()) == 0.0f) // finite
+      found[fillerPlaceOf(point, origin)].add(p, i);
   }
-  const std::array<bool, 2> are_fillers = fillersOf(counts, places.x.size());
+  PointsInFrame& points = found[Elsewhere];
+  DistinctPoints distinct = distinctPoints(points.view());
+  const std::size_t count = points.points.size();
+  const std::size_t places = distinct.hasRepeats() ? distinct.first.size() : count;
+  // Fillers are at one place, and more than twice as many as points are at a place on
+  // average: one point there may have been measured, as may all if all are repeated.
   for (const FillerPlace at : {AtSensor, AtZero})
-    for (const std::size_t i : maybe_fillers[at]) {
-      if (are_fillers[at])
-        break;
-      const Eigen::Vector3f p =
-          at == AtSensor ? Eigen::Vector3f(Eigen::Vector3f::Zero()) : turn * -origin;
-      places.of_points[i] = table.placeOf(p.x(), p.y(), p.z(), places);
-    }
-  return places;
+    if (found[at].points.size() * places <= 2 * count)
+      points.add(found[at]);
+  if (points.points.size() > count)
+    distinct = distinctPoints(points.view());
+  GroundPlaces result;
+  result.of_points.assign(query.size, no_place);
+  for (std::size_t k = 0; k < points.points.size(); ++k) {
+    const std::size_t place =
+        distinct.hasRepeats() ? static_cast<std::size_t>(distinct.place[k]) : k;
+    result.of_points[points.points[k]] = static_cast<std::uint32_t>(place);
+    if (place < result.x.size())
+      continue;
+    const float* const p = points.view()[k];
+    result.x.push_back(p[0]);
+    result.y.push_back(p[1]);
+    result.z.push_back(p[2]);
+  }
+  return result;
 }
 
 GroundCells

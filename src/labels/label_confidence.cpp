@@ -3,6 +3,7 @@
 // Labels of points, what speaks for them, and how sure they are.
 
 #include "common/finite.h"
+#include "common/gathered.h"
 #include "common/parallel.h"
 #include "common/statistics.h"
 #include "edges/edge_types.h"
@@ -98,7 +99,7 @@ class SomeOfCloud {
 public:
   SomeOfCloud(const XYZView& cloud, std::vector<std::uint32_t> indices, float cell)
   : indices_(std::move(indices))
-  , grid_(gridOver(cloud, indices_, cell))
+  , grid_(viewOfPositions(positionsAt(cloud, indices_)), cell)
   {}
 
   /** visit(index in the cloud, squared distance) */
@@ -112,15 +113,6 @@ public:
   }
 
 private:
-  static PointGrid
-  gridOver(const XYZView& cloud, const std::vector<std::uint32_t>& indices, float cell)
-  {
-    std::vector<float> places;
-    for (const std::uint32_t i : indices)
-      places.insert(places.end(), cloud[i], cloud[i] + 3);
-    return {{places.data(), 3, indices.size()}, cell};
-  }
-
   std::vector<std::uint32_t> indices_;
   PointGrid grid_;
 };
@@ -142,12 +134,10 @@ public:
   run() const
   {
     LabelEvidence evidence{labels_, std::vector<LabelFeatures>(labels_.size())};
-    kernels::parallelForRanges(
-        labels_.size(), input_.threads, [&](std::size_t begin, std::size_t end) {
-          for (std::size_t i = begin; i < end; ++i)
-            if (labels_[i] != 0)
-              evidence.features[i] = featuresAt(i);
-        });
+    kernels::parallelForEach(labels_.size(), input_.threads, [&](std::size_t i) {
+      if (labels_[i] != 0)
+        evidence.features[i] = featuresAt(i);
+    });
     return evidence;
   }
 

@@ -8,8 +8,6 @@
 #include "edges/edge_types.h"
 #include "features/local_spacing.h"
 #include "features/noise_level.h"
-#include "segmentation/evidence_reach.h"
-#include "surfaces/evidence_of_faces.h"
 #include "surfaces/face_evidence.h"
 #include "surfaces/surface_classification.h"
 
@@ -101,18 +99,6 @@ persistenceReach(const CloudNumbers& numbers, const ShapeModel& edge_model)
 
 } // namespace
 
-double
-evidenceReach(const CloudNumbers& numbers)
-{
-  const double most = rounding * mostSpacing(numbers.distance);
-  const double cell =
-      rounding * segmentation::firstCell(numbers.noise, numbers.spacing);
-  const double nearest = segmentation::nearest_face_spacings * numbers.spacing;
-  const double layer = segmentation::layerReach(numbers.noise, numbers.spacing);
-  return rounding * std::max(cell + layer, nearest) +
-         segmentation::averaging_rounds * segmentation::firstLink(cell, most);
-}
-
 CloudReach
 reachOf(const CloudNumbers& numbers, const ShapeModel& edge_model)
 {
@@ -141,8 +127,8 @@ reachOf(const CloudNumbers& numbers, const ShapeModel& edge_model)
   reach.faces = std::sqrt(3.0) * cell + faces;
   // Pieces are near by their first points, which are in the cell of their mean, and
   // that may have moved.
-  reach.surfaces = evidenceReach(numbers) + rounding * windowReach(numbers, most) +
-                   2.0 * (cell + layer);
+  reach.surfaces = segmentation::evidenceReach(numbers) +
+                   rounding * windowReach(numbers, most) + 2.0 * (cell + layer);
   return reach;
 }
 

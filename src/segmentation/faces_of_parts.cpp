@@ -3,8 +3,6 @@
 // Surfaces of a part of a cloud: first the pieces of its faces, then what faces around
 // it are like.
 
-#include "segmentation/evidence_reach.h"
-#include "surfaces/evidence_of_faces.h"
 #include "surfaces/surface_classification.h"
 
 #include <pcl/segmentation/cloud_reach.h>
@@ -12,7 +10,6 @@
 #include <pcl/features/impl/neighborhoods.hpp>
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -108,22 +105,29 @@ struct GrownBox {
   Eigen::Array3d low, high;
 };
 
-/** The pieces whose first points are in a box. */
-LinkedPieces
-piecesIn(const GrownBox& box, const LinkedPieces& all)
+/** The first point of a piece of the part, or of another one. */
+Place
+firstOf(const LinkedPieces& all, std::uint32_t piece)
 {
   const std::size_t count = all.pieces.size();
-  PieceNumbers numbers(count + all.others.size());
+  return piece < count ? all.pieces[piece].first : all.others[piece - count];
+}
+
+/** The pieces that are wanted. \param[out] numbers of all in the result */
+template <typename IsWanted>
+LinkedPieces
+chosenOf(const LinkedPieces& all, const IsWanted& is_wanted, PieceNumbers& numbers)
+{
   LinkedPieces some;
   std::vector<std::uint32_t> kept;
-  for (std::uint32_t k = 0; k < count; ++k)
-    if (box.holds(all.pieces[k].first)) {
+  for (std::uint32_t k = 0; k < all.pieces.size(); ++k)
+    if (is_wanted(k)) {
       numbers.number(k);
       kept.push_back(k);
       some.pieces.push_back(all.pieces[k]);
     }
   const auto addOther = [&](std::uint32_t k) {
-    some.others.push_back(k < count ? all.pieces[k].first : all.others[k - count]);
+    some.others.push_back(firstOf(all, k));
   };
   some.link_begins.push_back(0);
   for (const std::uint32_t k : kept) {
@@ -132,6 +136,17 @@ piecesIn(const GrownBox& box, const LinkedPieces& all)
     some.link_begins.push_back(static_cast<std::uint32_t>(some.links.size()));
   }
   return some;
+}
+
+/** The pieces whose first points are in a box. */
+LinkedPieces
+piecesIn(const GrownBox& box, const LinkedPieces& all)
+{
+  PieceNumbers numbers(all.pieces.size() + all.others.size());
+  const auto is_inside = [&](std::uint32_t k) {
+    return box.holds(all.pieces[k].first);
+  };
+  return chosenOf(all, is_inside, numbers);
 }
 
 /** The nodes that pieces are, in the order that the whole cloud has them in. */
@@ -316,43 +331,31 @@ facesOfPart(const ShapeField& edges,
                                 std::to_string(numbers.spacing) +
                                 ": it must be above 0 for faces");
   const XYZView& points = edges.points;
-  pcl::Indices all(points.size);
-  std::iota(all.begin(), all.end(), 0);
-  const Neighborhoods neighborhoods(points, points, all, threads);
+  const Neighborhoods neighborhoods(points, threads);
   const FieldInput input{neighborhoods, points, {}, threads, false, &numbers};
   const FacePyramid faces = firstFaces(points, edges, numbers.spacing, threads);
   const std::vector<float> of_model =
       modelDifferences(input, edges, ShapeModel::defaultSurfaces(), faces);
   const FaceLevel& level = faces.levels.front();
-  PartOfFaces part;
-  PieceNumbers pieces(level.nodes.size());
-  std::vector<std::uint32_t> own;
+  LinkedPieces all{{}, {}, level.link_begins, level.links};
   for (std::uint32_t node = 0; node < level.nodes.size(); ++node)
-    if (is_own[faces.point_of_node[node]]) {
-      pieces.number(node);
-      own.push_back(node);
-      part.linked.pieces.push_back(
-          pieceOf(level, node, points[faces.point_of_node[node]]));
-    }
-  const auto addOther = [&](std::uint32_t node) {
-    const float* const first = points[faces.point_of_node[node]];
-    part.linked.others.push_back({first[0], first[1], first[2]});
+    all.pieces.push_back(pieceOf(level, node, points[faces.point_of_node[node]]));
+  PieceNumbers numbers_of_pieces(all.pieces.size());
+  const auto is_of_part = [&](std::uint32_t node) {
+    return is_own[faces.point_of_node[node]];
   };
-  part.linked.link_begins.push_back(0);
-  for (const std::uint32_t node : own) {
-    for (std::uint32_t l = level.link_begins[node]; l < level.link_begins[node + 1];
-         ++l)
-      part.linked.links.push_back(pieces.numberOf(level.links[l], addOther));
-    part.linked.link_begins.push_back(
-        static_cast<std::uint32_t>(part.linked.links.size()));
-  }
+  PartOfFaces part;
+  part.linked = chosenOf(all, is_of_part, numbers_of_pieces);
+  const auto addOther = [&](std::uint32_t node) {
+    part.linked.others.push_back(firstOf(all, node));
+  };
   for (std::size_t i = 0; i < points.size; ++i) {
     if (!is_own[i])
       continue;
     const std::uint32_t node = faces.node_of_point[i];
     part.piece_of_place.push_back(node == FacePyramid::none
                                       ? PartOfFaces::none
-                                      : pieces.numberOf(node, addOther));
+                                      : numbers_of_pieces.numberOf(node, addOther));
     part.of_model.push_back(of_model[i]);
   }
   return part;

@@ -2,16 +2,16 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // The field of a cloud at its points, however uneven it is.
 
-#include "segmentation/field_of_points.h"
-
 #include "common/finite.h"
+#include "common/gathered.h"
 #include "common/parallel.h"
 #include "common/statistics.h"
+#include "edges/edge_band.h"
 #include "features/even_sampling.h"
 #include "geometry/cells_around.h"
 #include "geometry/point_grid.h"
 #include "geometry/voxel_means.h"
-#include "segmentation/uneven_field.h"
+#include "segmentation/field_stages.h"
 
 #include <pcl/segmentation/cloud_reach.h>
 
@@ -22,6 +22,8 @@
 
 namespace pcl::detail {
 namespace {
+
+using namespace segmentation;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 // With more unknown points the spacing is looked at again: scans have as many strays.
@@ -47,14 +49,169 @@ countUnknown(const XYZView& points,
   return unknown;
 }
 
+// The spacing of means over that of the points that they stand for: less is chance.
+constexpr float coarser = 1.5f;
+// Of the points around a crease, for a sparse face beside a dense one has few of them:
+// less are strays.
+constexpr double one_side = 0.1;
+
+void
+takeValues(const ShapeField& from, std::size_t at, std::size_t i, ShapeField& field)
+{
+  field.spacings[i] = from.spacings[at];
+  field.normals[i] = from.normals[at];
+  field.edge_likelihood[i] = from.edge_likelihood[at];
+}
+
+/** Joins a field and that of means which stand for its points. */
+class Joined {
+public:
+  Joined(const ShapeField& means,
+         const std::vector<std::int32_t>& stands_for,
+         ShapeField& field)
+  : means_(means)
+  , field_(field)
+  , grid_(field.points, 2.0f * medianSpacing(field.spacings))
+  , stands_for_(stands_for)
+  , is_own_(field.points.size, 1)
+  , is_taken_(means.points.size, 0)
+  {}
+
+  void
+  takeValuesOfMeans(const std::vector<char>& keeps_own)
+  {
+    for (std::size_t i = 0; i < is_own_.size(); ++i) {
+      if (stands_for_[i] < 0)
+        continue;
+      if (keeps_own[i] && !std::isnan(field_.edge_likelihood[i]))
+        continue;
+      const auto mean = static_cast<std::size_t>(stands_for_[i]);
+      takeValues(means_, mean, i, field_);
+      is_own_[i] = 0;
+      is_taken_[mean] = 1;
+    }
+  }
+
+  /** Those of all points: they are of whole faces. */
+  void
+  takeClassesOfMeans()
+  {
+    field_.classes = means_.classes;
+    for (const std::vector<float>& of_means : means_.likelihoods)
+      field_.likelihoods.push_back(gathered(of_means, stands_for_, nan));
+  }
+
+  /** Where dense and sparse faces meet, it may be that only the means show the crease.
+   */
+  void
+  takeCreasesOfMeans()
+  {
+    const PointGrid means(means_.points, 2.0f * medianSpacing(means_.spacings));
+    const std::vector<CreasePoint> taken = along(means_.creases, means, is_taken_);
+    field_.creases = along(field_.creases, grid_, is_own_);
+    field_.creases.insert(field_.creases.end(), taken.begin(), taken.end());
+    for (const CreasePoint& crease : taken)
+      markAlong(crease);
+  }
+
+private:
+  /** The creases with enough of the points around them among the chosen. */
+  static std::vector<CreasePoint>
+  along(const std::vector<CreasePoint>& creases,
+        const PointGrid& grid,
+        const std::vector<char>& is_chosen)
+  {
+    std::vector<CreasePoint> found;
+    for (const CreasePoint& crease : creases) {
+      std::size_t points = 0, chosen = 0;
+      grid.forEachWithin(Eigen::Map<const Eigen::Vector3f>(crease.position.data()),
+                         crease.spacing,
+                         [&](std::uint32_t i, float) {
+                           ++points;
+                           chosen += is_chosen[i] ? 1 : 0;
+                         });
+      if (one_side * static_cast<double>(points) < static_cast<double>(chosen))
+        found.push_back(crease);
+    }
+    return found;
+  }
+
+  /** Points with values of their own, in their own band of a crease. */
+  void
+  markAlong(const CreasePoint& crease)
+  {
+    const float band = edgeBand(field_.noise_level);
+    grid_.forEachWithin(
+        Eigen::Map<const Eigen::Vector3f>(crease.position.data()),
+        band * crease.spacing,
+        [&](std::uint32_t i, float squared) {
+          const float reach = band * field_.spacings[i];
+          if (is_own_[i] && stands_for_[i] >= 0 && squared < reach * reach)
+            raise(field_.edge_likelihood[i],
+                  means_.edge_likelihood[static_cast<std::size_t>(stands_for_[i])]);
+        });
+  }
+
+  static void
+  raise(float& likelihood, float other)
+  {
+    if (other > likelihood)
+      likelihood = other;
+  }
+
+  const ShapeField& means_;
+  ShapeField& field_;
+  PointGrid grid_; ///< of the field's points
+  const std::vector<std::int32_t>& stands_for_;
+  std::vector<char> is_own_;   ///< of each point: it keeps its values
+  std::vector<char> is_taken_; ///< of each mean: a point takes its values
+};
+
+/** Which points of a field keep values of their own beside those of means: where
+ * none stands for them, the one that does is unknown, or coarser than they are.
+ * \param[in] stands_for the mean of each point, or -1 \param[in] spacings of the
+ * points, as they are, meters */
+std::vector<char>
+ownPoints(const ShapeField& means,
+          const std::vector<std::int32_t>& stands_for,
+          const std::vector<float>& spacings)
+{
+  std::vector<char> is_own(stands_for.size(), 1);
+  for (std::size_t i = 0; i < is_own.size(); ++i)
+    if (stands_for[i] >= 0) {
+      const auto mean = static_cast<std::size_t>(stands_for[i]);
+      if (!std::isnan(means.edge_likelihood[mean]) &&
+          means.spacings[mean] <= coarser * spacings[i])
+        is_own[i] = 0;
+    }
+  return is_own;
+}
+
+/** Take the values of means that stand for a field's points, and their creases,
+ * except where points keep their own: there the means serve the sparser points beside,
+ * and only the classes of surfaces are taken. \param[in] stands_for the mean of each
+ * point, or -1 \param[in] keeps_own see ownPoints(): if the field knows an edge there
+ * \param[in,out] field with edges, without classes */
+void
+takeFromMeans(const ShapeField& means,
+              const std::vector<std::int32_t>& stands_for,
+              const std::vector<char>& keeps_own,
+              ShapeField& field)
+{
+  Joined joined(means, stands_for, field);
+  joined.takeValuesOfMeans(keeps_own);
+  joined.takeClassesOfMeans();
+  joined.takeCreasesOfMeans();
+}
+
 /** Makes the field of a cloud from its points, or where these are too uneven from means
  * that even them out. */
 class FieldOfPoints {
 public:
   explicit FieldOfPoints(const FieldRequest& request)
   : request_(request)
-  , surface_(request, request.surface)
-  , distances_(distancesToTwelfth(surface_.neighborhoods(), request.surface.size))
+  , surface_(neighborhoodsOf(request))
+  , distances_(distancesToTwelfth(surface_))
   {}
 
   /** \param[in] toEdges whether the field goes on to edges */
@@ -68,7 +225,7 @@ public:
       if (!toEdges(cloud))
         return false;
       const double share = request_.has_normals ? 0.0
-                                                : shareUnknown(surface_.neighborhoods(),
+                                                : shareUnknown(surface_,
                                                                spacings,
                                                                sample_size,
                                                                cloud.noise.level,
@@ -116,15 +273,17 @@ private:
     const std::vector<float> even_spacings = evenSpacingsOf(distances_);
     const std::vector<float> even =
         evenSampling(request_.surface, even_spacings, request_.threads);
-    const Surroundings of_means(request_, even);
     NoiseLevel noise;
     Conditions conditions;
     conditions.to_edges = [&](const MeasuredCloud& cloud) {
       noise = cloud.noise;
       return true;
     };
-    const ShapeField means =
-        fieldOf(request_, nullptr, of_means, {true, nullptr}, conditions);
+    const ShapeField means = fieldOf(request_,
+                                     nullptr,
+                                     neighborhoodsOf(request_, even),
+                                     {true, nullptr},
+                                     conditions);
     const std::vector<std::int32_t> stands_for = representatives(
         request_.surface, means.points, means.spacings, request_.threads);
     // Where some points told it, `unknown` may be off by a tenth; means leave few.
@@ -151,28 +310,23 @@ private:
                ShapeField& field) const
   {
     CloudNumbers numbers;
-    numbers.spacing = segmentation::medianSpacing(field.spacings);
+    numbers.spacing = medianSpacing(field.spacings);
     numbers.distance = static_cast<double>(numbers.spacing);
     numbers.noise = field.noise;
-    setMeasured(noise, segmentation::Bounds::of(request_.surface), numbers);
+    setMeasured(noise, Bounds::of(request_.surface), numbers);
     const pcl::Indices near = pointsNearOwn(keeps_own, field.spacings, numbers);
     field.normals.assign(field.spacings.size(), Eigen::Vector3f::Constant(nan));
     field.edge_likelihood.assign(field.spacings.size(), nan);
     if (near.empty())
       return;
-    std::vector<float> places, near_spacings;
-    for (const pcl::index_t i : near) {
-      const float* const p = request_.surface[static_cast<std::size_t>(i)];
-      places.insert(places.end(), p, p + 3);
-      near_spacings.push_back(field.spacings[static_cast<std::size_t>(i)]);
-    }
+    const std::vector<float> places = positionsAt(request_.surface, near);
+    const std::vector<float> near_spacings = gathered(field.spacings, near);
     FieldRequest of_near = request_;
     of_near.of_cloud = numbers;
     of_near.edges_only = true;
     of_near.index = nullptr;
-    const Surroundings surroundings(of_near, places);
-    const ShapeField edges =
-        fieldOf(of_near, nullptr, surroundings, {true, &near_spacings});
+    const ShapeField edges = fieldOf(
+        of_near, nullptr, neighborhoodsOf(of_near, places), {true, &near_spacings});
     for (std::size_t k = 0; k < near.size(); ++k) {
       const auto i = static_cast<std::size_t>(near[k]);
       field.normals[i] = edges.normals[k];
@@ -213,23 +367,23 @@ private:
            float reach,
            std::vector<char>& is_near) const
   {
-    const XYZView view{places.data(), 3, places.size() / 3};
-    const segmentation::PointGrid grid(view, reach, request_.threads);
-    segmentation::CellsAround cells(reach);
+    const XYZView view = viewOfPositions(places);
+    const PointGrid grid(view, reach, request_.threads);
+    CellsAround cells(reach);
     for (std::size_t k = 0; k < view.size; ++k)
-      cells.add(segmentation::positionOf(view, k));
+      cells.add(positionOf(view, k));
     const auto any = [](std::uint32_t, const Eigen::Vector3f&) { return true; };
     kernels::parallelForEach(is_near.size(), request_.threads, [&](std::size_t i) {
       if (is_near[i] || !kernels::isFinite(request_.surface[i]))
         return;
-      const Eigen::Vector3f place = segmentation::positionOf(request_.surface, i);
+      const Eigen::Vector3f place = positionOf(request_.surface, i);
       if (cells.mayHold(place) && grid.anyWithin(place, reach, any))
         is_near[i] = 1;
     });
   }
 
   const FieldRequest& request_;
-  Surroundings surface_;
+  Neighborhoods surface_;
   std::vector<float> distances_; ///< of each point to its 12th neighbor
 };
 
@@ -243,11 +397,8 @@ fieldOfPoints(const FieldRequest& request,
     return FieldOfPoints(request).make(toEdges);
   Conditions conditions;
   conditions.to_edges = toEdges;
-  return fieldOf(request,
-                 request.surface_owner,
-                 Surroundings(request, request.surface),
-                 {},
-                 conditions);
+  return fieldOf(
+      request, request.surface_owner, neighborhoodsOf(request), {}, conditions);
 }
 
 } // namespace pcl::detail

@@ -4,6 +4,8 @@
 
 #include "segmentation/field_places.h"
 
+#include "common/gathered.h"
+
 #include <cmath>
 
 namespace pcl::detail {
@@ -22,18 +24,15 @@ knownPoints(const ShapeField& field, const DistinctPoints& distinct)
   return known;
 }
 
-template <typename T>
-std::vector<T>
-taken(const std::vector<T>& values, const std::vector<std::size_t>& from)
-{
-  std::vector<T> result;
-  result.reserve(from.size());
-  for (const std::size_t i : from)
-    result.push_back(values[i]);
-  return result;
-}
-
 } // namespace
+
+std::vector<float>
+unsignedZeros(std::vector<float> values)
+{
+  for (float& value : values)
+    value += 0.0f;
+  return values;
+}
 
 FieldPlaces::FieldPlaces(const ShapeField& field) : given_(field)
 {
@@ -42,23 +41,20 @@ FieldPlaces::FieldPlaces(const ShapeField& field) : given_(field)
   if (!hasRepeats())
     return;
   const std::vector<std::size_t> from = knownPoints(field, distinct_);
-  positions_.reserve(3 * from.size());
-  for (const std::size_t i : from)
-    for (int axis = 0; axis < 3; ++axis)
-      positions_.push_back(field.points[i][axis] + 0.0f); // not -0
-  of_places_.points = {positions_.data(), 3, from.size()};
+  positions_ = unsignedZeros(positionsAt(field.points, from));
+  of_places_.points = viewOfPositions(positions_);
   of_places_.noise = field.noise;
   of_places_.noise_level = field.noise_level;
   of_places_.creases = field.creases;
   of_places_.classes = field.classes;
   of_places_.resolution = field.resolution;
   of_places_.base = field.base;
-  of_places_.spacings = taken(field.spacings, from);
-  of_places_.normals = taken(field.normals, from);
-  of_places_.edge_likelihood = taken(field.edge_likelihood, from);
+  of_places_.spacings = gathered(field.spacings, from);
+  of_places_.normals = gathered(field.normals, from);
+  of_places_.edge_likelihood = gathered(field.edge_likelihood, from);
   for (const std::vector<float>& of_class : field.likelihoods)
-    of_places_.likelihoods.push_back(taken(of_class, from));
-  of_places_.base_points = taken(field.base_points, from);
+    of_places_.likelihoods.push_back(gathered(of_class, from));
+  of_places_.base_points = gathered(field.base_points, from);
 }
 
 pcl::Indices

@@ -4,49 +4,29 @@
 
 #include "segmentation/field_stages.h"
 
-#include "features/part_noise.h"
+#include "common/gathered.h"
 #include "surfaces/surface_classification.h"
 
 namespace pcl::detail {
-namespace {
 
-/** \param[in] points that are not the surface's, or none */
-NeighborFinder
-finderAmong(const FieldRequest& request, const std::vector<float>& points)
+Neighborhoods
+neighborhoodsOf(const FieldRequest& request, const std::vector<float>& others)
 {
-  return request.makeFinder ? request.makeFinder(points) : NeighborFinder();
+  Neighborhoods neighborhoods(
+      others.empty() ? request.surface : viewOfPositions(others), request.threads);
+  neighborhoods.setFinder(request.makeFinder ? request.makeFinder(others)
+                                             : NeighborFinder());
+  neighborhoods.setIndex(request.index);
+  return neighborhoods;
 }
-
-} // namespace
-
-Surroundings::Surroundings(const FieldRequest& request,
-                           const XYZView& points,
-                           const NeighborFinder& finder)
-: all_(allOf(points))
-, neighborhoods_(points, points, all_, request.threads)
-{
-  neighborhoods_.setFinder(finder);
-  neighborhoods_.setIndex(request.index);
-}
-
-Surroundings::Surroundings(const FieldRequest& request, const XYZView& points)
-: Surroundings(request, points, finderAmong(request, {}))
-{}
-
-Surroundings::Surroundings(const FieldRequest& request,
-                           const std::vector<float>& points)
-: Surroundings(
-      request, {points.data(), 3, points.size() / 3}, finderAmong(request, points))
-{}
 
 ShapeField
 fieldOf(const FieldRequest& request,
         const shared_ptr<const void>& owner,
-        const Surroundings& surroundings,
+        const Neighborhoods& neighborhoods,
         const Spacings& spacings,
         const Conditions& conditions)
 {
-  const Neighborhoods& neighborhoods = surroundings.neighborhoods();
   const FieldInput input{neighborhoods,
                          neighborhoods.input(),
                          request.normals,

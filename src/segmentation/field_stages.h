@@ -27,37 +27,23 @@ struct Conditions {
       [](const ShapeField& /*edges*/) { return true; };
 };
 
-/** \brief The points of a cloud among themselves, as a request looks for neighbors. */
-class Surroundings {
-public:
-  Surroundings(const FieldRequest& request, const XYZView& points);
-
-  /** \param[in] points x, y and z of each, other points than the request's surface */
-  Surroundings(const FieldRequest& request, const std::vector<float>& points);
-
-  Surroundings(const Surroundings&) = delete;
-  Surroundings& operator=(const Surroundings&) = delete;
-
-  const Neighborhoods&
-  neighborhoods() const
-  {
-    return neighborhoods_;
-  }
-
-private:
-  Surroundings(const FieldRequest& request,
-               const XYZView& points,
-               const NeighborFinder& finder);
-
-  pcl::Indices all_;
-  Neighborhoods neighborhoods_;
-};
+/** \brief The points of the request's surface among themselves, as it looks for
+ * neighbors. \param[in] others x, y and z of each of other points, instead of these */
+Neighborhoods neighborhoodsOf(const FieldRequest& request,
+                              const std::vector<float>& others = {});
 
 /** \brief The field of a cloud. \param[in] owner of its points */
 ShapeField fieldOf(const FieldRequest& request,
                    const shared_ptr<const void>& owner,
-                   const Surroundings& surroundings,
+                   const Neighborhoods& neighborhoods,
                    const Spacings& spacings = {},
                    const Conditions& conditions = {});
+
+/** \brief The field at the points of the request's surface. If the spacing changes so
+ * fast that too many points stay unknown, points take values from means that even the
+ * cloud out. \param[in] toEdges whether the field goes on to edges */
+ShapeField
+fieldOfPoints(const FieldRequest& request,
+              const std::function<bool(const MeasuredCloud& cloud)>& toEdges);
 
 } // namespace pcl::detail

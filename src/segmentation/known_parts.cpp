@@ -25,24 +25,13 @@ requireOneEach(const KnownPart& part)
   detail::requireOneEach(part.places.size, part.distances.size(), "distances");
 }
 
-float
-spacingAt(const KnownPart& part, pcl::index_t place, const CloudNumbers& numbers)
-{
-  const float distance = part.distances[static_cast<std::size_t>(place)];
-  return spacingOf(std::isinf(distance) ? std::numeric_limits<float>::max() : distance,
-                   numbers.distance);
-}
-
 std::vector<float>
-spacingsAt(const KnownPart& part,
-           const pcl::Indices& places,
-           const CloudNumbers& numbers)
+spacingsOf(std::vector<float> distances, const CloudNumbers& numbers)
 {
-  std::vector<float> spacings;
-  spacings.reserve(places.size());
-  for (const pcl::index_t place : places)
-    spacings.push_back(spacingAt(part, place, numbers));
-  return spacings;
+  for (float& d : distances)
+    d = spacingOf(std::isinf(d) ? std::numeric_limits<float>::max() : d,
+                  numbers.distance);
+  return distances;
 }
 
 } // namespace
@@ -55,7 +44,7 @@ measureNoise(const KnownPart& part,
 {
   requireOneEach(part);
   const auto known = [&](const PointsNear& near, const Neighborhoods& /*among*/) {
-    return spacingsAt(part, near.indices(), numbers);
+    return spacingsOf(gathered(part.distances, near.indices()), numbers);
   };
   constexpr double reach = 0.0;
   return noiseOfPart(
@@ -69,14 +58,13 @@ edgesOf(const KnownPart& part,
         unsigned threads)
 {
   requireOneEach(part);
-  const pcl::Indices all = allOf(part.places);
-  const Neighborhoods neighborhoods(part.places, part.places, all, threads);
+  const Neighborhoods neighborhoods(part.places, threads);
   const FieldInput input{neighborhoods, part.places, {}, threads, false, &numbers};
   ShapeField field;
   field.cloud = cloud;
   field.points = part.places;
   const MeasuredCloud measured =
-      measureCloud(input, spacingsAt(part, all, numbers), field);
+      measureCloud(input, spacingsOf(part.distances, numbers), field);
   findEdges(input, measured, ShapeModel::defaultEdges(), field);
   return field;
 }

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Voxel means of a part of a cloud, and which of them stands for a point.
 
+#include "common/gathered.h"
 #include "features/local_spacing.h"
 #include "features/noise_level.h"
 #include "geometry/voxel_means.h"
@@ -25,10 +26,8 @@ voxelDiagonal(double resolution)
 MeansOfPart
 meansOfPart(const XYZView& places, const std::vector<bool>& is_own, double resolution)
 {
-  MeansOfPart part{detail::voxelMeans(places, resolution), {}};
-  for (const std::uint32_t first : detail::firstInVoxels(places, resolution))
-    part.is_own.push_back(is_own[first]);
-  return part;
+  return {detail::voxelMeans(places, resolution),
+          detail::gathered(is_own, detail::firstInVoxels(places, resolution))};
 }
 
 std::vector<std::int32_t>
@@ -72,8 +71,7 @@ coarserResolution(const CloudNumbers& numbers, std::uint64_t places, double reso
 std::string
 problemOfResolution(double resolution, const std::vector<float>& corners)
 {
-  return detail::problemOfResolution(resolution,
-                                     {corners.data(), 3, corners.size() / 3});
+  return detail::problemOfResolution(resolution, detail::viewOfPositions(corners));
 }
 
 } // namespace pcl

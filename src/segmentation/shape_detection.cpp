@@ -3,6 +3,7 @@
 // The two methods of back-projection and edge detection: which settings belong to
 // which.
 
+#include "common/gathered.h"
 #include "common/number_text.h"
 #include "edges/edge_types.h"
 #include "features/local_spacing.h"
@@ -91,13 +92,8 @@ detail::edgeTypesOf(const ShapeField& field, double threshold, unsigned threads)
 {
   if (!field.base)
     return edgeTypes(field, threshold, threads);
-  const std::vector<EdgeType> types = edgeTypes(*field.base, threshold, threads);
-  std::vector<EdgeType> result;
-  result.reserve(field.base_points.size());
-  for (const std::int32_t point : field.base_points)
-    result.push_back(point < 0 ? EdgeType::None
-                               : types[static_cast<std::size_t>(point)]);
-  return result;
+  return gathered(
+      edgeTypes(*field.base, threshold, threads), field.base_points, EdgeType::None);
 }
 
 } // namespace pcl

@@ -4,10 +4,12 @@
 // surface that stand for them.
 
 #include "common/finite.h"
+#include "common/gathered.h"
 #include "common/number_text.h"
 #include "common/point_types.h"
 #include "geometry/voxel_means.h"
-#include "segmentation/field_of_points.h"
+#include "segmentation/field_places.h"
+#include "segmentation/field_stages.h"
 
 #include <pcl/features/distinct_points.h>
 #include <pcl/impl/instantiate.hpp>
@@ -72,7 +74,8 @@ baseOfMeans(const FieldRequest& request,
       voxelMeans(request.surface, request.resolution, request.threads));
   Conditions conditions;
   conditions.to_edges = toEdges;
-  return {fieldOf(request, means, Surroundings(request, *means), {}, conditions), true};
+  return {fieldOf(request, means, neighborhoodsOf(request, *means), {}, conditions),
+          true};
 }
 
 CloudNumbers
@@ -106,24 +109,12 @@ baseOf(FieldRequest request)
   return base;
 }
 
-/** Three numbers of each place, those of its first point; zeros are positive. */
-std::vector<float>
-gathered(const XYZView& values, const DistinctPoints& distinct)
-{
-  std::vector<float> result;
-  result.reserve(3 * distinct.first.size());
-  for (const std::int32_t i : distinct.first)
-    for (int axis = 0; axis < 3; ++axis)
-      result.push_back(values[static_cast<std::size_t>(i)][axis] + 0.0f);
-  return result;
-}
-
 /** Of the normals that are given for a place the one with the least coordinates,
  * whatever their order; one that is finite if there is one. */
 std::vector<float>
 normalsOfPlaces(const XYZView& normals, const DistinctPoints& distinct)
 {
-  std::vector<float> result = gathered(normals, distinct);
+  std::vector<float> result = unsignedZeros(positionsAt(normals, distinct.first));
   const auto order = [](const float* n) {
     return std::make_tuple(!kernels::isFinite(n), n[0], n[1], n[2]);
   };
@@ -141,8 +132,8 @@ baseOf(const FieldRequest& request, const DistinctPoints& distinct)
 {
   if (!distinct.hasRepeats())
     return baseOf(request);
-  const auto places =
-      std::make_shared<const std::vector<float>>(gathered(request.surface, distinct));
+  const auto places = std::make_shared<const std::vector<float>>(
+      unsignedZeros(positionsAt(request.surface, distinct.first)));
   std::vector<float> normals;
   FieldRequest of_places = request;
   of_places.surface = {places->data(), 3, distinct.first.size()};
@@ -158,20 +149,6 @@ baseOf(const FieldRequest& request, const DistinctPoints& distinct)
   return baseOf(of_places);
 }
 
-/** Values of points that stand for others, where they are known. */
-template <typename T>
-std::vector<T>
-taken(const std::vector<T>& values,
-      const std::vector<std::int32_t>& from,
-      const T& unknown)
-{
-  std::vector<T> result;
-  result.reserve(from.size());
-  for (const std::int32_t i : from)
-    result.push_back(i < 0 ? unknown : values[static_cast<std::size_t>(i)]);
-  return result;
-}
-
 /** The field of points with the values of others that they stand for. */
 ShapeField
 scattered(const ShapeField::ConstPtr& base, std::vector<std::int32_t> base_points)
@@ -182,12 +159,11 @@ scattered(const ShapeField::ConstPtr& base, std::vector<std::int32_t> base_point
   field.creases = base->creases;
   field.classes = base->classes;
   field.resolution = base->resolution;
-  field.spacings = taken(base->spacings, base_points, nan);
-  field.normals = taken<Eigen::Vector3f>(
-      base->normals, base_points, Eigen::Vector3f::Constant(nan));
-  field.edge_likelihood = taken(base->edge_likelihood, base_points, nan);
+  field.spacings = gathered(base->spacings, base_points, nan);
+  field.normals = gathered(base->normals, base_points, Eigen::Vector3f::Constant(nan));
+  field.edge_likelihood = gathered(base->edge_likelihood, base_points, nan);
   for (const auto& likelihood : base->likelihoods)
-    field.likelihoods.push_back(taken(likelihood, base_points, nan));
+    field.likelihoods.push_back(gathered(likelihood, base_points, nan));
   field.base = base;
   field.base_points = std::move(base_points);
   return field;

@@ -3,6 +3,7 @@
 // Instances of a field: what they are made of, and what each is like.
 
 #include "common/finite.h"
+#include "common/gathered.h"
 #include "common/number_text.h"
 #include "geometry/voxel_means.h"
 #include "instances/instance_detection.h"
@@ -35,16 +36,10 @@ positionOf(const std::string& name, const std::vector<std::string>& names)
 std::vector<float>
 positionsOf(const InstanceRequest& request)
 {
-  std::vector<float> positions;
-  positions.reserve(3 * request.indices.size());
-  for (const index_t index : request.indices) {
-    const float* p = request.field.points[static_cast<std::size_t>(index)];
-    positions.insert(positions.end(), p, p + 3);
-  }
+  std::vector<float> positions = positionsAt(request.field.points, request.indices);
   const double resolution = request.field.resolution;
-  return resolution > 0.0
-             ? voxelMeans({positions.data(), 3, request.indices.size()}, resolution)
-             : positions;
+  return resolution > 0.0 ? voxelMeans(viewOfPositions(positions), resolution)
+                          : positions;
 }
 
 /** For each position the point of the field, or of its base, that it has the values of;
@@ -75,7 +70,7 @@ valuesAt(const InstanceRequest& request, const std::vector<float>& positions)
       request.field.resolution > 0.0 ? *request.field.base : request.field;
   InstanceValues values;
   InstanceInput& input = values.input;
-  input.points = {positions.data(), 3, positions.size() / 3};
+  input.points = viewOfPositions(positions);
   values.likelihoods.resize(field.classes.size());
   const std::vector<std::int32_t> points = pointsAt(request, input.points);
   input.normals.reserve(3 * points.size());
@@ -142,13 +137,7 @@ labelsOfIndices(const InstanceRequest& request,
                                                          within_their_voxel,
                                                          request.field.resolution,
                                                          request.threads);
-  InstanceLabels result;
-  result.reserve(request.indices.size());
-  for (const index_t index : request.indices) {
-    const std::int32_t mean = nearest[static_cast<std::size_t>(index)];
-    result.push_back(mean < 0 ? -1 : labels[static_cast<std::size_t>(mean)]);
-  }
-  return result;
+  return gathered(labels, gathered(nearest, request.indices), -1);
 }
 
 void

@@ -3,6 +3,7 @@
 // Why points got no answer: what is wrong with their neighborhoods.
 
 #include "common/finite.h"
+#include "common/gathered.h"
 #include "common/statistics.h"
 #include "features/local_spacing.h"
 
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -88,10 +88,7 @@ spacingOf(const Places& places, unsigned threads)
   NeighborhoodSweep sweep(places.view());
   sweep.setNumberOfThreads(threads);
   sweep.computeDistanceToNearest(2, distances.data());
-  distances.erase(std::remove_if(distances.begin(),
-                                 distances.end(),
-                                 [](float d) { return !std::isfinite(d); }),
-                  distances.end());
+  distances = finiteOf(std::move(distances));
   return distances.empty() ? 0.0f : median(std::move(distances));
 }
 
@@ -168,8 +165,7 @@ unknownPoints(const XYZView& points,
   NeighborhoodSize of_asked = size;
   of_asked.k = std::min(size.k, places.points.size());
   if (size.radii) {
-    for (const std::int32_t i : asked)
-      radii_asked.push_back(places.radii[static_cast<std::size_t>(i)]);
+    radii_asked = detail::gathered(places.radii, asked);
     of_asked.radii = radii_asked.data();
   }
   countReasons(places, asked, of_asked, threads, result);
@@ -191,13 +187,8 @@ unknownPoints(const XYZView& points,
   const double radius = std::min(parameters.normal_radius, parameters.radius);
   if (parameters.radius_mode == AdaptiveRadius::FIXED)
     return unknownPoints(points, values, NeighborhoodSize::ofRadius(radius), threads);
-  pcl::Indices all(points.size);
-  std::iota(all.begin(), all.end(), 0);
-  const std::vector<float> radii =
-      detail::adaptiveRadii(parameters.radius_mode,
-                            radius,
-                            detail::Neighborhoods(points, points, all, threads),
-                            all);
+  const std::vector<float> radii = detail::adaptiveRadii(
+      parameters.radius_mode, radius, detail::Neighborhoods(points, threads));
   return unknownPoints(
       points, values, NeighborhoodSize::ofRadii(radii.data()), threads);
 }

@@ -4,7 +4,10 @@
 
 #pragma once
 
+#include "geometry/point_grid.h"
 #include "surfaces/face_noise.h"
+
+#include <pcl/features/cloud_numbers.h>
 
 #include <vector>
 
@@ -12,9 +15,6 @@ namespace pcl::segmentation {
 
 // Windows of the fifth level are 53 spacings in radius without noise.
 constexpr std::size_t face_levels = 5;
-
-// Of averaging over a node and those linked to it: it reaches as far as a first window.
-constexpr int averaging_rounds = 5;
 
 /** \brief How far a window reaches from a node. \param[in] cell of its level
  * \param[in] spacing of the node */
@@ -48,5 +48,19 @@ FaceEvidence faceEvidence(const FacePyramid& pyramid,
                           const std::vector<float>& noise_of_cloud,
                           float spacing,
                           unsigned threads);
+
+/** \brief How far the pieces of faces are whose evidence a point takes: along each
+ * axis, from the point to their means, meters. */
+double evidenceReach(const CloudNumbers& numbers);
+
+/** \brief The evidence at each point. A point of an edge takes that of the nearest
+ * face. \param[in] of_nodes see faceEvidence() \param[in] spacing median \param[in]
+ * bounds of the cloud \param[in] threads 0 for all cores \return NaN unknown */
+FaceEvidence evidenceOfFaces(const XYZView& points,
+                             const FacePyramid& faces,
+                             const FaceEvidence& of_nodes,
+                             float spacing,
+                             const Bounds& bounds,
+                             unsigned threads);
 
 } // namespace pcl::segmentation

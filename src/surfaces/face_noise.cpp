@@ -7,7 +7,6 @@
 #include "common/statistics.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -22,35 +21,23 @@ constexpr double share = 0.25;
 constexpr float min_of_cloud = 0.6f;
 constexpr float max_of_cloud = 2.0f;
 
-using Place = std::array<int, 3>;
-using Residuals = std::map<Place, std::vector<float>>;
-
-Place
-placeOf(const Eigen::Vector3f& position, float cell)
-{
-  constexpr float far = 0x1p30f;
-  Place place;
-  for (int axis = 0; axis < 3; ++axis)
-    place[static_cast<std::size_t>(axis)] =
-        static_cast<int>(std::clamp(std::floor(position[axis] / cell), -far, far));
-  return place;
-}
+using Residuals = std::map<Cell, std::vector<float>>;
 
 template <typename Visit>
 void
-forEachAround(const Place& place, const Visit& visit)
+forEachAround(const Cell& place, const Visit& visit)
 {
   for (int x = -1; x <= 1; ++x)
     for (int y = -1; y <= 1; ++y)
       for (int z = -1; z <= 1; ++z)
-        visit(Place{place[0] + x, place[1] + y, place[2] + z});
+        visit(Cell{place[0] + x, place[1] + y, place[2] + z});
 }
 
 float
-noiseAt(const Place& place, const Residuals& residuals, float of_cloud)
+noiseAt(const Cell& place, const Residuals& residuals, float of_cloud)
 {
   std::vector<float> near;
-  forEachAround(place, [&](const Place& around) {
+  forEachAround(place, [&](const Cell& around) {
     const auto found = residuals.find(around);
     if (found != residuals.end())
       near.insert(near.end(), found->second.begin(), found->second.end());
@@ -90,15 +77,15 @@ std::vector<bool>
 nodesAround(const FaceLevel& level, const std::vector<bool>& chosen, float spacing)
 {
   const auto cell = static_cast<float>(noiseCell(level.cell, spacing));
-  std::set<Place> of_chosen, places;
+  std::set<Cell> of_chosen, places;
   for (std::size_t i = 0; i < chosen.size(); ++i)
     if (chosen[i])
-      of_chosen.insert(placeOf(level.nodes[i].position, cell));
-  for (const Place& place : of_chosen)
-    forEachAround(place, [&](const Place& around) { places.insert(around); });
+      of_chosen.insert(cellOf(level.nodes[i].position.data(), cell));
+  for (const Cell& place : of_chosen)
+    forEachAround(place, [&](const Cell& around) { places.insert(around); });
   std::vector<bool> around(chosen.size());
   for (std::size_t i = 0; i < chosen.size(); ++i)
-    around[i] = places.count(placeOf(level.nodes[i].position, cell)) > 0;
+    around[i] = places.count(cellOf(level.nodes[i].position.data(), cell)) > 0;
   return around;
 }
 
@@ -109,12 +96,13 @@ faceNoise(const FaceLevel& level, const FaceFits& fits, float spacing, float of_
   Residuals residuals;
   for (std::size_t i = 0; i < fits.size(); ++i)
     if (fits[i])
-      residuals[placeOf(level.nodes[i].position, cell)].push_back(fits[i]->residual);
-  std::map<Place, float> known;
+      residuals[cellOf(level.nodes[i].position.data(), cell)].push_back(
+          fits[i]->residual);
+  std::map<Cell, float> known;
   std::vector<float> noise;
   noise.reserve(fits.size());
   for (const FaceNode& node : level.nodes) {
-    const Place place = placeOf(node.position, cell);
+    const Cell place = cellOf(node.position.data(), cell);
     auto found = known.find(place);
     if (found == known.end())
       found = known.emplace(place, noiseAt(place, residuals, of_cloud)).first;

@@ -43,17 +43,6 @@ constexpr float layer_deviations = 3.0f;
 
 using Link = FaceLink;
 
-Cell
-cellOf(const Vector3f& p, float size)
-{
-  constexpr float far = 0x1p30f; // what lies farther shares the outermost cells
-  Cell cell;
-  for (int axis = 0; axis < 3; ++axis)
-    cell[static_cast<std::size_t>(axis)] =
-        static_cast<std::int32_t>(std::clamp(std::floor(p[axis] / size), -far, far));
-  return cell;
-}
-
 /** Of two normals of either sign the second, on the side of the first. */
 Vector3f
 aligned(const Vector3f& first, const Vector3f& second)
@@ -72,7 +61,7 @@ facePoints(const XYZView& points, const ShapeField& field, float size, unsigned 
         if (kernels::isFinite(points[i]) &&
             kernels::isFinite(field.normals[i].data()) &&
             field.edge_likelihood[i] <= 0.5f)
-          of_part.push_back({cellOf(positionOf(points, i), size), i});
+          of_part.push_back({cellOf(points[i], size), i});
       });
   sortByCell(chosen, threads);
   return chosen;
@@ -347,7 +336,7 @@ findParents(FaceLevel& level)
   std::vector<Cell> cells;
   cells.reserve(size);
   for (const FaceNode& node : level.nodes)
-    cells.push_back(cellOf(node.position, 2.0f * level.cell));
+    cells.push_back(cellOf(node.position.data(), 2.0f * level.cell));
   DisjointSets sets(size);
   forEachLink(level, [&](std::uint32_t i, std::uint32_t j) {
     if (cells[i] == cells[j])
@@ -458,7 +447,7 @@ layerReach(double noise, float spacing)
 PlaceInOrder
 inOrder(const std::array<float, 3>& place, float cell)
 {
-  return {cellOf(Vector3f(place[0], place[1], place[2]), cell), place};
+  return {cellOf(place.data(), cell), place};
 }
 
 FacePyramid

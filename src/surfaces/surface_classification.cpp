@@ -8,7 +8,6 @@
 #include "common/statistics.h"
 #include "features/class_evidence.h"
 #include "surfaces/evidence_averaging.h"
-#include "surfaces/evidence_of_faces.h"
 
 #include <pcl/features/distinct_points.h>
 

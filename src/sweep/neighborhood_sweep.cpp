@@ -5,7 +5,6 @@
 #include "common/finite.h"
 #include "common/number_text.h"
 #include "sweep/block_sweep.h"
-#include "sweep/inad_input.h"
 #include "sweep/index/row_width.h"
 #include "sweep/portable/targets.h"
 

@@ -99,7 +99,7 @@ struct OwnPoints {
 /** \brief The own points of a block with normals, from its runs where needed. */
 OwnPoints ownPointsOf(const SweepBlock& block);
 
-/** \brief Whether the neighbors of a query spread over a surface (geometry_check.h). */
+/** \brief Whether the neighbors of a query spread over a surface (neighborhood.h). */
 bool spansSurface(const SweepBlock& block, std::size_t query);
 
 /** \brief The normal of one query, by the portable kernel. */

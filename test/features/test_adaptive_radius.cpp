@@ -18,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace {
@@ -146,10 +145,8 @@ TEST(AdaptiveRadius, SomePointsTellHowManyAreUnknown)
                            {step * static_cast<float>(x),
                             row * static_cast<float>(y),
                             row == step ? 0.0f : 10.0f});
-  Indices all(surface.size());
-  std::iota(all.begin(), all.end(), 0);
-  const detail::Neighborhoods neighborhoods(surface.points(), surface.points(), all, 2);
-  const auto spacings = detail::localSpacings(neighborhoods, all.size());
+  const detail::Neighborhoods neighborhoods(surface.points(), 2);
+  const auto spacings = detail::localSpacings(neighborhoods);
   const auto share = [&](std::size_t points) {
     return detail::shareUnknown(neighborhoods, spacings, points, 0.0, 2);
   };
@@ -162,11 +159,8 @@ TEST(AdaptiveRadius, NoiseIsMeasuredInSpacings)
 {
   const auto noise = [](double sigma) {
     const Surface fold = noisyFold(sigma);
-    Indices all(fold.size());
-    std::iota(all.begin(), all.end(), 0);
-    const detail::Neighborhoods neighborhoods(fold.points(), fold.points(), all, 1);
-    return detail::noiseOf(neighborhoods,
-                           detail::localSpacings(neighborhoods, all.size()));
+    const detail::Neighborhoods neighborhoods(fold.points(), 1);
+    return detail::noiseOf(neighborhoods, detail::localSpacings(neighborhoods));
   };
   EXPECT_LT(noise(0.0), 1e-4);
   // 6000 points on 2 x 0.16 x 0.16 m: d is about 2 * 2.9 mm.
@@ -180,10 +174,8 @@ TEST(AdaptiveRadius, NoiseIsMeasuredInSpacings)
 std::pair<double, detail::NoiseLevel>
 noiseOfCloud(const Surface& surface)
 {
-  Indices all(surface.size());
-  std::iota(all.begin(), all.end(), 0);
-  const detail::Neighborhoods neighborhoods(surface.points(), surface.points(), all, 1);
-  const std::vector<float> spacings = detail::localSpacings(neighborhoods, all.size());
+  const detail::Neighborhoods neighborhoods(surface.points(), 1);
+  const std::vector<float> spacings = detail::localSpacings(neighborhoods);
   const double noise = detail::noiseOf(neighborhoods, spacings);
   return {noise, detail::noiseLevelOf(neighborhoods, spacings, noise, 1)};
 }
@@ -283,9 +275,7 @@ TEST(AdaptiveRadius, StepsOfASensorAreBeyondRadii)
 TEST(AdaptiveRadius, RadiiWhoseSquaresAreZeroHaveNoNoiseLevel)
 {
   const Surface surface = noisyFold(0.001);
-  Indices all(surface.size());
-  std::iota(all.begin(), all.end(), 0);
-  const detail::Neighborhoods neighborhoods(surface.points(), surface.points(), all, 1);
+  const detail::Neighborhoods neighborhoods(surface.points(), 1);
   const std::vector<float> spacings(surface.size(), 1e-30f);
   const detail::NoiseLevel level =
       detail::noiseLevelOf(neighborhoods, spacings, 0.2, 1);

@@ -16,6 +16,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 namespace {
 
 using namespace pcl;
@@ -103,14 +105,12 @@ TEST_F(SharedIndex, SaysNothingWithASearchMethod)
 
 TEST_F(SharedIndex, OfSomeOfThePointsIsThatOfAll)
 {
-  Indices all(cloud_->size()), some;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    all[i] = static_cast<index_t>(i);
-  some.assign(all.begin(), all.begin() + 100);
+  Indices some(100);
+  std::iota(some.begin(), some.end(), 0);
   const XYZView points = detail::xyzOf(*cloud_);
-  detail::Neighborhoods neighborhoods(points, points, all, 1);
+  detail::Neighborhoods neighborhoods(points, 1);
   neighborhoods.setIndex(index_);
-  std::vector<float> distances(all.size());
+  std::vector<float> distances(points.size);
   neighborhoods.among(some).computeDistanceToNearest(12, distances.data());
   EXPECT_EQ(index_->getSortCount(), 1u);
   neighborhoods.computeDistanceToNearest(12, distances.data());

@@ -191,8 +191,7 @@ protected:
     }
   }
 
-  const Indices none;
-  const detail::Neighborhoods neighborhoods{{}, {}, none, 1};
+  const detail::Neighborhoods neighborhoods{{}, 1};
   Surface surface;
   ShapeField edges;
   std::vector<bool> is_known;

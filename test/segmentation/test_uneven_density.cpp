@@ -2,8 +2,11 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // A crease is found all along where one part of a cloud is sampled more finely.
 
+#include "common/statistics.h"
 #include "features/even_sampling.h"
 #include "field_of.h"
+#include "geometry/voxel_means.h"
+#include "segmentation/field_stages.h"
 #include "support/bits.h"
 
 #include <gtest/gtest.h>
@@ -196,6 +199,73 @@ TEST(UnevenField, DensePointsKeepTheirSpacingAndSparseOnesHaveTheirs)
   ASSERT_GT(sparse, 100u);
   EXPECT_LT(100 * coarse, dense);
   EXPECT_LT(100 * fine, sparse);
+}
+
+bool
+areSame(const Eigen::Vector3f& a, const Eigen::Vector3f& b)
+{
+  return a == b || (a.hasNaN() && b.hasNaN());
+}
+
+bool
+areSame(float a, float b)
+{
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+/** Sparse points beside the stripe see its dense points, also where only the edges of
+ * points near them were looked for. */
+TEST(UnevenField, PointsHaveTheEdgesOfAllPointsOrThoseOfMeans)
+{
+  std::mt19937 random(8);
+  const float times = 5.0f;
+  const Cloud::Ptr cloud = floorWithStripe(times, random);
+  detail::FieldRequest request;
+  request.surface = request.input = detail::xyzOf(*cloud);
+  request.edge_model = ShapeModel::defaultEdges();
+  request.edges_only = true;
+  request.threads = 2;
+  const detail::Neighborhoods neighborhoods = detail::neighborhoodsOf(request);
+  const std::vector<float> spacings =
+      detail::evenSpacingsOf(detail::distancesToTwelfth(neighborhoods));
+  detail::NoiseLevel noise;
+  detail::Conditions conditions;
+  conditions.to_edges = [&](const detail::MeasuredCloud& means) {
+    noise = means.noise;
+    return true;
+  };
+  const std::vector<float> even = detail::evenSampling(request.surface, spacings);
+  const ShapeField means = detail::fieldOf(request,
+                                           nullptr,
+                                           detail::neighborhoodsOf(request, even),
+                                           {true, nullptr},
+                                           conditions);
+  const auto stands_for =
+      detail::representatives(request.surface, means.points, means.spacings, 2);
+  CloudNumbers numbers;
+  numbers.spacing = segmentation::medianSpacing(spacings);
+  numbers.distance = static_cast<double>(numbers.spacing);
+  numbers.noise = means.noise;
+  detail::setMeasured(noise, segmentation::Bounds::of(request.surface), numbers);
+  detail::FieldRequest of_all = request;
+  of_all.of_cloud = numbers;
+  const ShapeField all =
+      detail::fieldOf(of_all, nullptr, neighborhoods, {true, &spacings});
+  const ShapeField field =
+      detail::fieldOfPoints(request, [](const auto& /*cloud*/) { return true; });
+  std::size_t sparse_own = 0;
+  for (std::size_t i = 0; i < cloud->size(); ++i) {
+    ASSERT_GE(stands_for[i], 0) << i;
+    const auto mean = static_cast<std::size_t>(stands_for[i]);
+    const bool is_own = areSame(field.normals[i], all.normals[i]);
+    const bool is_of_mean = areSame(field.normals[i], means.normals[mean]);
+    ASSERT_TRUE(is_own || is_of_mean) << i;
+    ASSERT_TRUE(areSame(field.edge_likelihood[i], all.edge_likelihood[i]) ||
+                areSame(field.edge_likelihood[i], means.edge_likelihood[mean]))
+        << i;
+    sparse_own += !is_of_mean && spacings[i] > spacing ? 1 : 0;
+  }
+  EXPECT_GT(sparse_own, 0u);
 }
 
 } // namespace

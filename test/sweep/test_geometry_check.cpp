@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Whether offsets spread over a surface, in whatever order they come.
 
-#include "sweep/portable/geometry_check.h"
+#include "sweep/portable/neighborhood.h"
 
 #include <gtest/gtest.h>
 

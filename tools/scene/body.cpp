@@ -4,7 +4,7 @@
 
 #include "scene/body.h"
 
-#include "scene/random_part.h"
+#include "scene/part.h"
 
 #include <algorithm>
 #include <cmath>

@@ -110,19 +110,13 @@ noisyDepth(const View& view, Random& random)
 {
   const Field fine = boxField(view.width, view.height, 8, 4, random);
   const Field coarse = gridField(view.width, view.height, long_noise_cell, random);
-  std::vector<double> depth(view.sights.size(),
-                            std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t i = 0; i < depth.size(); ++i) {
-    const Sight& sight = view.sights[i];
-    if (sight.object == nothing)
-      continue;
+  return depthsOf(view, [&](std::size_t i, const Sight& sight) {
     const double noise = short_noise * fine[i] + long_noise / sight.depth * coarse[i];
     const double exact_steps = steps_per_pixel * focal_baseline / sight.depth;
     const double steps = std::floor(exact_steps + noise + 0.5);
     const double millimeters = 1000.0 * steps_per_pixel * focal_baseline / steps;
-    depth[i] = std::floor(millimeters + 0.5) / 1000.0;
-  }
-  return depth;
+    return std::floor(millimeters + 0.5) / 1000.0;
+  });
 }
 
 /** In the shadows of detector and projector, at outlines and at grazing angles. */
@@ -220,25 +214,21 @@ fattened(const World& world, const View& exact, Random& random)
       dilated(silhouettes(world, exact), exact.width, exact.height, half);
   const Field ragged = gridField(exact.width, exact.height, outline_cell, random);
   View view = exact;
-  const int w = static_cast<int>(exact.width), h = static_cast<int>(exact.height);
-  for (int v = 0; v < h; ++v)
-    for (int u = 0; u < w; ++u) {
-      const auto i = static_cast<std::size_t>(v * w + u);
-      if (!outline[i])
-        continue;
-      // From none to half a window, usually most of it
-      const int reach = static_cast<int>(
-          std::clamp(0.7 * half + 0.4 * half * ragged[i], 0.0, half) + 0.5);
-      for (int y = std::max(0, v - reach); y <= std::min(h - 1, v + reach); ++y)
-        for (int x = std::max(0, u - reach); x <= std::min(w - 1, u + reach); ++x) {
-          const Sight& other = exact.sights[static_cast<std::size_t>(y * w + x)];
-          // Nearer by more than a slope: an object in front
-          constexpr double gap = 0.01;
-          if (other.object != nothing && (view.sights[i].object == nothing ||
-                                          other.depth < view.sights[i].depth - gap))
-            view.sights[i] = other;
-        }
-    }
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    if (!outline[i])
+      continue;
+    // From none to half a window, usually most of it
+    const int reach = static_cast<int>(
+        std::clamp(0.7 * half + 0.4 * half * ragged[i], 0.0, half) + 0.5);
+    forEachAround(i, exact.width, exact.height, reach, [&](std::size_t at, int) {
+      const Sight& other = exact.sights[at];
+      // Nearer by more than a slope: an object in front
+      constexpr double gap = 0.01;
+      if (other.object != nothing && (view.sights[i].object == nothing ||
+                                      other.depth < view.sights[i].depth - gap))
+        view.sights[i] = other;
+    });
+  }
   return view;
 }
 
@@ -254,32 +244,24 @@ stereoDepth(const World& world,
   const Field waves = wavinessField(world, view, waviness, random);
   const double focal_baseline = world.camera.focal * stereo_baseline;
   const double step = scale / disparity_steps;
-  std::vector<double> depth;
-  for (std::size_t i = 0; i < view.sights.size(); ++i) {
-    const Sight& sight = view.sights[i];
+  return depthsOf(view, [&](std::size_t i, const Sight& sight) {
     const double disparity = focal_baseline / (sight.depth + waves[i]) +
                              disparity_noise * scale * matching[i];
     const double stepped = step * std::floor(disparity / step + 0.5);
     const double millimeters = 1000.0 * focal_baseline / stepped;
-    depth.push_back(sight.object == nothing ? std::numeric_limits<double>::quiet_NaN()
-                                            : std::floor(millimeters + 0.5) / 1000.0);
-  }
-  return depth;
+    return std::floor(millimeters + 0.5) / 1000.0;
+  });
 }
 
 /** The farthest that a pixel's neighbors see, within a few pixels. */
 double
 farthestBeside(const View& view, std::size_t pixel, int reach)
 {
-  const int w = static_cast<int>(view.width), h = static_cast<int>(view.height);
-  const int u = static_cast<int>(pixel) % w, v = static_cast<int>(pixel) / w;
   double farthest = 0.0;
-  for (int y = std::max(0, v - reach); y <= std::min(h - 1, v + reach); ++y)
-    for (int x = std::max(0, u - reach); x <= std::min(w - 1, u + reach); ++x) {
-      const Sight& sight = view.sights[static_cast<std::size_t>(y * w + x)];
-      if (sight.object != nothing)
-        farthest = std::max(farthest, sight.depth);
-    }
+  forEachAround(pixel, view.width, view.height, reach, [&](std::size_t at, int) {
+    if (view.sights[at].object != nothing)
+      farthest = std::max(farthest, view.sights[at].depth);
+  });
   return farthest;
 }
 
@@ -289,9 +271,7 @@ tofDepth(const World& world, const View& view, const Waviness& waviness, Random&
   const Field waves = wavinessField(world, view, waviness, random);
   const auto outline =
       dilated(silhouettes(world, view), view.width, view.height, flying_reach);
-  std::vector<double> depth;
-  for (std::size_t i = 0; i < view.sights.size(); ++i) {
-    const Sight& sight = view.sights[i];
+  return depthsOf(view, [&](std::size_t i, const Sight& sight) {
     const double noise = tof_noise * sight.depth * sight.depth * random.normal();
     const double mixed = random.uniform();
     double z = sight.depth + waves[i] + noise;
@@ -299,10 +279,8 @@ tofDepth(const World& world, const View& view, const Waviness& waviness, Random&
       const double behind = farthestBeside(view, i, 2) - sight.depth;
       z += behind * mixed * mixed; // more light returns from what is near
     }
-    depth.push_back(sight.object == nothing ? std::numeric_limits<double>::quiet_NaN()
-                                            : std::floor(1000.0 * z + 0.5) / 1000.0);
-  }
-  return depth;
+    return std::floor(1000.0 * z + 0.5) / 1000.0;
+  });
 }
 
 std::vector<double>
@@ -314,17 +292,13 @@ structuredDepth(const World& world,
   const Field waves = wavinessField(world, view, waviness, random);
   const double period = 0.25 * fringe * scaleOf(view);
   const double phase = random.uniform();
-  std::vector<double> depth;
-  for (std::size_t i = 0; i < view.sights.size(); ++i) {
-    const Sight& sight = view.sights[i];
+  return depthsOf(view, [&](std::size_t i, const Sight& sight) {
     const auto column = static_cast<double>(i % view.width);
     const double relative = sight.depth / structured_depth;
     const double noise = structured_noise * relative * relative * random.normal();
     const double error = ripple * fromTurns(column / period + phase).sine;
-    depth.push_back(sight.object == nothing ? std::numeric_limits<double>::quiet_NaN()
-                                            : sight.depth + waves[i] + noise + error);
-  }
-  return depth;
+    return sight.depth + waves[i] + noise + error;
+  });
 }
 
 /** In shadows and at grazing angles; with structured light also at outlines. */

@@ -11,10 +11,9 @@ namespace pcl::scene {
 Solid
 boxBetween(const Vec3& low, const Vec3& high)
 {
-  Solid box;
-  box.size = {high.x - low.x, high.y - low.y, high.z - low.z};
-  box.pose.origin = (low + high) * 0.5;
-  return box;
+  return {Shape::Box,
+          {high.x - low.x, high.y - low.y, high.z - low.z},
+          {Pose().axes, (low + high) * 0.5}};
 }
 
 Solid
@@ -25,11 +24,7 @@ extrusion(const std::vector<Vec3>& profile, const Pose& pose, double by)
   part->addWall(loop, {{{0.0, 0.0}, {0.0, by}}});
   part->addLevel(0.0, false, {loop}, {});
   part->addLevel(by, true, {loop}, {});
-  Solid solid;
-  solid.shape = Shape::Part;
-  solid.part = std::move(part);
-  solid.pose = pose;
-  return solid;
+  return {Shape::Part, {}, pose, std::move(part)};
 }
 
 namespace {
@@ -137,12 +132,10 @@ private:
     front_.addWall(outline, {{{0.0, 0.0}, {0.0, wall}}});
     front_.addLevel(0.0, false, {outline}, {});
     front_.addLevel(wall, true, {outline}, reliefs_);
-    Solid solid;
-    solid.shape = Shape::Part;
-    solid.part = std::make_shared<Part>(front_);
     // The part's z is against the world's y.
-    solid.pose = {{{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}}, {0.0, wall, 0.0}};
-    place_.world.solids.push_back(solid);
+    const Pose pose{{{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}}, {0.0, wall, 0.0}};
+    place_.world.solids.push_back(
+        {Shape::Part, {}, pose, std::make_shared<Part>(front_)});
   }
 
   void
@@ -198,11 +191,8 @@ private:
   void
   addCylinder(const Vec3& base, double radius, double height)
   {
-    Solid cylinder;
-    cylinder.shape = Shape::Cylinder;
-    cylinder.size = {radius, height, 0.0};
-    cylinder.pose.origin = base;
-    place_.world.solids.push_back(cylinder);
+    place_.world.solids.push_back(
+        {Shape::Cylinder, {radius, height, 0.0}, {Pose().axes, base}});
   }
 
   /** A canopy above the door on two round columns beside the steps. */

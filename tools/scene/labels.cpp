@@ -57,18 +57,14 @@ silhouettes(const World& world, const View& view)
 std::vector<char>
 dilated(const std::vector<char>& marks, unsigned width, unsigned height, double radius)
 {
-  const int w = static_cast<int>(width), h = static_cast<int>(height);
   const int reach = static_cast<int>(std::floor(radius));
   std::vector<char> result(marks.size(), 0);
-  for (int v = 0; v < h; ++v)
-    for (int u = 0; u < w; ++u) {
-      if (!marks[static_cast<std::size_t>(v * w + u)])
-        continue;
-      for (int y = std::max(0, v - reach); y <= std::min(h - 1, v + reach); ++y)
-        for (int x = std::max(0, u - reach); x <= std::min(w - 1, u + reach); ++x)
-          if ((x - u) * (x - u) + (y - v) * (y - v) <= radius * radius)
-            result[static_cast<std::size_t>(y * w + x)] = 1;
-    }
+  for (std::size_t i = 0; i < marks.size(); ++i)
+    if (marks[i])
+      forEachAround(i, width, height, reach, [&](std::size_t other, int squared) {
+        if (squared <= radius * radius)
+          result[other] = 1;
+      });
   return result;
 }
 

@@ -38,7 +38,7 @@ Part::addSection(const Stroke& stroke, const std::vector<SectionPiece>& section)
 {
   addJoint(stroke, nullptr, &section.front());
   for (std::size_t i = 0; i < section.size(); ++i) {
-    faces_.push_back(std::make_shared<StripFace>(stroke, section[i]));
+    faces_.push_back(stripFace(stroke, section[i]));
     const bool is_last = i + 1 == section.size();
     addJoint(stroke, &section[i], is_last ? nullptr : &section[i + 1]);
   }
@@ -98,7 +98,7 @@ Part::addLevel(double height,
                const Outline& outer,
                const std::vector<Outline>& holes)
 {
-  faces_.push_back(std::make_shared<LevelFace>(height, faces_up, outer, holes));
+  faces_.push_back(levelFace(height, faces_up, outer, holes));
 }
 
 double

@@ -74,4 +74,13 @@ private:
   std::vector<Seam> seams_;
 };
 
+/** \brief The random numbers of the shape of a part that is alone. */
+constexpr std::uint64_t part_stream = 20;
+
+/** \brief A plate, block, disc or profile with what a mill and a drill make of it:
+ * pockets, holes, ribs, bosses, steps, letters, chamfers, fillets and thin walls, from
+ * above and sometimes from below. The middle of its plan is at x = y = 0.
+ * \param[in] size meters, about its longest side */
+Part randomPart(double size, Random& random);
+
 } // namespace pcl::scene

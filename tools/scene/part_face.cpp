@@ -207,207 +207,233 @@ SectionPiece::normal(const SectionPoint& p) const
   return {radial.x, radial.y};
 }
 
-LevelFace::LevelFace(double height,
-                     bool faces_up,
-                     Outline outer,
-                     std::vector<Outline> holes)
-: PartFace(boundsOf(outer, height))
-, height_(height)
-, faces_up_(faces_up)
-, outer_(std::move(outer))
-, holes_(std::move(holes))
-{
-  for (const Outline& hole : holes_)
-    hole_bounds_.push_back(boundsOf(hole, height));
-}
+namespace {
 
-bool
-LevelFace::contains(const Vec3& p) const
-{
-  if (!outer_.loop.contains(p, outer_.depth))
-    return false;
-  for (std::size_t i = 0; i < holes_.size(); ++i)
-    if (isWithin(p, hole_bounds_[i], 0.0) &&
-        holes_[i].loop.contains(p, holes_[i].depth))
+/** A level face, inside one outline and outside others. */
+class LevelFace : public PartFace {
+public:
+  LevelFace(double height,
+            bool faces_up,
+            const Outline& outer,
+            const std::vector<Outline>& holes)
+  : PartFace(boundsOf(outer, height), true)
+  , height_(height)
+  , faces_up_(faces_up)
+  , outer_(outer)
+  , holes_(holes)
+  {
+    for (const Outline& hole : holes_)
+      hole_bounds_.push_back(boundsOf(hole, height));
+  }
+
+  void
+  meet(const Ray& ray, const std::function<void(double)>& found) const override
+  {
+    const double t = (height_ - ray.origin.z) / ray.direction.z;
+    if (t > 0.0 && t < infinite && contains(ray.origin + ray.direction * t))
+      found(t);
+  }
+
+  bool
+  isAt(const Vec3& p, double tolerance) const override
+  {
+    if (std::abs(p.z - height_) > tolerance)
       return false;
-  return true;
-}
-
-void
-LevelFace::meet(const Ray& ray, const std::function<void(double)>& found) const
-{
-  const double t = (height_ - ray.origin.z) / ray.direction.z;
-  if (t > 0.0 && t < infinite && contains(ray.origin + ray.direction * t))
-    found(t);
-}
-
-bool
-LevelFace::isAt(const Vec3& p, double tolerance) const
-{
-  if (std::abs(p.z - height_) > tolerance)
-    return false;
-  if (contains(p) || outer_.loop.distance(p, outer_.depth) <= tolerance)
-    return true;
-  for (std::size_t i = 0; i < holes_.size(); ++i)
-    if (isWithin(p, hole_bounds_[i], tolerance) &&
-        holes_[i].loop.distance(p, holes_[i].depth) <= tolerance)
+    if (contains(p) || outer_.loop.distance(p, outer_.depth) <= tolerance)
       return true;
-  return false;
-}
-
-Vec3
-LevelFace::normal(const Vec3&) const
-{
-  return {0.0, 0.0, faces_up_ ? 1.0 : -1.0};
-}
-
-double
-LevelFace::radius(const Vec3&) const
-{
-  return infinite;
-}
-
-bool
-LevelFace::isFlat() const
-{
-  return true;
-}
-
-double
-LevelFace::area() const
-{
-  double area = outer_.loop.area(outer_.depth);
-  for (const Outline& hole : holes_)
-    area -= hole.loop.area(hole.depth);
-  return area;
-}
-
-Vec3
-LevelFace::randomPoint(Random& random) const
-{
-  const Box3& box = bounds();
-  for (;;) {
-    const double x = random.uniform(box.low.x, box.high.x);
-    const Vec3 p{x, random.uniform(box.low.y, box.high.y), height_};
-    if (contains(p))
-      return p;
+    for (std::size_t i = 0; i < holes_.size(); ++i)
+      if (isWithin(p, hole_bounds_[i], tolerance) &&
+          holes_[i].loop.distance(p, holes_[i].depth) <= tolerance)
+        return true;
+    return false;
   }
-}
 
-StripFace::StripFace(const Stroke& stroke, const SectionPiece& piece)
-: PartFace(boundsOf(stroke, piece))
-, stroke_(stroke)
-, piece_(piece)
-, is_flat_(stroke.radius(0.0) == 0.0 && piece.bend == Bend::Straight)
-{}
-
-SectionPoint
-StripFace::section(const Vec3& p) const
-{
-  return {stroke_.depthOf(p), p.z};
-}
-
-double
-StripFace::root(const Ray& ray, double low, double high) const
-{
-  const auto value = [&](double t) {
-    return piece_.distance(section(ray.origin + ray.direction * t));
-  };
-  double at_low = value(low), at_high = value(high);
-  constexpr int max_steps = 60; // a bisection alone reaches the last bit by then
-  for (int i = 0; i < max_steps && high - low > 1e-15 * high; ++i) {
-    // Secants settle at once where the face is flat; bisection bounds the rest.
-    double t = low + at_low / (at_low - at_high) * (high - low);
-    if (i % 2 == 1 || !(t > low && t < high))
-      t = 0.5 * (low + high);
-    const double at = value(t);
-    if (std::abs(at) < 1e-14)
-      return t;
-    ((at < 0.0) == (at_low < 0.0) ? low : high) = t;
-    ((at < 0.0) == (at_low < 0.0) ? at_low : at_high) = at;
+  Vec3
+  normal(const Vec3&) const override
+  {
+    return {0.0, 0.0, faces_up_ ? 1.0 : -1.0};
   }
-  return 0.5 * (low + high);
-}
 
-void
-StripFace::meet(const Ray& ray, const std::function<void(double)>& found) const
-{
-  const auto range = inside(bounds(), ray);
-  if (!range)
-    return;
-  // A round face is met up to four times; roots that are closer together are grazed.
-  const int steps = is_flat_ ? 1 : 24;
-  const auto [low, high] = *range;
-  // Faces are met also where the box ends: begin and end a little outside.
-  const double margin = is_flat_ ? 1.0 : 0.01 * (high - low) + 1e-6;
-  const double from = std::max(low - margin, 0.0);
-  const double step = (high + margin - from) / steps;
-  const auto value = [&](double t) {
-    return piece_.distance(section(ray.origin + ray.direction * t));
-  };
-  double before = value(from);
-  for (int i = 1; i <= steps; ++i) {
-    const double after = value(from + i * step);
-    if ((before < 0.0) != (after < 0.0)) {
-      const double t = root(ray, from + (i - 1) * step, from + i * step);
-      const Vec3 p = ray.origin + ray.direction * t;
-      if (t > 0.0 && stroke_.spans(p, no_gap) && piece_.spans(section(p), no_gap))
-        found(t);
+  double
+  radius(const Vec3&) const override
+  {
+    return infinite;
+  }
+
+  double
+  area() const override
+  {
+    double area = outer_.loop.area(outer_.depth);
+    for (const Outline& hole : holes_)
+      area -= hole.loop.area(hole.depth);
+    return area;
+  }
+
+  Vec3
+  randomPoint(Random& random) const override
+  {
+    const Box3& box = bounds();
+    for (;;) {
+      const double x = random.uniform(box.low.x, box.high.x);
+      const Vec3 p{x, random.uniform(box.low.y, box.high.y), height_};
+      if (contains(p))
+        return p;
     }
-    before = after;
   }
-}
 
-bool
-StripFace::isAt(const Vec3& p, double tolerance) const
-{
-  const SectionPoint at = section(p);
-  return std::abs(piece_.distance(at)) <= tolerance && piece_.spans(at, tolerance) &&
-         stroke_.spans(p, tolerance);
-}
-
-Vec3
-StripFace::normal(const Vec3& p) const
-{
-  const SectionPoint at = piece_.normal(section(p));
-  return stroke_.outwardAt(p) * -at.depth + Vec3{0.0, 0.0, at.height};
-}
-
-double
-StripFace::radius(const Vec3& p) const
-{
-  const double along = piece_.radius() > 0.0 ? piece_.radius() : infinite;
-  const SectionPoint at = section(p);
-  // Meusnier: a level circle on the face is as curved as its plane is upright to it.
-  const double level = std::abs(piece_.normal(at).depth);
-  const double around = std::abs(stroke_.radius(at.depth));
-  return around == 0.0 || level == 0.0 ? along : std::min(along, around / level);
-}
-
-bool
-StripFace::isFlat() const
-{
-  return is_flat_;
-}
-
-double
-StripFace::area() const
-{
-  return stroke_.length(piece_.meanDepth()) * piece_.length();
-}
-
-Vec3
-StripFace::randomPoint(Random& random) const
-{
-  const double longest =
-      std::max(stroke_.length(piece_.begin.depth), stroke_.length(piece_.end.depth));
-  for (;;) {
-    const SectionPoint at = piece_.point(random.uniform());
-    if (random.uniform() * longest >= stroke_.length(at.depth))
-      continue;
-    const Vec3 p = stroke_.point(random.uniform(), at.depth);
-    return {p.x, p.y, at.height};
+private:
+  bool
+  contains(const Vec3& p) const
+  {
+    if (!outer_.loop.contains(p, outer_.depth))
+      return false;
+    for (std::size_t i = 0; i < holes_.size(); ++i)
+      if (isWithin(p, hole_bounds_[i], 0.0) &&
+          holes_[i].loop.contains(p, holes_[i].depth))
+        return false;
+    return true;
   }
+
+  double height_;
+  bool faces_up_;
+  Outline outer_;
+  std::vector<Outline> holes_;
+  std::vector<Box3> hole_bounds_; /**< most points are beside most holes */
+};
+
+/** A piece of a section that is moved along a stroke. */
+class StripFace : public PartFace {
+public:
+  StripFace(const Stroke& stroke, const SectionPiece& piece)
+  : PartFace(boundsOf(stroke, piece),
+             stroke.radius(0.0) == 0.0 && piece.bend == Bend::Straight)
+  , stroke_(stroke)
+  , piece_(piece)
+  {}
+
+  void
+  meet(const Ray& ray, const std::function<void(double)>& found) const override
+  {
+    const auto range = inside(bounds(), ray);
+    if (!range)
+      return;
+    // A round face is met up to four times; roots that are closer together are grazed.
+    const int steps = isFlat() ? 1 : 24;
+    const auto [low, high] = *range;
+    // Faces are met also where the box ends: begin and end a little outside.
+    const double margin = isFlat() ? 1.0 : 0.01 * (high - low) + 1e-6;
+    const double from = std::max(low - margin, 0.0);
+    const double step = (high + margin - from) / steps;
+    const auto value = [&](double t) {
+      return piece_.distance(section(ray.origin + ray.direction * t));
+    };
+    double before = value(from);
+    for (int i = 1; i <= steps; ++i) {
+      const double after = value(from + i * step);
+      if ((before < 0.0) != (after < 0.0)) {
+        const double t = root(ray, from + (i - 1) * step, from + i * step);
+        const Vec3 p = ray.origin + ray.direction * t;
+        if (t > 0.0 && stroke_.spans(p, no_gap) && piece_.spans(section(p), no_gap))
+          found(t);
+      }
+      before = after;
+    }
+  }
+
+  bool
+  isAt(const Vec3& p, double tolerance) const override
+  {
+    const SectionPoint at = section(p);
+    return std::abs(piece_.distance(at)) <= tolerance && piece_.spans(at, tolerance) &&
+           stroke_.spans(p, tolerance);
+  }
+
+  Vec3
+  normal(const Vec3& p) const override
+  {
+    const SectionPoint at = piece_.normal(section(p));
+    return stroke_.outwardAt(p) * -at.depth + Vec3{0.0, 0.0, at.height};
+  }
+
+  double
+  radius(const Vec3& p) const override
+  {
+    const double along = piece_.radius() > 0.0 ? piece_.radius() : infinite;
+    const SectionPoint at = section(p);
+    // Meusnier: a level circle on the face is as curved as its plane is upright to it.
+    const double level = std::abs(piece_.normal(at).depth);
+    const double around = std::abs(stroke_.radius(at.depth));
+    return around == 0.0 || level == 0.0 ? along : std::min(along, around / level);
+  }
+
+  double
+  area() const override
+  {
+    return stroke_.length(piece_.meanDepth()) * piece_.length();
+  }
+
+  Vec3
+  randomPoint(Random& random) const override
+  {
+    const double longest =
+        std::max(stroke_.length(piece_.begin.depth), stroke_.length(piece_.end.depth));
+    for (;;) {
+      const SectionPoint at = piece_.point(random.uniform());
+      if (random.uniform() * longest >= stroke_.length(at.depth))
+        continue;
+      const Vec3 p = stroke_.point(random.uniform(), at.depth);
+      return {p.x, p.y, at.height};
+    }
+  }
+
+private:
+  SectionPoint
+  section(const Vec3& p) const
+  {
+    return {stroke_.depthOf(p), p.z};
+  }
+
+  double
+  root(const Ray& ray, double low, double high) const
+  {
+    const auto value = [&](double t) {
+      return piece_.distance(section(ray.origin + ray.direction * t));
+    };
+    double at_low = value(low), at_high = value(high);
+    constexpr int max_steps = 60; // a bisection alone reaches the last bit by then
+    for (int i = 0; i < max_steps && high - low > 1e-15 * high; ++i) {
+      // Secants settle at once where the face is flat; bisection bounds the rest.
+      double t = low + at_low / (at_low - at_high) * (high - low);
+      if (i % 2 == 1 || !(t > low && t < high))
+        t = 0.5 * (low + high);
+      const double at = value(t);
+      if (std::abs(at) < 1e-14)
+        return t;
+      ((at < 0.0) == (at_low < 0.0) ? low : high) = t;
+      ((at < 0.0) == (at_low < 0.0) ? at_low : at_high) = at;
+    }
+    return 0.5 * (low + high);
+  }
+
+  Stroke stroke_;
+  SectionPiece piece_;
+};
+
+} // namespace
+
+std::shared_ptr<const PartFace>
+levelFace(double height,
+          bool faces_up,
+          const Outline& outer,
+          const std::vector<Outline>& holes)
+{
+  return std::make_shared<LevelFace>(height, faces_up, outer, holes);
+}
+
+std::shared_ptr<const PartFace>
+stripFace(const Stroke& stroke, const SectionPiece& piece)
+{
+  return std::make_shared<StripFace>(stroke, piece);
 }
 
 } // namespace pcl::scene

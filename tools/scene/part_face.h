@@ -8,6 +8,8 @@
 #include "scene/random.h"
 
 #include <functional>
+#include <memory>
+#include <vector>
 
 namespace pcl::scene {
 
@@ -55,7 +57,7 @@ struct Box3 {
 /** \brief A face of a part, in the part's frame. */
 class PartFace {
 public:
-  explicit PartFace(const Box3& bounds) : bounds_(bounds) {}
+  PartFace(const Box3& bounds, bool is_flat) : bounds_(bounds), is_flat_(is_flat) {}
   virtual ~PartFace() = default;
   PartFace(const PartFace&) = delete;
   PartFace& operator=(const PartFace&) = delete;
@@ -77,7 +79,11 @@ public:
   /** \brief The smaller radius of curvature at a point of it, infinite if flat. */
   virtual double radius(const Vec3& p) const = 0;
 
-  virtual bool isFlat() const = 0;
+  bool
+  isFlat() const
+  {
+    return is_flat_;
+  }
 
   virtual double area() const = 0;
 
@@ -86,6 +92,7 @@ public:
 
 private:
   Box3 bounds_;
+  bool is_flat_;
 };
 
 /** \brief A parallel of a loop. */
@@ -95,49 +102,14 @@ struct Outline {
 };
 
 /** \brief A level face, inside one outline and outside others. */
-class LevelFace : public PartFace {
-public:
-  LevelFace(double height, bool faces_up, Outline outer, std::vector<Outline> holes);
-
-  void meet(const Ray& ray, const std::function<void(double)>& found) const override;
-  bool isAt(const Vec3& p, double tolerance) const override;
-  Vec3 normal(const Vec3& p) const override;
-  double radius(const Vec3& p) const override;
-  bool isFlat() const override;
-  double area() const override;
-  Vec3 randomPoint(Random& random) const override;
-
-private:
-  bool contains(const Vec3& p) const;
-
-  double height_;
-  bool faces_up_;
-  Outline outer_;
-  std::vector<Outline> holes_;
-  std::vector<Box3> hole_bounds_; /**< most points are beside most holes */
-};
+std::shared_ptr<const PartFace> levelFace(double height,
+                                          bool faces_up,
+                                          const Outline& outer,
+                                          const std::vector<Outline>& holes);
 
 /** \brief A piece of a section that is moved along a stroke: part of a plane, of a
  * cylinder, of a cone or of a torus. */
-class StripFace : public PartFace {
-public:
-  StripFace(const Stroke& stroke, const SectionPiece& piece);
-
-  void meet(const Ray& ray, const std::function<void(double)>& found) const override;
-  bool isAt(const Vec3& p, double tolerance) const override;
-  Vec3 normal(const Vec3& p) const override;
-  double radius(const Vec3& p) const override;
-  bool isFlat() const override;
-  double area() const override;
-  Vec3 randomPoint(Random& random) const override;
-
-private:
-  SectionPoint section(const Vec3& p) const;
-  double root(const Ray& ray, double low, double high) const;
-
-  Stroke stroke_;
-  SectionPiece piece_;
-  bool is_flat_;
-};
+std::shared_ptr<const PartFace> stripFace(const Stroke& stroke,
+                                          const SectionPiece& piece);
 
 } // namespace pcl::scene

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "scene/creases.h"
 #include "scene/part.h"
 #include "scene/scene.h"
 
@@ -61,5 +62,27 @@ struct SurfacePoint {
 
 /** \brief Points spread over all faces, as many for each piece of surface. */
 std::vector<SurfacePoint> spreadPoints(const Part& part, const PartOptions& options);
+
+/** \brief Says what PartSamples says of points of a part. */
+class PartTruth {
+public:
+  explicit PartTruth(const Part& part);
+
+  /** \brief Add all but the coordinates of a point.
+   * \param[in] spacing of the points around it */
+  void add(const SurfacePoint& at, double spacing, PartSamples& samples) const;
+
+private:
+  bool isNearTightCurve(const Vec3& p, double spacing) const;
+  Surface surfaceOf(const SurfacePoint& at,
+                    const Vec3& normal,
+                    double radius_s,
+                    double spacing) const;
+
+  const Part& part_;
+  World world_;
+  Creases creases_;
+  ThinPlaces seams_;
+};
 
 } // namespace pcl::scene

@@ -5,8 +5,6 @@
 #include "scene/photogrammetry.h"
 
 #include "scene/near_points.h"
-#include "scene/part_truth.h"
-#include "scene/random_part.h"
 
 #include <array>
 #include <cmath>
@@ -22,14 +20,6 @@ constexpr double outlier_reach = 20.0;  // spacings
 constexpr double thinnest = 1.0 / 30.0; // of the best density
 constexpr double texture_length = 0.5;  // of the part: from one poor place to the next
 
-Vec3
-randomDirection(Random& random)
-{
-  const double z = random.uniform(-1.0, 1.0), level = std::sqrt(1.0 - z * z);
-  const UnitVector heading = fromTurns(random.uniform());
-  return {level * heading.cosine, level * heading.sine, z};
-}
-
 /** \brief How good the texture is: a share of the best density. */
 struct Texture {
   std::array<Vec3, 3> waves; /**< turns a meter */
@@ -38,7 +28,7 @@ struct Texture {
   Texture(double size, Random& random)
   {
     for (std::size_t i = 0; i < waves.size(); ++i) {
-      waves[i] = randomDirection(random) * (1.0 / (texture_length * size));
+      waves[i] = random.direction() * (1.0 / (texture_length * size));
       phases[i] = random.uniform();
     }
   }
@@ -95,7 +85,7 @@ private:
     p = p + Vec3{random_.normal(), random_.normal(), random_.normal()} * sigma;
     if (random_.chance(outlier_share)) {
       const double reach = outlier_reach * options_.spacing * random_.uniform();
-      p = p + randomDirection(random_) * reach;
+      p = p + random_.direction() * reach;
       scene.surface.back() = SurfaceVoid;
       scene.edge.back() = EdgeVoid;
     }

@@ -75,6 +75,14 @@ Random::normal()
   return a * scale;
 }
 
+Vec3
+Random::direction()
+{
+  const double z = uniform(-1.0, 1.0), level = std::sqrt(1.0 - z * z);
+  const UnitVector heading = fromTurns(uniform());
+  return {level * heading.cosine, level * heading.sine, z};
+}
+
 double
 portableLog(double x)
 {

@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include "scene/vec.h"
+
 #include <array>
 #include <cstdint>
 
@@ -39,6 +41,9 @@ public:
   {
     return uniform() < probability;
   }
+
+  /** \brief A unit vector of any direction. */
+  Vec3 direction();
 
   /** \brief Standard normal deviate, by Marsaglia's polar method. */
   double normal();

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Outlines, and features that are milled into level faces or stand on them.
 
-#include "scene/random_part.h"
+#include "scene/part.h"
 
 #include <algorithm>
 #include <cmath>

@@ -51,12 +51,9 @@ private:
   void
   addCylinder(const Vec3& base, const Vec3& axis, double radius, double height)
   {
-    Solid cylinder;
-    cylinder.shape = Shape::Cylinder;
-    cylinder.size = {radius, height, 0.0};
     const auto [x, y] = perpendiculars(axis);
-    cylinder.pose = {{{x, y, axis}}, base};
-    room_.world.solids.push_back(cylinder);
+    room_.world.solids.push_back(
+        {Shape::Cylinder, {radius, height, 0.0}, {{{x, y, axis}}, base}});
   }
 
   void

@@ -67,14 +67,9 @@ storeGeometry(const Camera& camera,
 std::vector<double>
 depthOf(const View& view, const Camera& camera, double sigma, Random& random)
 {
-  std::vector<double> depth;
-  for (std::size_t i = 0; i < view.sights.size(); ++i) {
-    const double noise = sigma * random.normal() / norm(camera.direction(i));
-    depth.push_back(view.sights[i].object == nothing
-                        ? std::numeric_limits<double>::quiet_NaN()
-                        : view.sights[i].depth + noise);
-  }
-  return depth;
+  return depthsOf(view, [&](std::size_t i, const Sight& sight) {
+    return sight.depth + sigma * random.normal() / norm(camera.direction(i));
+  });
 }
 
 } // namespace

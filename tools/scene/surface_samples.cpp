@@ -51,9 +51,7 @@ private:
   Ray
   randomLine(double reach)
   {
-    const double z = random_.uniform(-1.0, 1.0), level = std::sqrt(1.0 - z * z);
-    const UnitVector heading = fromTurns(random_.uniform());
-    const Vec3 direction{level * heading.cosine, level * heading.sine, z};
+    const Vec3 direction = random_.direction();
     const auto [right, up] = perpendiculars(direction);
     const double radius = reach * std::sqrt(random_.uniform());
     const UnitVector turn = fromTurns(random_.uniform());

@@ -135,6 +135,37 @@ struct View {
   std::vector<Sight> sights;
 };
 
+/** \brief depthOf(pixel, sight) of each pixel, all asked in turn; NaN where nothing is
+ * seen. */
+template <typename DepthOf>
+std::vector<double>
+depthsOf(const View& view, const DepthOf& depthOf)
+{
+  std::vector<double> depths;
+  depths.reserve(view.sights.size());
+  for (std::size_t i = 0; i < view.sights.size(); ++i) {
+    const double depth = depthOf(i, view.sights[i]);
+    depths.push_back(view.sights[i].object == nothing
+                         ? std::numeric_limits<double>::quiet_NaN()
+                         : depth);
+  }
+  return depths;
+}
+
+/** \brief visit(pixel, squared distance in pixels) for those in a square around one.
+ * \param[in] reach half the square's side, pixels */
+template <typename Visit>
+void
+forEachAround(
+    std::size_t pixel, unsigned width, unsigned height, int reach, const Visit& visit)
+{
+  const int w = static_cast<int>(width), h = static_cast<int>(height);
+  const int u = static_cast<int>(pixel) % w, v = static_cast<int>(pixel) / w;
+  for (int y = std::max(0, v - reach); y <= std::min(h - 1, v + reach); ++y)
+    for (int x = std::max(0, u - reach); x <= std::min(w - 1, u + reach); ++x)
+      visit(static_cast<std::size_t>(y * w + x), (x - u) * (x - u) + (y - v) * (y - v));
+}
+
 /** \brief What has to see a point for it to be measured. */
 struct Observer {
   std::vector<Vec3> eyes;  /**< positions outside all solids */

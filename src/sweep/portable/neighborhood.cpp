@@ -4,14 +4,15 @@
 
 #include "sweep/portable/neighborhood.h"
 
+#include "common/number_text.h"
 #include "common/parallel.h"
 #include "sweep/index/row_index.h"
 #include "sweep/portable/angle.h"
-#include "sweep/portable/geometry_check.h"
 #include "sweep/portable/symmetric_eigen.h"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace pcl::kernels {
 namespace {
@@ -108,6 +109,19 @@ sumIf(const std::vector<std::uint32_t>& angles, const KeptRange& range)
 }
 
 } // namespace
+
+void
+checkINADInput(std::size_t surface, std::size_t normals, double outlier_rate)
+{
+  if (normals != surface) {
+    throw std::invalid_argument(std::to_string(normals) + " normals for " +
+                                std::to_string(surface) + " surface points");
+  }
+  if (!(outlier_rate >= 0.0) || !std::isfinite(outlier_rate)) {
+    throw std::invalid_argument("outlier rate " + detail::numberText(outlier_rate) +
+                                ": it must be 0 (no rejection) or positive");
+  }
+}
 
 INADResult
 toINAD(const Spread& spread)

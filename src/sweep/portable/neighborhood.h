@@ -7,6 +7,9 @@
 #include "sweep/index/row_index.h"
 #include "sweep/portable/angle.h"
 
+#include <algorithm>
+#include <tuple>
+
 namespace pcl::kernels {
 
 /** \brief A neighbor as seen from the query. */
@@ -54,6 +57,37 @@ UnitNormal unitNormal(const float* normal);
 /** \brief The normals of a surface's points in their order; of all if it is null. */
 UnitNormals
 unitNormals(const XYZView& normals, const RowIndex* surface, unsigned threads);
+
+/** \brief Whether offsets from a point spread over a surface: false if they all lie
+ * within 1/1000 of the longest one's length from that one's line, or are all 0. Of
+ * equally long ones the coordinates decide, not the order that they come in.
+ *
+ * \tparam Offsets of members dx, dy, dz and d2 = dx^2 + dy^2 + dz^2
+ */
+template <typename Offsets>
+bool
+spansSurface(const Offsets& offsets)
+{
+  const auto longest = std::max_element(
+      offsets.begin(), offsets.end(), [](const auto& a, const auto& b) {
+        return std::tie(a.d2, a.dx, a.dy, a.dz) < std::tie(b.d2, b.dx, b.dy, b.dz);
+      });
+  if (longest == offsets.end())
+    return false;
+  const double x = longest->dx, y = longest->dy, z = longest->dz;
+  const double length2 = x * x + y * y + z * z;
+  constexpr double tolerance2 = 1e-6; // squared
+  return std::any_of(offsets.begin(), offsets.end(), [&](const auto& d) {
+    const double cx = y * d.dz - z * d.dy;
+    const double cy = z * d.dx - x * d.dz;
+    const double cz = x * d.dy - y * d.dx;
+    return cx * cx + cy * cy + cz * cz > tolerance2 * length2 * length2;
+  });
+}
+
+/** \throws std::invalid_argument unless there is a normal for each surface point and
+ * the rate is 0 or positive and finite */
+void checkINADInput(std::size_t surface, std::size_t normals, double outlier_rate);
 
 /** \brief In radians. */
 INADResult toINAD(const Spread& spread);

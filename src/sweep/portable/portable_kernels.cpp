@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // The kernels in plain C++: one query after the other, from lists of its neighbors.
 
-#include "sweep/portable/geometry_check.h"
 #include "sweep/portable/neighborhood.h"
 
 #include <algorithm>

@@ -155,7 +155,7 @@ private:
 
 /** \brief Finds out which queries have neighbors that spread over a surface: one that
  * makes, with another (the anchor), a parallelogram larger than those on a line can
- * make. geometry_check.h: two offsets within 1e-3 r of one line span less than 2.1e-3
+ * make. neighborhood.h: two offsets within 1e-3 r of one line span less than 2.1e-3
  * r^2. Lanes are queries.
  */
 class SpreadFinder {

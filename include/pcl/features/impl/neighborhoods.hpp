@@ -124,6 +124,13 @@ finderOf(const typename pcl::search::Search<PointT>::Ptr& search,
  * See pcl::NeighborhoodSweep for what each method does. */
 class PCL_SHAPE_EXPORTS Neighborhoods {
 public:
+  /** \brief Of all points of a cloud among themselves. */
+  Neighborhoods(const XYZView& points, unsigned threads)
+  : input_(points)
+  , surface_(points)
+  , threads_(threads)
+  {}
+
   /** \param[in] indices of the input, which must outlive this */
   Neighborhoods(const XYZView& input,
                 const XYZView& surface,
@@ -150,6 +157,20 @@ public:
     return input_;
   }
 
+  /** \brief How many there are. */
+  std::size_t
+  size() const
+  {
+    return indices_ ? indices_->size() : input_.size;
+  }
+
+  /** \brief The point of the input that the one at this position is of. */
+  pcl::index_t
+  pointAt(std::size_t position) const
+  {
+    return indices_ ? (*indices_)[position] : static_cast<pcl::index_t>(position);
+  }
+
   /** \brief The same for some of the points only, which must outlive the result. */
   Neighborhoods among(const pcl::Indices& points) const;
 
@@ -174,12 +195,21 @@ public:
                           std::vector<float>& radii) const;
 
 private:
-  template <typename Engine, typename... Arguments>
-  Engine madeFor(const Arguments&... arguments) const;
+  NeighborhoodSweep sweep() const;
+  template <typename Visit>
+  void forEachListed(const NeighborhoodSize& size, const Visit& visit) const;
+  bool computeListedNormals(const NeighborhoodSize& size,
+                            float* normals,
+                            float* curvature,
+                            std::size_t stride) const;
+  bool computeListedINAD(const NeighborhoodSize& size,
+                         const XYZView& normals,
+                         double outlier_rate,
+                         float* mu_sigma) const;
 
   XYZView input_;
   XYZView surface_;
-  const pcl::Indices& indices_;
+  const pcl::Indices* indices_ = nullptr;    ///< null for all
   std::vector<std::int32_t> narrow_indices_; ///< where PCL's have another type
   unsigned threads_;
   NeighborFinder finder_;
