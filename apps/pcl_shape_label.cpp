@@ -3,10 +3,10 @@
 // pcl_shape_label: labels clouds for training.
 
 #include "cli/command_line.h"
-#include "cli/errors.h"
 #include "cli/filter_app.h"
 #include "detection/detection.h"
 #include "io/any_cloud.h"
+#include "io/errors.h"
 #include "labels/label_directory.h"
 #include "labels/labeled_cloud.h"
 

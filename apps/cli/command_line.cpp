@@ -4,8 +4,8 @@
 
 #include "cli/command_line.h"
 
-#include "cli/errors.h"
-#include "cli/files.h"
+#include "io/errors.h"
+#include "io/files.h"
 
 #include <boost/program_options/options_description.hpp>
 #include <boost/program_options/parsers.hpp>

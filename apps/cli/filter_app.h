@@ -5,10 +5,10 @@
 #pragma once
 
 #include "cli/command_line.h"
-#include "cli/files.h"
 #include "cli/input.h"
 #include "cli/report.h"
 #include "io/cloud_file.h"
+#include "io/files.h"
 #include "io/pcd.h"
 
 #include <functional>

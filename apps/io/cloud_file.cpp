@@ -4,7 +4,7 @@
 
 #include "io/cloud_file.h"
 
-#include "cli/errors.h"
+#include "io/errors.h"
 #include "io/text.h"
 
 #include <pcl/common/point_tests.h>

@@ -4,7 +4,7 @@
 
 #include "io/cloud_stream.h"
 
-#include "cli/errors.h"
+#include "io/errors.h"
 #include "io/ply.h"
 #include "io/text.h"
 

@@ -9,8 +9,8 @@
 
 #include "io/pcd.h"
 
-#include "cli/errors.h"
-#include "cli/files.h"
+#include "io/errors.h"
+#include "io/files.h"
 #include "io/text.h"
 
 #include <pcl/common/io.h>
@@ -27,12 +27,6 @@ namespace pcl::app {
 namespace {
 
 using Words = std::vector<std::string_view>;
-
-[[noreturn]] void
-fail(const std::string& path, const std::string& what, const std::string& expected)
-{
-  throw InputError(path + ": " + what + "; expected " + expected);
-}
 
 /** A count of a header, perhaps with a plus sign. */
 std::optional<std::uint64_t>

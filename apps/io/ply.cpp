@@ -4,7 +4,7 @@
 
 #include "io/ply.h"
 
-#include "cli/errors.h"
+#include "io/errors.h"
 #include "io/text.h"
 
 #include <Eigen/Geometry>
@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <type_traits>
 
@@ -77,12 +78,6 @@ struct Header {
   bool is_in_memory = true; ///< all of the file
 };
 
-[[noreturn]] void
-fail(const CloudFile& cloud, const std::string& what, const std::string& expected)
-{
-  throw InputError(cloud.path + ": " + what + "; expected " + expected);
-}
-
 bool
 isVertex(const Element& element)
 {
@@ -109,7 +104,7 @@ void
 readElement(const Words& words, Header& header)
 {
   if (words.size() != 3)
-    fail(header.cloud,
+    fail(header.cloud.path,
          "element " + inQuotes(words.size() > 1 ? words[1] : "") + " has " +
              std::to_string(words.size() - 1) + " words",
          "a name and a count");
@@ -117,14 +112,14 @@ readElement(const Words& words, Header& header)
   const bool is_vertex = words[1] == "vertex";
   const std::uint64_t most = header.is_in_memory ? max_points : max_bytes;
   if (!count || (is_vertex && (*count == 0 || *count > most)))
-    fail(header.cloud,
+    fail(header.cloud.path,
          "element " + std::string(is_vertex ? "vertex" : inQuotes(words[1])) + " is " +
              inQuotes(words[2]),
          is_vertex ? "a whole number from 1 to " + std::to_string(most)
                    : "a whole number");
   if (is_vertex &&
       std::any_of(header.elements.begin(), header.elements.end(), isVertex))
-    fail(header.cloud, "element vertex is there twice", "one");
+    fail(header.cloud.path, "element vertex is there twice", "one");
   header.elements.push_back({std::string(words[1]), *count, {}});
 }
 
@@ -133,7 +128,7 @@ typeOf(const Words& words, std::size_t at, const Header& header)
 {
   const auto datatype = at < words.size() ? datatypeOf(words[at]) : std::nullopt;
   if (!datatype)
-    fail(header.cloud,
+    fail(header.cloud.path,
          "property " + inQuotes(words.back()) + " of " +
              inQuotes(header.elements.back().name) + " has type " +
              inQuotes(at < words.size() ? words[at] : ""),
@@ -147,9 +142,11 @@ readProperty(const Words& words, Header& header)
 {
   const bool is_list = words.size() > 1 && words[1] == "list";
   if (header.elements.empty())
-    fail(header.cloud, "a property is before any element", "an element line before it");
+    fail(header.cloud.path,
+         "a property is before any element",
+         "an element line before it");
   if (words.size() != (is_list ? 5 : 3))
-    fail(header.cloud,
+    fail(header.cloud.path,
          "property " + inQuotes(words.size() > 1 ? words.back() : "") + " has " +
              std::to_string(words.size() - 1) + " words",
          "a type and a name, or list, two types and a name");
@@ -160,7 +157,7 @@ readProperty(const Words& words, Header& header)
     property.count_type = typeOf(words, 2, header);
     if (visitType(*property.count_type,
                   [](auto value) { return std::is_floating_point_v<decltype(value)>; }))
-      fail(header.cloud,
+      fail(header.cloud.path,
            "list " + inQuotes(property.name) + " has a count of type " +
                inQuotes(words[2]),
            "a type of whole numbers");
@@ -182,7 +179,7 @@ readLine(const Words& words, Header& header)
     header.format = words.size() == 3 ? words[1] : "";
     if (header.format != "ascii" && header.format != "binary_little_endian" &&
         header.format != "binary_big_endian")
-      fail(header.cloud,
+      fail(header.cloud.path,
            "format " + inQuotes(words.size() > 1 ? words[1] : ""),
            "ascii 1.0, binary_little_endian 1.0 or binary_big_endian 1.0");
   }
@@ -195,7 +192,7 @@ readLine(const Words& words, Header& header)
       header.rows = *value;
   }
   else
-    fail(header.cloud,
+    fail(header.cloud.path,
          "the header has a line " + inQuotes(keyword),
          "format, comment, obj_info, element, property or end_header");
 }
@@ -209,9 +206,9 @@ addFields(const Element& vertex, Header& header)
     if (!property.count_type)
       addField(cloud, property.name, property.datatype);
   if (cloud.blob.fields.empty())
-    fail(cloud, "element vertex has no property but lists", "at least x y z");
+    fail(cloud.path, "element vertex has no property but lists", "at least x y z");
   if (header.is_in_memory && vertex.count * cloud.blob.point_step > max_bytes)
-    fail(cloud,
+    fail(cloud.path,
          "element vertex " + std::to_string(vertex.count) + " of " +
              std::to_string(cloud.blob.point_step) + " bytes",
          "less than 4 GiB: divide the cloud into tiles");
@@ -232,18 +229,18 @@ readHeader(const std::string& path, std::string_view& file, bool is_in_memory)
   CloudFile& cloud = header.cloud;
   cloud.path = path;
   if (splitWords(takeLine(file)) != Words{"ply"})
-    fail(cloud, "the first line is not 'ply'", "a PLY file");
+    fail(cloud.path, "the first line is not 'ply'", "a PLY file");
   for (Words words; words.empty() || words.front() != "end_header";) {
     if (!words.empty())
       readLine(words, header);
     if (file.empty())
-      fail(cloud, "the header has no end_header", "a complete PLY header");
+      fail(cloud.path, "the header has no end_header", "a complete PLY header");
     words = splitWords(takeLine(file));
   }
   const auto vertex =
       std::find_if(header.elements.begin(), header.elements.end(), isVertex);
   if (header.format.empty() || vertex == header.elements.end())
-    fail(cloud, "the header has no format or vertex", "a complete PLY header");
+    fail(cloud.path, "the header has no format or vertex", "a complete PLY header");
   addFields(*vertex, header);
   return header;
 }
@@ -280,7 +277,7 @@ protected:
   [[noreturn]] void
   failTruncated(const Element& element, std::uint64_t instance) const
   {
-    fail(cloud_,
+    fail(cloud_.path,
          "truncated: the file ends in " + element.name + ' ' +
              std::to_string(instance) + " of " + std::to_string(element.count),
          "a complete file");
@@ -365,7 +362,7 @@ public:
     visitType(type, [&](auto zero) {
       const auto value = parseFileValue<decltype(zero)>(word);
       if (!value)
-        fail(cloud_,
+        fail(cloud_.path,
              where_ + " has " + inQuotes(word) + " in property " +
                  inQuotes(property.name),
              "a number of the property's type");
@@ -383,7 +380,7 @@ private:
   [[noreturn]] void
   failColumns(std::size_t expected) const
   {
-    fail(cloud_,
+    fail(cloud_.path,
          where_ + " has " + std::to_string(words_.size()) + " columns",
          (expected > words_.size() ? "at least " : "") + std::to_string(expected) +
              " by its properties");
@@ -404,7 +401,7 @@ takeCount(const CloudFile& cloud, const InProperty& list, Body& body)
     std::memcpy(&value, bytes.data(), sizeof(value));
     const auto count = static_cast<std::int64_t>(value); // PLY has at most 32 bits
     if (count < 0)
-      fail(cloud,
+      fail(cloud.path,
            "list '" + list.name + "' has " + std::to_string(count) + " values",
            "0 or more");
     return static_cast<std::uint64_t>(count);
@@ -440,7 +437,7 @@ takeElement(const CloudFile& cloud, const Element& element, Body& body, const Us
   for (const InProperty& property : element.properties)
     least += body.minBytes(property.count_type.value_or(property.datatype));
   if (element.count > body.bytesLeft() / least)
-    fail(cloud,
+    fail(cloud.path,
          "truncated: element " + element.name + " needs " +
              std::to_string(element.count) + " times at least " +
              std::to_string(least) + " bytes, but " + std::to_string(body.bytesLeft()) +
@@ -476,27 +473,19 @@ public:
     const auto place = std::find(names.begin(), names.end(), property.name);
     if (place == names.end())
       return;
-    const auto at = static_cast<std::size_t>(place - names.begin());
-    values_[at] = visitType(property.datatype, [&](auto value) {
+    values_[place - names.begin()] = visitType(property.datatype, [&](auto value) {
       std::memcpy(&value, bytes, sizeof(value));
       return static_cast<float>(value);
     });
-    is_set_[at] = true;
   }
 
   /** Where there is a position it is the viewpoint's, where there are axes likewise. */
   void
   apply(CloudFile& cloud) const
   {
-    const auto isKnown = [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        if (!is_set_[i] || !std::isfinite(values_[i]))
-          return false;
-      return true;
-    };
-    if (isKnown(9, 12))
-      std::copy(values_.begin() + 9, values_.end(), cloud.viewpoint.begin());
-    if (!isKnown(0, 9))
+    if (values_.tail<3>().allFinite())
+      std::copy(values_.data() + 9, values_.data() + 12, cloud.viewpoint.begin());
+    if (!values_.head<9>().allFinite())
       return;
     const Eigen::Matrix3f axes =
         Eigen::Map<const Eigen::Matrix3f>(values_.data()).transpose();
@@ -512,8 +501,9 @@ public:
   }
 
 private:
-  std::array<float, 12> values_{};
-  std::array<bool, 12> is_set_{};
+  using Values = Eigen::Matrix<float, 12, 1>;
+
+  Values values_ = Values::Constant(std::numeric_limits<float>::quiet_NaN()); // unset
 };
 
 /** The elements up to the last one that says something of the points. */

@@ -4,8 +4,8 @@
 // and files with some bytes changed. scripts/test_sanitizers.sh looks for wrong
 // accesses.
 
-#include "cli/errors.h"
 #include "io/any_cloud.h"
+#include "io/errors.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 // reference.
 
 #include "app_test.h"
-#include "cli/errors.h"
 #include "io/any_cloud.h"
+#include "io/errors.h"
 #include "io/kitti_file.h"
 #include "io/pcd.h"
 #include "io/ply.h"
