@@ -177,18 +177,26 @@ printSummary(const std::string& path, const Report& report, const std::string& o
     printSummary(path, report);
 }
 
+void
+warnOfFieldsLeftOut(const Arguments& arguments,
+                    const std::string& path,
+                    const std::vector<std::string>& fields)
+{
+  std::string names;
+  for (const std::string& name : fields)
+    names += " '" + name + "'";
+  if (!names.empty())
+    logLine(arguments.app() + ": " + path + ": warning: left out" + names +
+            ": PLY has no integers of 64 bits; expected a .pcd file for them");
+}
+
 std::string
 encodeOutput(const Arguments& arguments,
              const std::string& path,
              const CloudFile& cloud,
              PCDFormat format)
 {
-  std::string names;
-  for (const std::string& name : fieldsLeftOut(path, cloud))
-    names += " '" + name + "'";
-  if (!names.empty())
-    logLine(arguments.app() + ": " + path + ": warning: left out" + names +
-            ": PLY has no integers of 64 bits; expected a .pcd file for them");
+  warnOfFieldsLeftOut(arguments, path, fieldsLeftOut(path, cloud));
   return encodeAnyCloud(path, cloud, format);
 }
 

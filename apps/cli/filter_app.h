@@ -32,6 +32,11 @@ PCDFormat outputFormat(const Arguments& arguments);
  * -threads has an effect */
 void addCommonOptions(CommandLine& command_line, bool is_parallel = true);
 
+/** \brief A warning, if there are such fields. */
+void warnOfFieldsLeftOut(const Arguments& arguments,
+                         const std::string& path,
+                         const std::vector<std::string>& fields);
+
 /** \brief The bytes of a cloud file for a path, and a warning where a field is left out
  * because its format cannot hold it. */
 std::string encodeOutput(const Arguments& arguments,

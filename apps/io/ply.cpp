@@ -16,6 +16,7 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 namespace pcl::app {
 namespace {
@@ -50,6 +51,8 @@ datatypeOf(std::string_view name)
 const char*
 nameOf(std::uint8_t datatype)
 {
+  if (datatype == pcl::PCLPointField::BOOL)
+    return "uchar";
   for (const PlyType& type : ply_types)
     if (type.datatype == datatype)
       return type.name;
@@ -197,6 +200,19 @@ readLine(const Words& words, Header& header)
          "format, comment, obj_info, element, property or end_header");
 }
 
+/** The points are an image if it has as many pixels. */
+void
+setLayout(Header& header)
+{
+  pcl::PCLPointCloud2& blob = header.cloud.blob;
+  const std::uint64_t size = header.cloud.size();
+  const bool is_organized =
+      header.rows > 1 && std::uint64_t{header.columns} * header.rows == size;
+  blob.width = is_organized ? header.columns : static_cast<std::uint32_t>(size);
+  blob.height = is_organized ? header.rows : 1;
+  blob.row_step = blob.width * blob.point_step;
+}
+
 /** The values of a vertex that are not lists become fields. */
 void
 addFields(const Element& vertex, Header& header)
@@ -212,12 +228,9 @@ addFields(const Element& vertex, Header& header)
          "element vertex " + std::to_string(vertex.count) + " of " +
              std::to_string(cloud.blob.point_step) + " bytes",
          "less than 4 GiB: divide the cloud into tiles");
-  const bool is_organized =
-      header.rows > 1 && std::uint64_t{header.columns} * header.rows == vertex.count;
-  cloud.blob.width =
-      is_organized ? header.columns : static_cast<std::uint32_t>(vertex.count);
-  cloud.blob.height = is_organized ? header.rows : 1;
-  cloud.blob.row_step = cloud.blob.width * cloud.blob.point_step;
+  cloud.blob.width = static_cast<std::uint32_t>(vertex.count);
+  cloud.blob.height = 1;
+  setLayout(header);
 }
 
 /** Takes the header off the file. */
@@ -408,28 +421,34 @@ takeCount(const CloudFile& cloud, const InProperty& list, Body& body)
   });
 }
 
-/** Take an instance; `use` gets each value that is in no list. */
+/** Take an instance; `use` gets its values, also those of lists. */
 template <typename Use>
 void
 takeInstance(const CloudFile& cloud, const Element& element, Body& body, const Use& use)
 {
   std::array<std::uint8_t, sizeof(double)> bytes{};
   for (const InProperty& property : element.properties) {
-    if (!property.count_type) {
+    // Ends by itself where the file does: each value takes bytes.
+    for (std::uint64_t left = property.count_type ? takeCount(cloud, property, body)
+                                                  : 1;
+         left > 0;
+         --left) {
       body.take(property, property.datatype, bytes.data());
       use(property, bytes.data());
-      continue;
     }
-    // Ends by itself where the file does: each value takes bytes.
-    for (std::uint64_t left = takeCount(cloud, property, body); left > 0; --left)
-      body.take(property, property.datatype, bytes.data());
   }
 }
 
-/** All instances of an element; what cannot be in the file is refused before. */
-template <typename Use>
+/** All instances of an element; what cannot be in the file is refused before.
+ * \param[in] end called after each */
+template <typename Use, typename End = void (*)()>
 void
-takeElement(const CloudFile& cloud, const Element& element, Body& body, const Use& use)
+takeElement(
+    const CloudFile& cloud,
+    const Element& element,
+    Body& body,
+    const Use& use,
+    const End& end = [] {})
 {
   if (element.properties.empty())
     return; // the file has no data of it
@@ -447,6 +466,7 @@ takeElement(const CloudFile& cloud, const Element& element, Body& body, const Us
     body.begin(element, i);
     takeInstance(cloud, element, body, use);
     body.end();
+    end();
   }
 }
 
@@ -455,13 +475,14 @@ takeVertices(CloudFile& cloud, const Element& vertex, Body& body)
 {
   std::vector<std::uint8_t> data;
   takeElement(cloud, vertex, body, [&](const InProperty& property, const auto* value) {
-    data.insert(data.end(), value, value + valueSize(property.datatype));
+    if (!property.count_type)
+      data.insert(data.end(), value, value + valueSize(property.datatype));
   });
   cloud.blob.data = std::move(data);
 }
 
-/** What PCL and scanners write of the camera: its position, and its axes, which are the
- * rows of PCL's rotation. */
+/** What PCL and scanners write of the camera: its position, its axes, which are the
+ * rows of PCL's rotation, and the size of its image. */
 class Camera {
 public:
   void
@@ -469,7 +490,8 @@ public:
   {
     static const Words names =
         splitWords("x_axisx x_axisy x_axisz y_axisx y_axisy y_axisz "
-                   "z_axisx z_axisy z_axisz view_px view_py view_pz");
+                   "z_axisx z_axisy z_axisz view_px view_py view_pz "
+                   "viewportx viewporty");
     const auto place = std::find(names.begin(), names.end(), property.name);
     if (place == names.end())
       return;
@@ -481,9 +503,16 @@ public:
 
   /** Where there is a position it is the viewpoint's, where there are axes likewise. */
   void
-  apply(CloudFile& cloud) const
+  apply(Header& header) const
   {
-    if (values_.tail<3>().allFinite())
+    CloudFile& cloud = header.cloud;
+    constexpr float max_side = 1 << 24; // of whole numbers that float holds
+    if (values_[12] > 0.0f && values_[13] > 1.0f &&
+        values_.tail<2>().maxCoeff() < max_side) {
+      header.columns = static_cast<std::uint32_t>(values_[12]);
+      header.rows = static_cast<std::uint32_t>(values_[13]);
+    }
+    if (values_.segment<3>(9).allFinite())
       std::copy(values_.data() + 9, values_.data() + 12, cloud.viewpoint.begin());
     if (!values_.head<9>().allFinite())
       return;
@@ -501,34 +530,102 @@ public:
   }
 
 private:
-  using Values = Eigen::Matrix<float, 12, 1>;
+  using Values = Eigen::Matrix<float, 14, 1>;
 
   Values values_ = Values::Constant(std::numeric_limits<float>::quiet_NaN()); // unset
 };
+
+/** The vertex of each pixel of an image. */
+using Grid = std::vector<std::optional<std::uint64_t>>;
+
+Grid
+takeGrid(const CloudFile& cloud, const Element& element, Body& body)
+{
+  Grid grid;
+  std::optional<std::uint64_t> vertex; // the first of a pixel's list
+  const auto use = [&](const InProperty& property, const std::uint8_t* bytes) {
+    const double number = visitType(property.datatype, [&](auto value) {
+      std::memcpy(&value, bytes, sizeof(value));
+      return static_cast<double>(value);
+    });
+    if (!(number >= 0.0 && number < static_cast<double>(cloud.size())))
+      fail(cloud.path,
+           "range_grid has the vertex " + std::to_string(number),
+           "0 or more, and less than " + std::to_string(cloud.size()));
+    vertex = vertex.value_or(static_cast<std::uint64_t>(number));
+  };
+  takeElement(cloud, element, body, use, [&] {
+    grid.push_back(std::exchange(vertex, std::nullopt));
+  });
+  return grid;
+}
+
+/** As PCL fills an image: where there is no vertex, floats are NaN and others 0. */
+void
+fillImage(Header& header, const Grid& grid)
+{
+  pcl::PCLPointCloud2& blob = header.cloud.blob;
+  if (grid.empty() || std::uint64_t{header.columns} * header.rows != grid.size() ||
+      grid.size() > max_points || grid.size() * blob.point_step > max_bytes)
+    return;
+  std::vector<std::uint8_t> empty(blob.point_step, 0), data;
+  for (const pcl::PCLPointField& field : blob.fields)
+    visitType(field.datatype, [&](auto value) {
+      if constexpr (std::is_floating_point_v<decltype(value)>) {
+        value = std::numeric_limits<decltype(value)>::quiet_NaN();
+        std::memcpy(empty.data() + field.offset, &value, sizeof(value));
+      }
+    });
+  for (const std::optional<std::uint64_t>& vertex : grid) {
+    const std::uint8_t* const from =
+        vertex ? blob.data.data() + *vertex * blob.point_step : empty.data();
+    data.insert(data.end(), from, from + blob.point_step);
+  }
+  blob.data = std::move(data);
+  blob.width = static_cast<std::uint32_t>(grid.size());
+  blob.height = 1;
+}
+
+bool
+isCamera(const Element& element)
+{
+  return element.name == "camera";
+}
+
+bool
+isGrid(const Element& element)
+{
+  return element.name == "range_grid";
+}
 
 /** The elements up to the last one that says something of the points. */
 void
 takeElements(Header& header, Body& body)
 {
   const auto& elements = header.elements;
+  Camera camera;
+  Grid grid;
   const auto last =
       std::find_if(elements.rbegin(), elements.rend(), [](const Element& element) {
-        return isVertex(element) || element.name == "camera";
+        return isVertex(element) || isCamera(element) || isGrid(element);
       });
   for (auto element = elements.begin(); element != last.base(); ++element) {
     if (isVertex(*element))
       takeVertices(header.cloud, *element, body);
-    else if (element->name == "camera") {
-      Camera camera;
-      takeElement(
-          header.cloud, *element, body, [&](const InProperty& p, const auto* value) {
-            camera.set(p, value);
-          });
-      camera.apply(header.cloud);
+    else if (isGrid(*element))
+      grid = takeGrid(header.cloud, *element, body);
+    else {
+      const bool is_camera = isCamera(*element);
+      const auto use = [&](const InProperty& property, const auto* value) {
+        if (is_camera)
+          camera.set(property, value);
+      };
+      takeElement(header.cloud, *element, body, use);
     }
-    else
-      takeElement(header.cloud, *element, body, [](const InProperty&, const auto*) {});
   }
+  camera.apply(header);
+  fillImage(header, grid);
+  setLayout(header);
 }
 
 /** Whether the body begins with the points, values alone. */
@@ -537,11 +634,11 @@ hasRows(const Header& header)
 {
   const auto& elements = header.elements;
   const Element& first = elements.front();
-  const bool has_camera =
+  const bool is_image =
       std::any_of(elements.begin(), elements.end(), [](const Element& element) {
-        return element.name == "camera";
+        return isCamera(element) || isGrid(element);
       });
-  return header.format != "binary_big_endian" && isVertex(first) && !has_camera &&
+  return header.format != "binary_big_endian" && isVertex(first) && !is_image &&
          std::none_of(first.properties.begin(),
                       first.properties.end(),
                       [](const InProperty& p) { return p.count_type.has_value(); });
