@@ -3,9 +3,9 @@
 // pcl_inad_estimation: adds mu and sigma of the angles between normals.
 
 #include "cli/command_line.h"
-#include "cli/errors.h"
 #include "cli/filter_app.h"
 #include "detection/inad.h"
+#include "io/errors.h"
 
 #include <cmath>
 

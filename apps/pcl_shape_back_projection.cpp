@@ -3,9 +3,9 @@
 // pcl_shape_back_projection: planar and curved points, or surfaces of a model.
 
 #include "cli/command_line.h"
-#include "cli/errors.h"
 #include "cli/filter_app.h"
 #include "detection/results.h"
+#include "io/errors.h"
 
 namespace {
 

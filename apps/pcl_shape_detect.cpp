@@ -5,7 +5,6 @@
 #include "cli/command_line.h"
 #include "cli/filter_app.h"
 #include "detection/detection.h"
-#include "detection/lines_app.h"
 #include "detection/results.h"
 
 namespace {

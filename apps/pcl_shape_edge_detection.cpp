@@ -3,10 +3,9 @@
 // pcl_shape_edge_detection: creases, their kinds and lines.
 
 #include "cli/command_line.h"
-#include "cli/errors.h"
 #include "cli/filter_app.h"
-#include "detection/lines_app.h"
 #include "detection/results.h"
+#include "io/errors.h"
 
 namespace {
 

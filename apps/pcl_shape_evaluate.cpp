@@ -3,14 +3,14 @@
 // pcl_shape_evaluate: compares a predicted cloud with the truth.
 
 #include "cli/command_line.h"
-#include "cli/errors.h"
-#include "cli/files.h"
 #include "cli/filter_app.h"
 #include "cli/report.h"
 #include "evaluation/evaluation_tasks.h"
 #include "evaluation/grasps.h"
 #include "evaluation/objects.h"
 #include "io/any_cloud.h"
+#include "io/errors.h"
+#include "io/files.h"
 #include "io/text.h"
 
 #include <nlohmann/json.hpp>

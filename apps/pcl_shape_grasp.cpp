@@ -3,10 +3,10 @@
 // pcl_shape_grasp: finds places for a suction cup.
 
 #include "cli/command_line.h"
-#include "cli/files.h"
 #include "cli/filter_app.h"
 #include "cli/pcl_errors.h"
 #include "detection/detection.h"
+#include "io/files.h"
 #include "results/result_files.h"
 #include "results/selection.h"
 

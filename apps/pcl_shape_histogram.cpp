@@ -4,12 +4,12 @@
 
 #include "cli/batch.h"
 #include "cli/command_line.h"
-#include "cli/errors.h"
-#include "cli/files.h"
 #include "cli/filter_app.h"
 #include "detection/inad.h"
 #include "detection/model_file.h"
 #include "io/any_cloud.h"
+#include "io/errors.h"
+#include "io/files.h"
 
 #include <iostream>
 

@@ -3,11 +3,11 @@
 // pcl_shape_instances: adds the field instance, and primitives to the JSON.
 
 #include "cli/command_line.h"
-#include "cli/errors.h"
 #include "cli/filter_app.h"
 #include "detection/detection.h"
 #include "detection/model_file.h"
 #include "detection/results.h"
+#include "io/errors.h"
 
 #include <algorithm>
 #include <limits>

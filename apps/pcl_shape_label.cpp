@@ -3,10 +3,11 @@
 // pcl_shape_label: labels clouds for training.
 
 #include "cli/command_line.h"
-#include "cli/errors.h"
 #include "cli/filter_app.h"
 #include "detection/detection.h"
 #include "io/any_cloud.h"
+#include "io/errors.h"
+#include "io/ply.h"
 #include "labels/label_directory.h"
 #include "labels/labeled_cloud.h"
 
@@ -47,6 +48,8 @@ labelFile(const Arguments& arguments)
   CloudFile cloud =
       report.time("read", [&] { return readInput(arguments, operands[0], report); });
   const std::vector<std::uint32_t> labels = labelCloud(cloud, settings, report);
+  if (format == "ply")
+    warnOfFieldsLeftOut(arguments, operands[1], fieldsWithoutPly(cloud));
   report.time("write",
               [&] { output.write(encodeLabeled(format, cloud, labels).front()); });
   commitWithJson(arguments, toJson(arguments.app(), report), output);

@@ -3,8 +3,8 @@
 // pcl_shape_scene: makes scenes whose surfaces, edges and objects are known.
 
 #include "cli/command_line.h"
-#include "cli/files.h"
 #include "cli/filter_app.h"
+#include "io/files.h"
 #include "io/pcd.h"
 #include "scene/scene_kind.h"
 #include "scene/scene_maker.h"

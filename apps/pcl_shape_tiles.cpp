@@ -4,10 +4,10 @@
 // memory, tile by tile.
 
 #include "cli/command_line.h"
-#include "cli/errors.h"
 #include "cli/filter_app.h"
 #include "detection/detection.h"
 #include "io/any_cloud.h"
+#include "io/errors.h"
 #include "tiles/cloud_source.h"
 #include "tiles/mpi_team.h"
 #include "tiles/tile_fields.h"

@@ -3,9 +3,9 @@
 // pcl_shape_viewer: shows a cloud in a window, or draws a picture of it.
 
 #include "cli/command_line.h"
-#include "cli/errors.h"
-#include "cli/files.h"
 #include "cli/filter_app.h"
+#include "io/errors.h"
+#include "io/files.h"
 #include "viewer/page.h"
 #include "viewer/page_points.h"
 #include "viewer/window.h"

@@ -4,9 +4,11 @@
 
 #include "common/options.h"
 #include "grasps/grasp_poses.h"
-#include "grasps/outcomes.h"
+
+#include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <cstdint>
 #include <iostream>
 
 // Suction grasps on generated scenes: large objects with smaller ones on them and
@@ -17,6 +19,7 @@ namespace {
 namespace po = boost::program_options;
 namespace scene = pcl::scene;
 using namespace grasps;
+using Json = nlohmann::ordered_json;
 
 constexpr double disc_step = 0.004; // meters: less than half of the smallest cup
 
@@ -25,7 +28,6 @@ struct Arguments {
   unsigned scenes = 60;
   double cup_radius = 0.01;
   std::string noise = "kinect";
-  bool verbose = false;
 };
 
 bool
@@ -36,8 +38,7 @@ parseArguments(int argc, char** argv, Arguments& a)
       "first_seed", po::value(&a.first_seed), "of the scenes, two targets each (1)")(
       "scenes", po::value(&a.scenes), "how many (60)")(
       "cup_radius", po::value(&a.cup_radius), "meters (0.01)")(
-      "noise", po::value(&a.noise), "kinect (default) or none")(
-      "verbose", po::bool_switch(&a.verbose), "a line for each target")("help", "this");
+      "noise", po::value(&a.noise), "kinect (default) or none")("help", "this");
   if (!parseCommandLine(argc, argv, options))
     return false;
   if (a.noise != "kinect" && a.noise != "none")
@@ -47,6 +48,39 @@ parseArguments(int argc, char** argv, Arguments& a)
                                 ": expected 0.004 to 0.1 meters");
   }
   return true;
+}
+
+/** What became of one target. */
+struct Outcome {
+  bool has_face = false; ///< of twice the cup
+  bool is_curved = false;
+  bool seals = false;
+  bool is_on_one_face = false;
+  bool is_centroid_on_one_face = false;
+};
+
+struct Counts {
+  std::uint64_t targets = 0, sealed = 0, on_one_face = 0, centroid_on_one_face = 0;
+  std::uint64_t sealed_on_one_face = 0;
+
+  void
+  add(const Outcome& of)
+  {
+    ++targets;
+    sealed += of.seals ? 1 : 0;
+    on_one_face += of.is_on_one_face ? 1 : 0;
+    sealed_on_one_face += of.seals && of.is_on_one_face ? 1 : 0;
+    centroid_on_one_face += of.is_centroid_on_one_face ? 1 : 0;
+  }
+};
+
+Json
+toJson(const Counts& counts)
+{
+  return {{"targets", counts.targets},
+          {"with_a_sealing_grasp", counts.sealed},
+          {"first_ranked_on_one_face", counts.on_one_face},
+          {"centroid_on_one_face", counts.centroid_on_one_face}};
 }
 
 class Comparison {
@@ -71,25 +105,24 @@ public:
       for (std::size_t i = 0; i < cloud->size(); ++i)
         if (scene.object[i] == static_cast<int>(target))
           points->push_back(static_cast<pcl::index_t>(i));
-      addTarget(scene, cloud, target, points, field, seed);
+      addTarget(scene, cloud, target, points, field);
     }
   }
 
   Json
   toJson() const
   {
-    return {
-        {"noise", arguments_.noise},
-        {"cup_radius", arguments_.cup_radius},
-        {"first_seed", arguments_.first_seed},
-        {"scenes", arguments_.scenes},
-        {"targets", all_},
-        {"mean_seconds_without_back_projection",
-         seconds_ / static_cast<double>(std::max<std::uint64_t>(all_, 1))},
-        {"first_ranked_that_seal", sealing_},
-        {"of_these_on_one_face", sealing_on_one_face_},
-        {"with_a_face_of_twice_the_cup",
-         {{"planar", grasps::toJson(planar_)}, {"curved", grasps::toJson(curved_)}}}};
+    return {{"noise", arguments_.noise},
+            {"cup_radius", arguments_.cup_radius},
+            {"first_seed", arguments_.first_seed},
+            {"scenes", arguments_.scenes},
+            {"targets", all_},
+            {"mean_seconds_without_back_projection",
+             seconds_ / static_cast<double>(std::max<std::uint64_t>(all_, 1))},
+            {"first_ranked_that_seal", sealing_},
+            {"of_these_on_one_face", sealing_on_one_face_},
+            {"with_a_face_of_twice_the_cup",
+             {{"planar", ::toJson(planar_)}, {"curved", ::toJson(curved_)}}}};
   }
 
 private:
@@ -98,14 +131,12 @@ private:
             const Cloud::Ptr& cloud,
             std::size_t target,
             const pcl::IndicesPtr& points,
-            const pcl::ShapeField::ConstPtr& field,
-            std::uint64_t seed)
+            const pcl::ShapeField::ConstPtr& field)
   {
     Outcome outcome;
     outcome.has_face =
         scene::showsDisc(scene, target, 2.0 * arguments_.cup_radius, disc_step);
-    const auto& solid = scene.world.solids[target - 1];
-    outcome.is_curved = solid.shape != scene::Shape::Box;
+    outcome.is_curved = scene.world.solids[target - 1].shape != scene::Shape::Box;
     pcl::SuctionGraspEstimation<pcl::PointXYZ> estimation;
     estimation.setInputCloud(cloud);
     estimation.setIndices(points);
@@ -128,8 +159,6 @@ private:
           scene, target, centroidGrasp(*cloud, *points, *field), arguments_.cup_radius);
     }
     note(outcome);
-    if (arguments_.verbose)
-      describe(seed, target, scene::name(solid.shape), points->size(), outcome, grasps);
   }
 
   void

@@ -2,8 +2,8 @@
 """Check who includes whom, and how files begin.
 
 Usage: scripts/check_includes.py [-closure FILE]
-The rooms of src know only those before them, the engine (src/sweep) knows neither PCL nor Eigen, and applications
-know only public headers. Every C++ file begins with the license and one line that says what it is for. Prints what
+The rooms of src and of apps know only those before them, the engine (src/sweep) knows neither PCL nor Eigen, and
+applications know only public headers. Every C++ file begins with the license and one line that says what it is for. Prints what
 is wrong; exit status 1 if anything is. With -closure: all that FILE includes, directly or not.
 """
 import argparse
@@ -14,10 +14,11 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-# Rooms of src; those of one line do not know each other.
+# Rooms of src and of apps; those in the same brackets do not know each other.
 ORDER = [["common"], ["geometry", "tiling"], ["sweep"], ["features"], ["edges"], ["surfaces"],
          ["instances", "grasps", "ground", "labels"], ["segmentation"]]
-RANK = {room: rank for rank, rooms in enumerate(ORDER) for room in rooms}
+APPS_ORDER = [["io"], ["cli"], ["results"], ["detection", "evaluation", "scene", "viewer"], ["labels", "tiles"]]
+RANK, APPS_RANK = ({room: rank for rank, rooms in enumerate(order) for room in rooms} for order in (ORDER, APPS_ORDER))
 # A public header counts as the room that implements it; others as the folder that they are in.
 PUBLIC = {"xyz_view": "common", "cancellation": "common", "neighborhood_sweep": "sweep", "sweep_index": "sweep",
           "shape_field": "edges",
@@ -77,9 +78,9 @@ def closure(name):
 
 
 def room(name):
-    """The room of src that a file belongs to, or None."""
+    """The room of src or apps that a file belongs to, or None."""
     parts = name.split("/")
-    if parts[0] == "src" and len(parts) > 2:
+    if parts[0] in ("src", "apps") and len(parts) > 2:
         return parts[1]
     if parts[0] == "include":
         return PUBLIC.get(pathlib.Path(name).stem, parts[2])
@@ -95,6 +96,8 @@ def is_allowed(name, target):
         here, there = room(name), room(target)
         # A class's header knows the class that it builds on; its room knows only the header.
         return folder == "include" or here == there or RANK[there] < RANK[here]
+    if folder == "apps" and target.startswith("apps/") and room(name):
+        return room(name) == room(target) or APPS_RANK[room(target)] < APPS_RANK[room(name)]
     return folder == "test" or any(target.startswith(start) for start in [folder + "/", *KNOWS.get(folder, [])])
 
 

@@ -3,14 +3,14 @@
 
 Usage: scripts/dense_clouds.py BUILD_DIR [-seeds N] [-resolution L]
 Depth images of several widths are generated (seeds 1 to N) for each kind of noise; the
-means over the seeds go to standard output as a table in Markdown.
+means over the seeds go to standard output as a table in Markdown. Needs python3-numpy and python3-scipy.
 """
 import argparse
-import json
 import pathlib
 import statistics
-import subprocess
 import tempfile
+
+from evaluate_sensors import report
 
 WIDTHS = (640, 1280, 1920)
 NOISES = {"kinect": "a Kinect's", "none": "none", "0.002": "white, 2 mm"}
@@ -18,39 +18,28 @@ TASKS = (("pcl_shape_back_projection", "curved", "back_projection"),
          ("pcl_shape_edge_detection", "edge", "edge_detection"))
 
 
-def run(build, app, *words):
-    """The report of one run."""
-    report = pathlib.Path(words[0]).with_name("report.json")
-    subprocess.run([f"{build}/apps/{app}", *words, "-json", report],
-                   check=True, capture_output=True)
-    return json.loads(report.read_text())
-
-
-def measure(build, scene, options):
+def measure(apps, scene, options):
     """F1 and seconds of each task, and the largest curved radius."""
-    out = str(pathlib.Path(scene).with_name("out.pcd"))
+    out = scene.with_name("out.pcd")
     result = {}
     for app, task, stage in TASKS:
-        report = run(build, app, scene, out, *options)
-        score = run(build, "pcl_shape_evaluate", out, scene, "-task", task)
+        run = report(apps, app, scene, out, *options)
+        score = report(apps, "pcl_shape_evaluate", out, scene, "-task", task)
         result[task] = score["classes"][task]["f1"]
-        result[stage] = report["times_ms"][stage] / 1e3
-        result.setdefault("radius", report.get("largest_curved_radius"))
+        result[stage] = run["times_ms"][stage] / 1e3
+        result.setdefault("radius", run.get("largest_curved_radius"))
     return result
 
 
 def row(arguments, width, noise, directory):
     """Means over the seeds: the scene's own resolution, then the given one."""
-    scene = f"{directory}/scene.pcd"
+    apps, scene = pathlib.Path(arguments.build) / "apps", pathlib.Path(directory) / "scene.pcd"
     points, own, given = [], [], []
     for seed in range(1, arguments.seeds + 1):
-        report = run(arguments.build, "pcl_shape_scene", scene, "-seed", str(seed),
-                     "-width", str(width), "-height", str(width * 3 // 4),
-                     "-noise", noise)
-        points.append(report["points"])
-        own.append(measure(arguments.build, scene, []))
-        given.append(measure(arguments.build, scene,
-                             ["-resolution", arguments.resolution]))
+        points.append(report(apps, "pcl_shape_scene", scene, "-seed", str(seed), "-width", str(width), "-height",
+                             str(width * 3 // 4), "-noise", noise)["points"])
+        own.append(measure(apps, scene, []))
+        given.append(measure(apps, scene, ["-resolution", arguments.resolution]))
     cells = [str(width), NOISES[noise], f"{statistics.mean(points):,.0f}"]
     for name, form in (("radius", "{:.0f}"), ("curved", "{:.3f}"),
                        ("back_projection", "{:.1f}"), ("edge", "{:.3f}"),

@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-from evaluate_sensors import fields_of, generate
+from evaluate_sensors import fields_of, generate, report
 
 # Nothing was chosen by these seeds; sensors and kinds of objects vary.
 GENERATED = [(f"generated {seed}, {sensor}", seed, ("-sensor", sensor, "-objects", "6"))
@@ -30,11 +30,9 @@ def grasps_of(apps, cloud, field, parts, radius, path):
 def judged(apps, cloud, field, parts, radius):
     """The report of pcl_shape_evaluate."""
     with tempfile.TemporaryDirectory() as directory:
-        grasps, report = (pathlib.Path(directory) / name for name in ("grasps.json", "report.json"))
+        grasps = pathlib.Path(directory) / "grasps.json"
         grasps_of(apps, cloud, field, parts, radius, grasps)
-        subprocess.run([apps / "pcl_shape_evaluate", grasps, cloud, "-task", "grasps", "-parts", str(parts), "-json",
-                        report], check=True, stdout=subprocess.DEVNULL)
-        return json.loads(report.read_text())
+        return report(apps, "pcl_shape_evaluate", grasps, cloud, "-task", "grasps", "-parts", str(parts))
 
 
 def real_clouds(data):
@@ -53,8 +51,8 @@ def word(is_so):
     return "yes" if is_so else "no"
 
 
-def rows_of(name, report):
-    for of in report["objects"]:
+def rows_of(name, judgment):
+    for of in judgment["objects"]:
         angle = "–" if of["angle_degrees"] is None else f"{of['angle_degrees']:.1f}°"
         yield (f"| {name} | {of['object']} | {word(of['has_face'])} | {of['first_grasp']} | {word(of['is_on_object'])} | "
                f"{word(of['is_whole'])} | {angle} |")
@@ -69,12 +67,12 @@ def main():
     print("| cloud | object | has a face for the cup | first grasp | on the object | no hole | off its normal |")
     print("|---|---|---|---|---|---|---|")
 
-    def add(data_set, name, report):
-        for row in rows_of(name, report):
+    def add(data_set, name, judgment):
+        for row in rows_of(name, judgment):
             print(row, flush=True)
         counts = sums.setdefault(data_set, [0, 0, 0])
         for k, count in enumerate(("objects", "with_face", "right")):
-            counts[k] += report["counts"][count]
+            counts[k] += judgment["counts"][count]
 
     if sys.argv[2] != "-generated":
         for data_set, name, cloud, parts in real_clouds(pathlib.Path(sys.argv[2])):

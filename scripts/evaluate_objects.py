@@ -7,13 +7,11 @@ Usage: scripts/evaluate_objects.py BUILD_DIR [FIRST_SEED [SEEDS]]
 Seeds are 961 to 968 unless others are given; nothing was chosen by them. Scenes have 4, 8 and 12 objects in turn.
 Needs python3-numpy and python3-scipy.
 """
-import json
 import pathlib
-import subprocess
 import sys
 import tempfile
 
-from evaluate_sensors import generate
+from evaluate_sensors import generate, report
 
 CAMERAS = ("camera", "stereo", "tof", "structured")
 COUNTS = (4, 8, 12)
@@ -21,13 +19,9 @@ COUNTS = (4, 8, 12)
 
 def score(apps, cloud):
     """The report of pcl_shape_evaluate."""
-    with tempfile.TemporaryDirectory() as directory:
-        found, report = (pathlib.Path(directory) / name for name in ("found.pcd", "report.json"))
-        subprocess.run([apps / "pcl_shape_instances", cloud, found, "-class", "object", "-format", "binary"], check=True,
-                       stdout=subprocess.DEVNULL)
-        subprocess.run([apps / "pcl_shape_evaluate", found, cloud, "-task", "objects", "-json", report], check=True,
-                       stdout=subprocess.DEVNULL)
-        return json.loads(report.read_text())
+    found = cloud.with_name("found.pcd")
+    report(apps, "pcl_shape_instances", cloud, found, "-class", "object", "-format", "binary")
+    return report(apps, "pcl_shape_evaluate", found, cloud, "-task", "objects")
 
 
 def main():
@@ -45,9 +39,10 @@ def main():
             with tempfile.TemporaryDirectory() as directory:
                 cloud = pathlib.Path(directory) / "scene.pcd"
                 generate(apps, cloud, seed, ("-sensor", camera, "-objects", str(count), "-organized"))
-                report = score(apps, cloud)
-            print(f"{camera}, seed {seed}: {report['found']} of {report['objects']}", file=sys.stderr, flush=True)
-            rows.setdefault((camera, count), []).append((report["found"], report["objects"], report["overlap"]["f1"]))
+                of_scene = score(apps, cloud)
+            print(f"{camera}, seed {seed}: {of_scene['found']} of {of_scene['objects']}", file=sys.stderr, flush=True)
+            rows.setdefault((camera, count), []).append(
+                (of_scene["found"], of_scene["objects"], of_scene["overlap"]["f1"]))
     found_sum = object_sum = 0
     for (camera, count), scores in sorted(rows.items()):
         found, objects = (sum(of[k] for of in scores) for k in (0, 1))

@@ -9,6 +9,7 @@ DATA_DIR/parts has PART_SAMPLING.pcd with edge, crease_s, surface, radius_s, thi
 perhaps label, DATA_DIR/osd and osd/objects learnN.pcd with labels of parts, ten to an object (doc/evaluation.md says
 what these are). Needs python3-numpy and python3-scipy.
 """
+import json
 import pathlib
 import subprocess
 import sys
@@ -50,6 +51,14 @@ def run(apps, app, cloud, *options):
         out = pathlib.Path(directory) / "out.pcd"
         subprocess.run([apps / app, cloud, out, "-format", "binary", *options], check=True, stdout=subprocess.DEVNULL)
         return fields_of(out)
+
+
+def report(apps, app, *words):
+    """What it writes with -json."""
+    with tempfile.TemporaryDirectory() as directory:
+        path = pathlib.Path(directory) / "report.json"
+        subprocess.run([apps / app, *words, "-json", path], check=True, stdout=subprocess.DEVNULL)
+        return json.loads(path.read_text())
 
 
 def f1(found, truth):

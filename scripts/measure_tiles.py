@@ -7,9 +7,9 @@ Usage: scripts/measure_tiles.py BUILD_DIR [-what memory,scaling,identity,faults]
            [-scene landscape|room|street|sheet] [-points N] [-files N] [-tile L]
            [-options="-edges -types"] [-memory M] [-mpi] [-runs N | -only K,...]
            [-kills N] [-whole N]
-A generated landscape (benchmarks/landscape) of about N points is written into strips in a
-temporary directory, where there must be room for some 120 bytes a point; or another scene
-(scripts/tile_scenes.py, needs NumPy). Tables in Markdown go to standard output. Times are
+A generated landscape of about N points (scripts/tile_scenes.py, needs NumPy) is written into
+strips in a temporary directory, where there must be room for some 120 bytes a point; or
+another scene. Tables in Markdown go to standard output. Times are
 of the processor, so that other programs on the machine count little.
 
 memory    runs one process, and the same options in memory: on one strip, or with
@@ -39,6 +39,8 @@ import subprocess
 import sys
 import tempfile
 import time
+
+import tile_scenes
 
 STEPS = ("partition", "numbers", "fields", "join")
 CLOCK = os.sysconf("SC_CLK_TCK")
@@ -82,17 +84,12 @@ class Scene:
         self.options = arguments.options.split()
         inputs = self.directory / "in"
         if arguments.scene == "landscape":
-            self.landscape(inputs, arguments.points, arguments.files)
-            self.edge = arguments.points ** 0.5 / 4.0  # 16 points a square meter
+            self.edge = tile_scenes.write_landscape(inputs, arguments.points, arguments.files)
         else:
-            import tile_scenes
             self.edge = tile_scenes.write(arguments.scene, inputs, arguments.points,
                                           arguments.files)
         self.files = sorted(inputs.iterdir())
         self.points = sum(size_of(f) for f in self.files)
-
-    def landscape(self, directory, points, files):
-        run(f"{self.arguments.build}/benchmarks/landscape", directory, points, files)
 
     def words(self, processes, tile, files=None):
         """The command line of pcl_shape_tiles, with as many processes or ranks."""
@@ -165,7 +162,7 @@ def shares(report):
 def print_memory(scene):
     cloud = scene.files[0]
     if scene.arguments.whole:
-        scene.landscape(scene.directory / "whole", scene.arguments.whole, 1)
+        tile_scenes.write_landscape(scene.directory / "whole", scene.arguments.whole, 1)
         cloud = next((scene.directory / "whole").iterdir())
     whole = scene.whole(cloud)
     strip = size_of(cloud)

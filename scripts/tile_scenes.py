@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # SPDX-FileCopyrightText: 2026 pcl_shape contributors
-"""A room, a street and a sheet of any number of points, in several files.
+"""A landscape, a room, a street and a sheet of any number of points, in several files.
 
-For scripts/measure_tiles.py. Some points are not finite, some equal, some far away.
+For scripts/measure_tiles.py. But for the landscape's, some points are not finite, some equal, some far away.
 """
+import math
+
 import numpy
 
 FILES_HEADER = ("VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH {0}\n"
@@ -121,3 +123,64 @@ def write(name, directory, points, files):
         (directory / f"{name}_{number}.pcd").write_bytes(
             FILES_HEADER.format(len(part)).encode() + cloud[part].tobytes())
     return edge
+
+
+def hash_of(a, b, c):
+    """Random bits of a place: steps of SplitMix64."""
+    bits = numpy.zeros(1, numpy.uint64)
+    for word in (a, b, c):
+        bits = bits + numpy.asarray(word, numpy.uint64) + numpy.uint64(0x9e3779b97f4a7c15)
+        for shift, factor in ((30, 0xbf58476d1ce4e5b9), (27, 0x94d049bb133111eb)):
+            bits = (bits ^ bits >> numpy.uint64(shift)) * numpy.uint64(factor)
+        bits ^= bits >> numpy.uint64(31)
+    return bits
+
+
+def share_of(bits, part):
+    """0 to 1, some bits of a hash."""
+    return (bits >> numpy.uint64(16 * part) & numpy.uint64(0xffff)) / 65536.0
+
+
+def ground(x, y):
+    return 9.0 * numpy.sin(0.011 * x) * numpy.cos(0.007 * y) + 2.0 * numpy.sin(0.05 * x + 0.03 * y)
+
+
+def on_surfaces(x, y, share):
+    """Places on the ground, a roof or a wall: a wall takes the points of a strip of the ground beside it."""
+    lot, eaves, rise, beside = 24.0, 5.0, 3.0, 1.5  # meters
+    lots = numpy.floor(x / lot), numpy.floor(y / lot)
+    bits = hash_of(*lots, 7)
+    half_x, half_y = 4.0 + 3.0 * share_of(bits, 1), 3.0 + 3.0 * share_of(bits, 2)
+    middle_x, middle_y = ((of + 0.5) * lot for of in lots)
+    off_x, off_y = x - middle_x, y - middle_y
+    base = ground(middle_x, middle_y)
+    out_x, out_y = abs(off_x) - half_x, abs(off_y) - half_y
+    out = numpy.maximum(out_x, out_y)
+    is_ground = (share_of(bits, 0) > 0.6) | (out > beside)  # gardens
+    is_wall = ~is_ground & (out > 0.0)
+    wall_x = numpy.where(out_x > out_y, numpy.copysign(half_x, off_x), numpy.clip(off_x, -half_x, half_x))
+    wall_y = numpy.where(out_x > out_y, numpy.clip(off_y, -half_y, half_y), numpy.copysign(half_y, off_y))
+    above = numpy.where(is_wall, eaves * share, eaves + rise * (1.0 - abs(off_y) / half_y))
+    return numpy.stack([numpy.where(is_wall, middle_x + wall_x, x), numpy.where(is_wall, middle_y + wall_y, y),
+                        numpy.where(is_ground, ground(x, y), base + above)], axis=-1)
+
+
+def write_landscape(directory, points, files):
+    """Hills with houses, 16 points a square meter, in strips; a block of rows at a time. Returns its edge."""
+    spacing, noise, block = 0.25, 0.02, 1 << 18
+    edge = math.floor(math.sqrt(points) + 0.5)
+    directory.mkdir()
+    for number in range(files):
+        columns = numpy.arange(number * edge // files, (number + 1) * edge // files, dtype=numpy.uint64)
+        step = max(1, block // len(columns))
+        with open(directory / f"strip_{number:03}.pcd", "wb") as file:
+            file.write(FILES_HEADER.format(len(columns) * edge).encode())
+            for first in range(0, edge, step):
+                rows = numpy.arange(first, min(first + step, edge), dtype=numpy.uint64)[:, None]
+                bits, more = hash_of(columns, rows, 1), hash_of(columns, rows, 2)
+                places = on_surfaces((columns + share_of(bits, 0)) * spacing, (rows + share_of(bits, 1)) * spacing,
+                                     share_of(bits, 2))
+                # Three uniform values have the standard deviation of one half.
+                places[..., 2] += 2.0 * noise * (sum(share_of(more, part) for part in range(3)) - 1.5)
+                file.write(places.astype("<f4").tobytes())
+    return edge * spacing

@@ -5,11 +5,11 @@
 
 Usage: scripts/upstream_sizes.py
 """
+from benchmark_tables import rewrite, table
 from upstream.series import ROOT, files_of_series
 
 KINDS = {"headers": ("include/",), "sources": ("src/", "models/"), "tests": ("test/", "tools/scene/"),
          "tools and tutorials": ("tools/upstream/", "doc/")}
-BEGIN, END = "<!-- begin upstream -->\n", "<!-- end upstream -->"
 
 
 def lines_of(name):
@@ -18,21 +18,16 @@ def lines_of(name):
 
 def row(number, what, names):
     """One line of the table."""
-    cells = []
+    cells = [number, what]
     for folders in KINDS.values():
         lines = [lines_of(name) for name in names if name.startswith(folders)]
         cells.append(f"{len(lines)} file{'s'[:len(lines) != 1]}, {sum(lines):,} lines" if lines else "–")
-    return f"| {number} | {what} | {' | '.join(cells)} |\n"
+    return cells
 
 
 def main():
-    page = ROOT / "doc" / "upstream.md"
-    table = f"| | pull request | {' | '.join(KINDS)} |\n" + "|---" * (2 + len(KINDS)) + "|\n"
-    for number, (what, names) in enumerate(files_of_series(), 1):
-        table += row(number, what, names)
-    text = page.read_text(encoding="utf-8")
-    before, rest = text.split(BEGIN)
-    page.write_text(before + BEGIN + table + END + rest.split(END)[1], encoding="utf-8")
+    rows = [row(number, *of) for number, of in enumerate(files_of_series(), 1)]
+    rewrite(ROOT / "doc/upstream.md", {"upstream": table(["", "pull request", *KINDS], rows)})
 
 
 if __name__ == "__main__":

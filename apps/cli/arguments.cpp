@@ -4,7 +4,7 @@
 
 #include "cli/arguments.h"
 
-#include "cli/errors.h"
+#include "io/errors.h"
 #include "io/text.h"
 
 #include <cmath>

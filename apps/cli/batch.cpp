@@ -5,14 +5,15 @@
 #include "cli/batch.h"
 
 #include "cli/command_line.h"
-#include "cli/errors.h"
 #include "cli/filter_app.h"
 #include "io/any_cloud.h"
+#include "io/errors.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 namespace fs = std::filesystem;
 
@@ -68,6 +69,20 @@ prepareOutputDirectory(const std::string& output, const std::string& input)
     throw UsageError("-output_dir '" + output +
                      "' is the input directory; expected another one");
   makeDirectory(output);
+}
+
+void
+requireDifferent(const std::vector<std::string>& inputs,
+                 const std::vector<std::string>& outputs)
+{
+  std::map<std::string, std::string> input_of;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const auto [other, is_new] = input_of.emplace(outputs[i], inputs[i]);
+    if (!is_new)
+      throw InputError(other->second + " and " + inputs[i] +
+                       " would have the same output; expected different names before "
+                       "the ending");
+  }
 }
 
 int

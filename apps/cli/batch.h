@@ -25,6 +25,10 @@ void makeDirectory(const std::string& directory);
 /** \brief The same. \throws UsageError if it is the input directory */
 void prepareOutputDirectory(const std::string& output, const std::string& input);
 
+/** \brief \throws InputError if two inputs have the same output */
+void requireDifferent(const std::vector<std::string>& inputs,
+                      const std::vector<std::string>& outputs);
+
 /** \brief Process a file; its report is printed and goes to the -json file. \return
  * false if there was nothing to do, because it was done before */
 using FileJob = std::function<bool(const std::string& input, Report& report)>;

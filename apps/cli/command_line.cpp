@@ -4,8 +4,8 @@
 
 #include "cli/command_line.h"
 
-#include "cli/errors.h"
-#include "cli/files.h"
+#include "io/errors.h"
+#include "io/files.h"
 
 #include <boost/program_options/options_description.hpp>
 #include <boost/program_options/parsers.hpp>
@@ -97,9 +97,13 @@ CommandLine::parse(int argc, const char* const* argv) const
   description.add_options()("h", "");
 
   Arguments arguments(app_, operands_);
+  const char* const* const all_end = argv + argc;
+  const char* const* end = std::find(argv, all_end, std::string("--"));
   try {
-    const auto parsed =
-        po::command_line_parser(argc, argv).options(description).style(style).run();
+    const auto parsed = po::command_line_parser(static_cast<int>(end - argv), argv)
+                            .options(description)
+                            .style(style)
+                            .run();
     for (const auto& found : parsed.options) {
       const std::string value = found.value.empty() ? "" : found.value.front();
       if (found.string_key != operand_key)
@@ -116,6 +120,8 @@ CommandLine::parse(int argc, const char* const* argv) const
   catch (const po::error& error) {
     fail(error.what());
   }
+  while (end != all_end && ++end != all_end)
+    arguments.addOperand(*end);
   return arguments;
 }
 

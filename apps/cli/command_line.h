@@ -13,7 +13,8 @@
 namespace pcl::app {
 
 /** \brief What an app accepts, in PCL's style: `-radius 0.02`; `--radius 0.02` and
- * `-radius=0.02` work as well. Names are never abbreviated. */
+ * `-radius=0.02` work as well. Names are never abbreviated. What follows `--` are
+ * operands. */
 class CommandLine {
 public:
   /** \param[in] app its name

@@ -5,13 +5,12 @@
 #include "cli/filter_app.h"
 
 #include "cli/batch.h"
-#include "cli/errors.h"
 #include "io/any_cloud.h"
+#include "io/errors.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <optional>
 
 namespace fs = std::filesystem;
@@ -62,20 +61,6 @@ outputName(const std::string& input)
   if (endingOf(input) == ".bin")
     name.replace_extension(endingOf(name.stem().string()) == ".pcd" ? "" : ".pcd");
   return name.string();
-}
-
-void
-requireDifferent(const std::vector<std::string>& inputs,
-                 const std::vector<std::string>& outputs)
-{
-  std::map<std::string, std::string> input_of;
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    const auto [other, is_new] = input_of.emplace(outputs[i], inputs[i]);
-    if (!is_new)
-      throw InputError(other->second + " and " + inputs[i] +
-                       " would have the same output; expected different names before "
-                       "the ending");
-  }
 }
 
 int
@@ -192,18 +177,26 @@ printSummary(const std::string& path, const Report& report, const std::string& o
     printSummary(path, report);
 }
 
+void
+warnOfFieldsLeftOut(const Arguments& arguments,
+                    const std::string& path,
+                    const std::vector<std::string>& fields)
+{
+  std::string names;
+  for (const std::string& name : fields)
+    names += " '" + name + "'";
+  if (!names.empty())
+    logLine(arguments.app() + ": " + path + ": warning: left out" + names +
+            ": PLY has no integers of 64 bits; expected a .pcd file for them");
+}
+
 std::string
 encodeOutput(const Arguments& arguments,
              const std::string& path,
              const CloudFile& cloud,
              PCDFormat format)
 {
-  std::string names;
-  for (const std::string& name : fieldsLeftOut(path, cloud))
-    names += " '" + name + "'";
-  if (!names.empty())
-    logLine(arguments.app() + ": " + path + ": warning: left out" + names +
-            ": PLY has no integers of 64 bits; expected a .pcd file for them");
+  warnOfFieldsLeftOut(arguments, path, fieldsLeftOut(path, cloud));
   return encodeAnyCloud(path, cloud, format);
 }
 

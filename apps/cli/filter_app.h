@@ -5,10 +5,10 @@
 #pragma once
 
 #include "cli/command_line.h"
-#include "cli/files.h"
 #include "cli/input.h"
 #include "cli/report.h"
 #include "io/cloud_file.h"
+#include "io/files.h"
 #include "io/pcd.h"
 
 #include <functional>
@@ -31,6 +31,11 @@ PCDFormat outputFormat(const Arguments& arguments);
 /** \brief -threads and -json, which every app has. \param[in] is_parallel whether
  * -threads has an effect */
 void addCommonOptions(CommandLine& command_line, bool is_parallel = true);
+
+/** \brief A warning, if there are such fields. */
+void warnOfFieldsLeftOut(const Arguments& arguments,
+                         const std::string& path,
+                         const std::vector<std::string>& fields);
 
 /** \brief The bytes of a cloud file for a path, and a warning where a field is left out
  * because its format cannot hold it. */

@@ -30,7 +30,8 @@ hasDoubles(const CloudFile& cloud)
 {
   for (const char* const name : {"x", "y", "z"})
     if (const pcl::PCLPointField* const field = findField(cloud, name);
-        field && field->datatype == pcl::PCLPointField::FLOAT64)
+        field && field->datatype != pcl::PCLPointField::FLOAT32 &&
+        valueSize(field->datatype) >= sizeof(float))
       return true;
   return false;
 }

@@ -20,7 +20,8 @@ void addInputOptions(CommandLine& command_line);
 /** \brief -offset, if it is given. */
 std::optional<std::array<double, 3>> givenOffset(const Arguments& arguments);
 
-/** \brief Whether a coordinate is of type double. */
+/** \brief Whether a coordinate has more digits than float: doubles, and integers of 32
+ * bits or more. */
 bool hasDoubles(const CloudFile& cloud);
 
 /** \brief Throws a UsageError for what is wrong with these options. */

@@ -4,7 +4,7 @@
 
 #include "cli/pcl_errors.h"
 
-#include "cli/errors.h"
+#include "io/errors.h"
 
 #include <pcl/console/print.h>
 

@@ -4,11 +4,11 @@
 
 #include "detection/detection.h"
 
-#include "cli/errors.h"
 #include "cli/filter_app.h"
 #include "cli/pcl_errors.h"
 #include "detection/model_file.h"
 #include "detection/unknown.h"
+#include "io/errors.h"
 
 #include <pcl/segmentation/shape_field_estimation.h>
 

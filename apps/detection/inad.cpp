@@ -4,10 +4,10 @@
 
 #include "detection/inad.h"
 
-#include "cli/errors.h"
 #include "cli/filter_app.h"
 #include "cli/pcl_errors.h"
 #include "detection/unknown.h"
+#include "io/errors.h"
 
 #include <pcl/features/distinct_points.h>
 #include <pcl/features/inad.h>

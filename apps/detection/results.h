@@ -12,6 +12,7 @@
 #include <pcl/segmentation/shape_edge_detection.h>
 #include <pcl/segmentation/shape_instance_segmentation.h>
 
+#include <functional>
 #include <vector>
 
 namespace pcl::app {
@@ -48,5 +49,12 @@ using InstanceSegmentation = pcl::ShapeInstanceSegmentation<pcl::PointXYZ>;
 /** \brief Add the field instance. \param[in] segmentation ready for segment()
  * \throws InputError with the reason if the cloud is refused */
 void addInstances(CloudFile& file, InstanceSegmentation& segmentation, Report& report);
+
+/** \brief Adds fields to a cloud. \return its creases, if -lines is given */
+using LineFilter =
+    std::function<std::vector<pcl::CreaseLine>(CloudFile& cloud, Report& report)>;
+
+/** \brief runFilter() that also writes the -lines file, if it is asked for. */
+int runFilterWithLines(const Arguments& arguments, const LineFilter& filter);
 
 } // namespace pcl::app

@@ -4,7 +4,7 @@
 
 #include "detection/sample_options.h"
 
-#include "cli/errors.h"
+#include "io/errors.h"
 
 #include <algorithm>
 #include <cctype>

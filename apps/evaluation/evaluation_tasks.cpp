@@ -4,7 +4,7 @@
 
 #include "evaluation/evaluation_tasks.h"
 
-#include "cli/errors.h"
+#include "io/errors.h"
 
 #include <pcl/common/point_tests.h>
 

@@ -4,7 +4,7 @@
 
 #include "io/any_cloud.h"
 
-#include "cli/files.h"
+#include "io/files.h"
 #include "io/kitti_file.h"
 #include "io/ply.h"
 #include "io/text.h"

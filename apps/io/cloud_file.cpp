@@ -4,7 +4,7 @@
 
 #include "io/cloud_file.h"
 
-#include "cli/errors.h"
+#include "io/errors.h"
 #include "io/text.h"
 
 #include <pcl/common/point_tests.h>
@@ -43,46 +43,51 @@ isFloating(const pcl::PCLPointField& field)
          field.datatype == pcl::PCLPointField::FLOAT64;
 }
 
-const pcl::PCLPointField&
-floatingField(const CloudFile& cloud, const std::string& name)
+void
+requireFloating(const CloudFile& cloud, const std::string& name)
 {
-  const pcl::PCLPointField& field = singleField(cloud, name);
-  if (!isFloating(field))
+  if (!isFloating(singleField(cloud, name)))
     throw InputError(cloud.path + ": field '" + name +
                      "' is not of type float32 or float64; expected SIZE 4 or 8, "
                      "TYPE F");
-  return field;
 }
 
-/** Call \p use with the number of each of the packed points and its value, float or
- * double. */
+/** Call \p use with the number of each of the packed points and its value, a double. */
 template <typename Use>
 void
-eachValue(const CloudFile& cloud,
-          const std::uint8_t* data,
-          std::size_t points,
-          const std::string& name,
-          const Use& use)
+eachNumber(const CloudFile& cloud,
+           const std::uint8_t* data,
+           std::size_t points,
+           const std::string& name,
+           const Use& use)
 {
-  const pcl::PCLPointField& field = floatingField(cloud, name);
-  const auto visit = [&](auto value) {
+  const pcl::PCLPointField& field = singleField(cloud, name);
+  visitType(field.datatype, [&](auto value) {
     const std::uint8_t* from = data + field.offset;
     for (std::size_t i = 0; i < points; ++i, from += cloud.blob.point_step) {
       std::memcpy(&value, from, sizeof(value));
-      use(i, value);
+      use(i, static_cast<double>(value));
     }
-  };
-  if (field.datatype == pcl::PCLPointField::FLOAT32)
-    visit(float{});
-  else
-    visit(double{});
+  });
 }
 
+/** The same of the cloud's points. */
 template <typename Use>
 void
-eachValue(const CloudFile& cloud, const std::string& name, const Use& use)
+eachNumber(const CloudFile& cloud, const std::string& name, const Use& use)
 {
-  eachValue(cloud, cloud.blob.data.data(), cloud.size(), name, use);
+  eachNumber(cloud, cloud.blob.data.data(), cloud.size(), name, use);
+}
+
+/** The same of a field of floats or doubles, as floats. */
+template <typename Use>
+void
+eachFloat(const CloudFile& cloud, const std::string& name, const Use& use)
+{
+  requireFloating(cloud, name);
+  eachNumber(cloud, name, [&](std::size_t i, double value) {
+    use(i, static_cast<float>(value));
+  });
 }
 
 constexpr std::array<const char*, 3> coordinate_names{"x", "y", "z"};
@@ -311,9 +316,10 @@ coordinatesOf(const CloudFile& cloud, const std::uint8_t* data, std::size_t poin
 {
   std::vector<std::array<double, 3>> places(points);
   for (std::size_t c = 0; c < coordinate_names.size(); ++c)
-    eachValue(cloud, data, points, coordinate_names[c], [&](std::size_t i, auto value) {
-      places[i][c] = static_cast<double>(value);
-    });
+    eachNumber(
+        cloud, data, points, coordinate_names[c], [&](std::size_t i, double value) {
+          places[i][c] = value;
+        });
   return places;
 }
 
@@ -333,9 +339,8 @@ pointsOf(const CloudFile& cloud)
   const auto points = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(
       cloud.blob.width, cloud.blob.height);
   for (std::size_t c = 0; c < coordinate_names.size(); ++c)
-    eachValue(cloud, coordinate_names[c], [&](std::size_t i, auto value) {
-      (*points)[i].data[c] =
-          static_cast<float>(static_cast<double>(value) - cloud.offset[c]);
+    eachNumber(cloud, coordinate_names[c], [&](std::size_t i, double value) {
+      (*points)[i].data[c] = static_cast<float>(value - cloud.offset[c]);
     });
   const auto& v = cloud.viewpoint;
   const std::array<float, 3> origin = viewOriginOf(cloud);
@@ -365,12 +370,12 @@ normalsOf(const CloudFile& cloud)
       cloud.blob.width, cloud.blob.height);
   normals->is_dense = false;
   for (std::size_t c = 0; c < normal_names.size(); ++c)
-    eachValue(cloud, normal_names[c], [&](std::size_t i, auto value) {
-      (*normals)[i].normal[c] = static_cast<float>(value);
+    eachFloat(cloud, normal_names[c], [&](std::size_t i, float value) {
+      (*normals)[i].normal[c] = value;
     });
   if (findField(cloud, "curvature"))
-    eachValue(cloud, "curvature", [&](std::size_t i, auto value) {
-      (*normals)[i].curvature = static_cast<float>(value);
+    eachFloat(cloud, "curvature", [&](std::size_t i, float value) {
+      (*normals)[i].curvature = value;
     });
   return normals;
 }
@@ -379,23 +384,15 @@ std::vector<float>
 floatsOf(const CloudFile& cloud, const std::string& field)
 {
   std::vector<float> values(cloud.size());
-  eachValue(cloud, field, [&](std::size_t i, auto value) {
-    values[i] = static_cast<float>(value);
-  });
+  eachFloat(cloud, field, [&](std::size_t i, float value) { values[i] = value; });
   return values;
 }
 
 std::vector<double>
 numbersOf(const CloudFile& cloud, const std::string& field)
 {
-  const pcl::PCLPointField& source = singleField(cloud, field);
   std::vector<double> values(cloud.size());
-  visitType(source.datatype, [&](auto value) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      std::memcpy(&value, cloud.at(i, source), sizeof(value));
-      values[i] = static_cast<double>(value);
-    }
-  });
+  eachNumber(cloud, field, [&](std::size_t i, double value) { values[i] = value; });
   return values;
 }
 

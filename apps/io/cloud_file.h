@@ -46,6 +46,7 @@ visitType(std::uint8_t datatype, const Visitor& visit)
   case pcl::PCLPointField::INT8:
     return visit(std::int8_t{});
   case pcl::PCLPointField::UINT8:
+  case pcl::PCLPointField::BOOL:
     return visit(std::uint8_t{});
   case pcl::PCLPointField::INT16:
     return visit(std::int16_t{});
@@ -105,7 +106,7 @@ void setFields(CloudFile& cloud, const std::vector<FieldSource>& sources);
 std::vector<FieldSource> sourcesOf(const CloudFile& cloud);
 
 /** \brief x, y and z of every point in double.
- * \throws InputError unless they are single float32 or float64 values */
+ * \throws InputError unless they are single values */
 std::vector<std::array<double, 3>> coordinatesOf(const CloudFile& cloud);
 
 /** \brief The same of points that are not in the cloud. \param[in] cloud their fields
@@ -114,8 +115,8 @@ std::vector<std::array<double, 3>>
 coordinatesOf(const CloudFile& cloud, const std::uint8_t* data, std::size_t points);
 
 /** \brief The points, with the offset subtracted in double; is_dense says whether all
- * are finite. \throws InputError unless x, y and z are single float32 or float64 values
- * and a point is finite */
+ * are finite. \throws InputError unless x, y and z are single values and a point is
+ * finite */
 pcl::PointCloud<pcl::PointXYZ>::Ptr pointsOf(const CloudFile& cloud);
 
 /** \brief Where the points were seen from, with the offset subtracted. */

@@ -4,7 +4,8 @@
 
 #include "io/cloud_stream.h"
 
-#include "cli/errors.h"
+#include "io/errors.h"
+#include "io/files.h"
 #include "io/ply.h"
 #include "io/text.h"
 
@@ -38,6 +39,8 @@ class File {
 public:
   File(const std::string& path, std::uint64_t begin) : path_(path), at_(begin)
   {
+    if (path == standard_stream)
+      failToRead("standard input", "it can be read only once");
     descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     struct stat status {};
     if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0)

@@ -60,7 +60,7 @@ public:
   void forEachPart(std::size_t section, const UsePart& use) const;
 
   /** \brief The same for x, y and z alone: of packed bytes nothing else is looked at.
-   * \throws InputError unless they are single float32 or float64 values */
+   * \throws InputError unless they are single values */
   void forEachPosition(std::size_t section, const UsePositions& use) const;
 
   /** \brief Those of all sections. */

@@ -4,7 +4,7 @@
 
 #include "io/kitti_file.h"
 
-#include "cli/errors.h"
+#include "io/errors.h"
 #include "io/pcd.h"
 #include "io/text.h"
 

@@ -9,8 +9,8 @@
 
 #include "io/pcd.h"
 
-#include "cli/errors.h"
-#include "cli/files.h"
+#include "io/errors.h"
+#include "io/files.h"
 #include "io/text.h"
 
 #include <pcl/common/io.h>
@@ -28,12 +28,6 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-[[noreturn]] void
-fail(const std::string& path, const std::string& what, const std::string& expected)
-{
-  throw InputError(path + ": " + what + "; expected " + expected);
-}
-
 /** A count of a header, perhaps with a plus sign. */
 std::optional<std::uint64_t>
 parseWhole(std::string_view word)
@@ -46,7 +40,7 @@ std::optional<std::uint8_t>
 datatypeOf(std::string_view type, std::string_view size)
 {
   const auto bytes = parseWhole(size);
-  if (!bytes || *bytes > sizeof(double) || type.size() != 1 || toLower(type) == "b")
+  if (!bytes || *bytes > sizeof(double) || type.size() != 1)
     return std::nullopt;
   const int datatype = pcl::getFieldType(static_cast<int>(*bytes), type.front());
   return datatype < 0 ? std::nullopt
@@ -112,7 +106,13 @@ HeaderLines::add(std::string_view line, std::size_t number)
   if (keyword == "COLUMNS") // of version 0.5
     keyword = "FIELDS";
   const std::string where = "header line " + std::to_string(number) + " ";
-  if (std::count(keywords.begin(), keywords.end(), keyword) == 0)
+  const bool is_keyword = std::count(keywords.begin(), keywords.end(), keyword) > 0;
+  if (!is_keyword && lines_.empty())
+    fail(path_,
+         where + "begins with " + inQuotes(words.front()),
+         "a PCD file, which begins with VERSION or FIELDS, a PLY file, or KITTI's with "
+         "the ending .bin or -floats");
+  if (!is_keyword)
     fail(path_,
          where + "begins with " + inQuotes(words.front()),
          "VERSION, FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, VIEWPOINT, POINTS or "
@@ -170,7 +170,8 @@ readFields(const HeaderLines& lines, CloudFile& cloud)
       fail(cloud.path,
            field + " has SIZE " + inQuotes(sizes[i]) + " and TYPE " +
                inQuotes(types[i]),
-           "SIZE 1, 2, 4 or 8 with TYPE I or U, SIZE 4 or 8 with TYPE F");
+           "SIZE 1, 2, 4 or 8 with TYPE I or U, SIZE 4 or 8 with TYPE F, SIZE 1 with "
+           "TYPE B");
     const auto count = parseWhole(counts[i]);
     if (!count || *count == 0 || *count > max_count)
       fail(cloud.path,

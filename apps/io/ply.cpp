@@ -4,7 +4,7 @@
 
 #include "io/ply.h"
 
-#include "cli/errors.h"
+#include "io/errors.h"
 #include "io/text.h"
 
 #include <Eigen/Geometry>
@@ -13,8 +13,10 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 namespace pcl::app {
 namespace {
@@ -49,6 +51,8 @@ datatypeOf(std::string_view name)
 const char*
 nameOf(std::uint8_t datatype)
 {
+  if (datatype == pcl::PCLPointField::BOOL)
+    return "uchar";
   for (const PlyType& type : ply_types)
     if (type.datatype == datatype)
       return type.name;
@@ -77,12 +81,6 @@ struct Header {
   bool is_in_memory = true; ///< all of the file
 };
 
-[[noreturn]] void
-fail(const CloudFile& cloud, const std::string& what, const std::string& expected)
-{
-  throw InputError(cloud.path + ": " + what + "; expected " + expected);
-}
-
 bool
 isVertex(const Element& element)
 {
@@ -109,7 +107,7 @@ void
 readElement(const Words& words, Header& header)
 {
   if (words.size() != 3)
-    fail(header.cloud,
+    fail(header.cloud.path,
          "element " + inQuotes(words.size() > 1 ? words[1] : "") + " has " +
              std::to_string(words.size() - 1) + " words",
          "a name and a count");
@@ -117,14 +115,14 @@ readElement(const Words& words, Header& header)
   const bool is_vertex = words[1] == "vertex";
   const std::uint64_t most = header.is_in_memory ? max_points : max_bytes;
   if (!count || (is_vertex && (*count == 0 || *count > most)))
-    fail(header.cloud,
+    fail(header.cloud.path,
          "element " + std::string(is_vertex ? "vertex" : inQuotes(words[1])) + " is " +
              inQuotes(words[2]),
          is_vertex ? "a whole number from 1 to " + std::to_string(most)
                    : "a whole number");
   if (is_vertex &&
       std::any_of(header.elements.begin(), header.elements.end(), isVertex))
-    fail(header.cloud, "element vertex is there twice", "one");
+    fail(header.cloud.path, "element vertex is there twice", "one");
   header.elements.push_back({std::string(words[1]), *count, {}});
 }
 
@@ -133,7 +131,7 @@ typeOf(const Words& words, std::size_t at, const Header& header)
 {
   const auto datatype = at < words.size() ? datatypeOf(words[at]) : std::nullopt;
   if (!datatype)
-    fail(header.cloud,
+    fail(header.cloud.path,
          "property " + inQuotes(words.back()) + " of " +
              inQuotes(header.elements.back().name) + " has type " +
              inQuotes(at < words.size() ? words[at] : ""),
@@ -147,9 +145,11 @@ readProperty(const Words& words, Header& header)
 {
   const bool is_list = words.size() > 1 && words[1] == "list";
   if (header.elements.empty())
-    fail(header.cloud, "a property is before any element", "an element line before it");
+    fail(header.cloud.path,
+         "a property is before any element",
+         "an element line before it");
   if (words.size() != (is_list ? 5 : 3))
-    fail(header.cloud,
+    fail(header.cloud.path,
          "property " + inQuotes(words.size() > 1 ? words.back() : "") + " has " +
              std::to_string(words.size() - 1) + " words",
          "a type and a name, or list, two types and a name");
@@ -160,7 +160,7 @@ readProperty(const Words& words, Header& header)
     property.count_type = typeOf(words, 2, header);
     if (visitType(*property.count_type,
                   [](auto value) { return std::is_floating_point_v<decltype(value)>; }))
-      fail(header.cloud,
+      fail(header.cloud.path,
            "list " + inQuotes(property.name) + " has a count of type " +
                inQuotes(words[2]),
            "a type of whole numbers");
@@ -182,7 +182,7 @@ readLine(const Words& words, Header& header)
     header.format = words.size() == 3 ? words[1] : "";
     if (header.format != "ascii" && header.format != "binary_little_endian" &&
         header.format != "binary_big_endian")
-      fail(header.cloud,
+      fail(header.cloud.path,
            "format " + inQuotes(words.size() > 1 ? words[1] : ""),
            "ascii 1.0, binary_little_endian 1.0 or binary_big_endian 1.0");
   }
@@ -195,9 +195,22 @@ readLine(const Words& words, Header& header)
       header.rows = *value;
   }
   else
-    fail(header.cloud,
+    fail(header.cloud.path,
          "the header has a line " + inQuotes(keyword),
          "format, comment, obj_info, element, property or end_header");
+}
+
+/** The points are an image if it has as many pixels. */
+void
+setLayout(Header& header)
+{
+  pcl::PCLPointCloud2& blob = header.cloud.blob;
+  const std::uint64_t size = header.cloud.size();
+  const bool is_organized =
+      header.rows > 1 && std::uint64_t{header.columns} * header.rows == size;
+  blob.width = is_organized ? header.columns : static_cast<std::uint32_t>(size);
+  blob.height = is_organized ? header.rows : 1;
+  blob.row_step = blob.width * blob.point_step;
 }
 
 /** The values of a vertex that are not lists become fields. */
@@ -209,18 +222,15 @@ addFields(const Element& vertex, Header& header)
     if (!property.count_type)
       addField(cloud, property.name, property.datatype);
   if (cloud.blob.fields.empty())
-    fail(cloud, "element vertex has no property but lists", "at least x y z");
+    fail(cloud.path, "element vertex has no property but lists", "at least x y z");
   if (header.is_in_memory && vertex.count * cloud.blob.point_step > max_bytes)
-    fail(cloud,
+    fail(cloud.path,
          "element vertex " + std::to_string(vertex.count) + " of " +
              std::to_string(cloud.blob.point_step) + " bytes",
          "less than 4 GiB: divide the cloud into tiles");
-  const bool is_organized =
-      header.rows > 1 && std::uint64_t{header.columns} * header.rows == vertex.count;
-  cloud.blob.width =
-      is_organized ? header.columns : static_cast<std::uint32_t>(vertex.count);
-  cloud.blob.height = is_organized ? header.rows : 1;
-  cloud.blob.row_step = cloud.blob.width * cloud.blob.point_step;
+  cloud.blob.width = static_cast<std::uint32_t>(vertex.count);
+  cloud.blob.height = 1;
+  setLayout(header);
 }
 
 /** Takes the header off the file. */
@@ -232,18 +242,18 @@ readHeader(const std::string& path, std::string_view& file, bool is_in_memory)
   CloudFile& cloud = header.cloud;
   cloud.path = path;
   if (splitWords(takeLine(file)) != Words{"ply"})
-    fail(cloud, "the first line is not 'ply'", "a PLY file");
+    fail(cloud.path, "the first line is not 'ply'", "a PLY file");
   for (Words words; words.empty() || words.front() != "end_header";) {
     if (!words.empty())
       readLine(words, header);
     if (file.empty())
-      fail(cloud, "the header has no end_header", "a complete PLY header");
+      fail(cloud.path, "the header has no end_header", "a complete PLY header");
     words = splitWords(takeLine(file));
   }
   const auto vertex =
       std::find_if(header.elements.begin(), header.elements.end(), isVertex);
   if (header.format.empty() || vertex == header.elements.end())
-    fail(cloud, "the header has no format or vertex", "a complete PLY header");
+    fail(cloud.path, "the header has no format or vertex", "a complete PLY header");
   addFields(*vertex, header);
   return header;
 }
@@ -280,7 +290,7 @@ protected:
   [[noreturn]] void
   failTruncated(const Element& element, std::uint64_t instance) const
   {
-    fail(cloud_,
+    fail(cloud_.path,
          "truncated: the file ends in " + element.name + ' ' +
              std::to_string(instance) + " of " + std::to_string(element.count),
          "a complete file");
@@ -365,7 +375,7 @@ public:
     visitType(type, [&](auto zero) {
       const auto value = parseFileValue<decltype(zero)>(word);
       if (!value)
-        fail(cloud_,
+        fail(cloud_.path,
              where_ + " has " + inQuotes(word) + " in property " +
                  inQuotes(property.name),
              "a number of the property's type");
@@ -383,7 +393,7 @@ private:
   [[noreturn]] void
   failColumns(std::size_t expected) const
   {
-    fail(cloud_,
+    fail(cloud_.path,
          where_ + " has " + std::to_string(words_.size()) + " columns",
          (expected > words_.size() ? "at least " : "") + std::to_string(expected) +
              " by its properties");
@@ -404,35 +414,41 @@ takeCount(const CloudFile& cloud, const InProperty& list, Body& body)
     std::memcpy(&value, bytes.data(), sizeof(value));
     const auto count = static_cast<std::int64_t>(value); // PLY has at most 32 bits
     if (count < 0)
-      fail(cloud,
+      fail(cloud.path,
            "list '" + list.name + "' has " + std::to_string(count) + " values",
            "0 or more");
     return static_cast<std::uint64_t>(count);
   });
 }
 
-/** Take an instance; `use` gets each value that is in no list. */
+/** Take an instance; `use` gets its values, also those of lists. */
 template <typename Use>
 void
 takeInstance(const CloudFile& cloud, const Element& element, Body& body, const Use& use)
 {
   std::array<std::uint8_t, sizeof(double)> bytes{};
   for (const InProperty& property : element.properties) {
-    if (!property.count_type) {
+    // Ends by itself where the file does: each value takes bytes.
+    for (std::uint64_t left = property.count_type ? takeCount(cloud, property, body)
+                                                  : 1;
+         left > 0;
+         --left) {
       body.take(property, property.datatype, bytes.data());
       use(property, bytes.data());
-      continue;
     }
-    // Ends by itself where the file does: each value takes bytes.
-    for (std::uint64_t left = takeCount(cloud, property, body); left > 0; --left)
-      body.take(property, property.datatype, bytes.data());
   }
 }
 
-/** All instances of an element; what cannot be in the file is refused before. */
-template <typename Use>
+/** All instances of an element; what cannot be in the file is refused before.
+ * \param[in] end called after each */
+template <typename Use, typename End = void (*)()>
 void
-takeElement(const CloudFile& cloud, const Element& element, Body& body, const Use& use)
+takeElement(
+    const CloudFile& cloud,
+    const Element& element,
+    Body& body,
+    const Use& use,
+    const End& end = [] {})
 {
   if (element.properties.empty())
     return; // the file has no data of it
@@ -440,7 +456,7 @@ takeElement(const CloudFile& cloud, const Element& element, Body& body, const Us
   for (const InProperty& property : element.properties)
     least += body.minBytes(property.count_type.value_or(property.datatype));
   if (element.count > body.bytesLeft() / least)
-    fail(cloud,
+    fail(cloud.path,
          "truncated: element " + element.name + " needs " +
              std::to_string(element.count) + " times at least " +
              std::to_string(least) + " bytes, but " + std::to_string(body.bytesLeft()) +
@@ -450,6 +466,7 @@ takeElement(const CloudFile& cloud, const Element& element, Body& body, const Us
     body.begin(element, i);
     takeInstance(cloud, element, body, use);
     body.end();
+    end();
   }
 }
 
@@ -458,13 +475,14 @@ takeVertices(CloudFile& cloud, const Element& vertex, Body& body)
 {
   std::vector<std::uint8_t> data;
   takeElement(cloud, vertex, body, [&](const InProperty& property, const auto* value) {
-    data.insert(data.end(), value, value + valueSize(property.datatype));
+    if (!property.count_type)
+      data.insert(data.end(), value, value + valueSize(property.datatype));
   });
   cloud.blob.data = std::move(data);
 }
 
-/** What PCL and scanners write of the camera: its position, and its axes, which are the
- * rows of PCL's rotation. */
+/** What PCL and scanners write of the camera: its position, its axes, which are the
+ * rows of PCL's rotation, and the size of its image. */
 class Camera {
 public:
   void
@@ -472,31 +490,31 @@ public:
   {
     static const Words names =
         splitWords("x_axisx x_axisy x_axisz y_axisx y_axisy y_axisz "
-                   "z_axisx z_axisy z_axisz view_px view_py view_pz");
+                   "z_axisx z_axisy z_axisz view_px view_py view_pz "
+                   "viewportx viewporty");
     const auto place = std::find(names.begin(), names.end(), property.name);
     if (place == names.end())
       return;
-    const auto at = static_cast<std::size_t>(place - names.begin());
-    values_[at] = visitType(property.datatype, [&](auto value) {
+    values_[place - names.begin()] = visitType(property.datatype, [&](auto value) {
       std::memcpy(&value, bytes, sizeof(value));
       return static_cast<float>(value);
     });
-    is_set_[at] = true;
   }
 
   /** Where there is a position it is the viewpoint's, where there are axes likewise. */
   void
-  apply(CloudFile& cloud) const
+  apply(Header& header) const
   {
-    const auto isKnown = [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        if (!is_set_[i] || !std::isfinite(values_[i]))
-          return false;
-      return true;
-    };
-    if (isKnown(9, 12))
-      std::copy(values_.begin() + 9, values_.end(), cloud.viewpoint.begin());
-    if (!isKnown(0, 9))
+    CloudFile& cloud = header.cloud;
+    constexpr float max_side = 1 << 24; // of whole numbers that float holds
+    if (values_[12] > 0.0f && values_[13] > 1.0f &&
+        values_.tail<2>().maxCoeff() < max_side) {
+      header.columns = static_cast<std::uint32_t>(values_[12]);
+      header.rows = static_cast<std::uint32_t>(values_[13]);
+    }
+    if (values_.segment<3>(9).allFinite())
+      std::copy(values_.data() + 9, values_.data() + 12, cloud.viewpoint.begin());
+    if (!values_.head<9>().allFinite())
       return;
     const Eigen::Matrix3f axes =
         Eigen::Map<const Eigen::Matrix3f>(values_.data()).transpose();
@@ -512,33 +530,102 @@ public:
   }
 
 private:
-  std::array<float, 12> values_{};
-  std::array<bool, 12> is_set_{};
+  using Values = Eigen::Matrix<float, 14, 1>;
+
+  Values values_ = Values::Constant(std::numeric_limits<float>::quiet_NaN()); // unset
 };
+
+/** The vertex of each pixel of an image. */
+using Grid = std::vector<std::optional<std::uint64_t>>;
+
+Grid
+takeGrid(const CloudFile& cloud, const Element& element, Body& body)
+{
+  Grid grid;
+  std::optional<std::uint64_t> vertex; // the first of a pixel's list
+  const auto use = [&](const InProperty& property, const std::uint8_t* bytes) {
+    const double number = visitType(property.datatype, [&](auto value) {
+      std::memcpy(&value, bytes, sizeof(value));
+      return static_cast<double>(value);
+    });
+    if (!(number >= 0.0 && number < static_cast<double>(cloud.size())))
+      fail(cloud.path,
+           "range_grid has the vertex " + std::to_string(number),
+           "0 or more, and less than " + std::to_string(cloud.size()));
+    vertex = vertex.value_or(static_cast<std::uint64_t>(number));
+  };
+  takeElement(cloud, element, body, use, [&] {
+    grid.push_back(std::exchange(vertex, std::nullopt));
+  });
+  return grid;
+}
+
+/** As PCL fills an image: where there is no vertex, floats are NaN and others 0. */
+void
+fillImage(Header& header, const Grid& grid)
+{
+  pcl::PCLPointCloud2& blob = header.cloud.blob;
+  if (grid.empty() || std::uint64_t{header.columns} * header.rows != grid.size() ||
+      grid.size() > max_points || grid.size() * blob.point_step > max_bytes)
+    return;
+  std::vector<std::uint8_t> empty(blob.point_step, 0), data;
+  for (const pcl::PCLPointField& field : blob.fields)
+    visitType(field.datatype, [&](auto value) {
+      if constexpr (std::is_floating_point_v<decltype(value)>) {
+        value = std::numeric_limits<decltype(value)>::quiet_NaN();
+        std::memcpy(empty.data() + field.offset, &value, sizeof(value));
+      }
+    });
+  for (const std::optional<std::uint64_t>& vertex : grid) {
+    const std::uint8_t* const from =
+        vertex ? blob.data.data() + *vertex * blob.point_step : empty.data();
+    data.insert(data.end(), from, from + blob.point_step);
+  }
+  blob.data = std::move(data);
+  blob.width = static_cast<std::uint32_t>(grid.size());
+  blob.height = 1;
+}
+
+bool
+isCamera(const Element& element)
+{
+  return element.name == "camera";
+}
+
+bool
+isGrid(const Element& element)
+{
+  return element.name == "range_grid";
+}
 
 /** The elements up to the last one that says something of the points. */
 void
 takeElements(Header& header, Body& body)
 {
   const auto& elements = header.elements;
+  Camera camera;
+  Grid grid;
   const auto last =
       std::find_if(elements.rbegin(), elements.rend(), [](const Element& element) {
-        return isVertex(element) || element.name == "camera";
+        return isVertex(element) || isCamera(element) || isGrid(element);
       });
   for (auto element = elements.begin(); element != last.base(); ++element) {
     if (isVertex(*element))
       takeVertices(header.cloud, *element, body);
-    else if (element->name == "camera") {
-      Camera camera;
-      takeElement(
-          header.cloud, *element, body, [&](const InProperty& p, const auto* value) {
-            camera.set(p, value);
-          });
-      camera.apply(header.cloud);
+    else if (isGrid(*element))
+      grid = takeGrid(header.cloud, *element, body);
+    else {
+      const bool is_camera = isCamera(*element);
+      const auto use = [&](const InProperty& property, const auto* value) {
+        if (is_camera)
+          camera.set(property, value);
+      };
+      takeElement(header.cloud, *element, body, use);
     }
-    else
-      takeElement(header.cloud, *element, body, [](const InProperty&, const auto*) {});
   }
+  camera.apply(header);
+  fillImage(header, grid);
+  setLayout(header);
 }
 
 /** Whether the body begins with the points, values alone. */
@@ -547,11 +634,11 @@ hasRows(const Header& header)
 {
   const auto& elements = header.elements;
   const Element& first = elements.front();
-  const bool has_camera =
+  const bool is_image =
       std::any_of(elements.begin(), elements.end(), [](const Element& element) {
-        return element.name == "camera";
+        return isCamera(element) || isGrid(element);
       });
-  return header.format != "binary_big_endian" && isVertex(first) && !has_camera &&
+  return header.format != "binary_big_endian" && isVertex(first) && !is_image &&
          std::none_of(first.properties.begin(),
                       first.properties.end(),
                       [](const InProperty& p) { return p.count_type.has_value(); });

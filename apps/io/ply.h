@@ -15,13 +15,14 @@ namespace pcl::app {
 
 /** \brief The vertices of a PLY file, text or binary of either order of bytes: one
  * field a property, with PCL's names (see usePclNamesOfPly()). Lists are left out, and
- * all elements but a camera, which gives the viewpoint. \throws InputError that names
+ * all elements but a camera, which gives the viewpoint and the size of an image, and a
+ * range_grid, which says where the vertices are in it. \throws InputError that names
  * the path, what is wrong, and what is expected */
 CloudFile decodePly(const std::string& path, std::string_view file);
 
 /** \brief The header of a PLY file, of any number of points; nothing unless the points
- * come first, without lists, as text or little-endian, and without a camera. \param[in]
- * head the first bytes of the file, with all of the header */
+ * come first, without lists, as text or little-endian, and without a camera or
+ * range_grid. \param[in] head the first bytes of the file, with all of the header */
 std::optional<PointRows> rowsOfPly(const std::string& path, std::string_view head);
 
 /** \brief What is before the points in encodePly(), and the points. */

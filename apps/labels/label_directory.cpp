@@ -5,10 +5,10 @@
 #include "labels/label_directory.h"
 
 #include "cli/batch.h"
-#include "cli/errors.h"
-#include "cli/files.h"
 #include "cli/filter_app.h"
 #include "io/any_cloud.h"
+#include "io/errors.h"
+#include "io/files.h"
 #include "io/kitti_file.h"
 #include "io/ply.h"
 #include "labels/labeled_cloud.h"
@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <deque>
 #include <filesystem>
-#include <map>
 
 namespace fs = std::filesystem;
 
@@ -295,18 +294,14 @@ private:
 void
 DirectoryRun::prepare()
 {
-  std::map<std::string, std::string> stems;
-  std::vector<std::string> files = inputs_;
+  std::vector<std::string> stems, files = inputs_;
   files.push_back(Manifest::pathIn(output_));
   for (const std::string& input : inputs_) {
-    const auto [other, is_new] = stems.emplace(fs::path(input).stem(), input);
-    if (!is_new)
-      throw InputError(other->second + " and " + input +
-                       " would have the same output; expected different names before "
-                       "the ending");
+    stems.push_back(fs::path(input).stem());
     for (const std::string& name : outputsOf(input))
       files.push_back(output_ / name);
   }
+  requireDifferent(inputs_, stems);
   checkJsonPath(arguments_, files);
   checkOutputs(arguments_, files);
   prepareOutputDirectory(output_, input_);

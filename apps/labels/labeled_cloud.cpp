@@ -4,12 +4,12 @@
 
 #include "labels/labeled_cloud.h"
 
-#include "cli/errors.h"
 #include "cli/filter_app.h"
 #include "cli/pcl_errors.h"
 #include "detection/detection.h"
 #include "detection/inad.h"
 #include "detection/model_file.h"
+#include "io/errors.h"
 #include "io/kitti_file.h"
 #include "io/pcd.h"
 #include "io/ply.h"

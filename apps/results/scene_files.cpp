@@ -4,8 +4,8 @@
 
 #include "results/scene_files.h"
 
-#include "cli/errors.h"
-#include "cli/files.h"
+#include "io/errors.h"
+#include "io/files.h"
 #include "io/text.h"
 
 #include <Eigen/Core>

@@ -4,7 +4,7 @@
 
 #include "results/selection.h"
 
-#include "cli/errors.h"
+#include "io/errors.h"
 #include "results/points_by_object.h"
 
 #include <pcl/common/point_tests.h>

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Street scenes: their options, the cloud and the report.
 
-#include "cli/errors.h"
 #include "cli/filter_app.h"
+#include "io/errors.h"
 #include "scene/lidar.h"
 #include "scene/scene_cloud.h"
 #include "scene/scene_kind.h"

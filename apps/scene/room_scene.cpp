@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Rooms and house fronts: their options, the cloud and the report.
 
-#include "cli/errors.h"
+#include "io/errors.h"
 #include "scene/place.h"
 #include "scene/scene_cloud.h"
 #include "scene/scene_kind.h"

@@ -4,7 +4,7 @@
 
 #include "scene/scene_kind.h"
 
-#include "cli/errors.h"
+#include "io/errors.h"
 
 #include <algorithm>
 #include <limits>

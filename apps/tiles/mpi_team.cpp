@@ -4,7 +4,7 @@
 
 #include "tiles/mpi_team.h"
 
-#include "cli/errors.h"
+#include "io/errors.h"
 #include "tiles/mpi_launcher.h"
 
 #include <atomic>

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // What stands for the ranks of MPI in a build without it.
 
-#include "cli/errors.h"
+#include "io/errors.h"
 #include "tiles/mpi_launcher.h"
 #include "tiles/mpi_team.h"
 

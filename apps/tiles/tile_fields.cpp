@@ -4,9 +4,9 @@
 
 #include "tiles/tile_fields.h"
 
-#include "cli/errors.h"
 #include "cli/pcl_errors.h"
 #include "detection/results.h"
+#include "io/errors.h"
 #include "tiles/bytes.h"
 #include "tiles/tile_instances.h"
 #include "tiles/tile_places.h"

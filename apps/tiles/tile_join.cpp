@@ -4,9 +4,9 @@
 
 #include "tiles/tile_join.h"
 
-#include "cli/errors.h"
-#include "cli/files.h"
 #include "io/any_cloud.h"
+#include "io/errors.h"
+#include "io/files.h"
 #include "io/ply.h"
 
 #include <pcl/features/normal_3d.h>

@@ -4,7 +4,7 @@
 
 #include "tiles/tile_numbers.h"
 
-#include "cli/errors.h"
+#include "io/errors.h"
 #include "tiles/bytes.h"
 #include "tiles/selection.h"
 #include "tiles/tile_places.h"

@@ -5,7 +5,7 @@
 #include "viewer/camera.h"
 
 #include "cli/arguments.h"
-#include "cli/errors.h"
+#include "io/errors.h"
 #include "io/text.h"
 
 #include <pcl/common/common.h>

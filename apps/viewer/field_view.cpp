@@ -4,7 +4,7 @@
 
 #include "viewer/field_view.h"
 
-#include "cli/errors.h"
+#include "io/errors.h"
 #include "io/text.h"
 
 #include <pcl/common/colors.h>

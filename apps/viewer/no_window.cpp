@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Replaces window.cpp where there is no X11, or PCL has no visualization.
 
-#include "cli/errors.h"
+#include "io/errors.h"
 #include "viewer/window.h"
 
 namespace pcl::app {

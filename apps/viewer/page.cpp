@@ -4,11 +4,12 @@
 
 #include "viewer/page.h"
 
-#include "cli/errors.h"
-#include "viewer/base64.h"
+#include "io/errors.h"
 #include "viewer/page_points.h"
 #include "viewer/page_template.h"
 
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -16,12 +17,36 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <limits>
 
 namespace pcl::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::size_t group = 3; // bytes that make four letters
+
+using Letters = boost::archive::iterators::base64_from_binary<
+    boost::archive::iterators::transform_width<const std::uint8_t*, 6, 8>>;
+
+/** The bytes in base64, with padding, in one line. */
+std::string
+toBase64(const void* bytes, std::size_t size)
+{
+  const auto* const begin = static_cast<const std::uint8_t*>(bytes);
+  const std::size_t rest = size % group;
+  std::string text;
+  text.reserve((size + group - 1) / group * 4);
+  text.append(Letters(begin), Letters(begin + (size - rest)));
+  if (rest == 0)
+    return text;
+  std::array<std::uint8_t, group> last{};
+  std::memcpy(last.data(), begin + (size - rest), rest);
+  text.append(Letters(last.data()), Letters(last.data() + group));
+  const std::size_t padding = group - rest;
+  return text.replace(text.size() - padding, padding, padding, '=');
+}
 
 /** The arrays of a page, in elements that browsers neither show nor run. */
 class Arrays {

@@ -4,7 +4,7 @@
 
 #include "viewer/window.h"
 
-#include "cli/errors.h"
+#include "io/errors.h"
 #include "viewer/overlays.h"
 
 #include <pcl/common/point_tests.h>

@@ -4,8 +4,8 @@
 
 #include "labeled_cloud.h"
 
-#include "cli/errors.h"
 #include "evaluation/evaluation_tasks.h"
+#include "io/errors.h"
 #include "io/pcd.h"
 
 #include <pcl/common/point_tests.h>

@@ -19,11 +19,17 @@ run() { # COMMAND ...: as in the tutorials
   "$@"
 }
 
+view() { # NAME CLOUD VIEWER_OPTION ...
+  pcl_shape_viewer "${@:2}" -screenshot "$1.png" >/dev/null
+}
+
 picture() { # NAME CLOUD VIEWER_OPTION ...
-  local name=$1
-  shift
-  pcl_shape_viewer "$@" -screenshot "$name.png" >/dev/null
-  "${PYTHON:-python3}" "$here"/../../scripts/fewer_colors.py "$name.png" "$images/$name.png" 128
+  view "$@"
+  "${PYTHON:-python3}" "$here"/../../scripts/fewer_colors.py "$1.png" "$images/$1.png" 128
+}
+
+sheet() { # NAME COLUMNS WIDTH TITLE=PICTURE ...
+  "${PYTHON:-python3}" "$here"/../../scripts/contact_sheet.py "$images/$1.png" "$2" "$3" 128 "${@:4}"
 }
 
 # The objects of the scene, without the borders of the table.
@@ -57,3 +63,23 @@ run pcl_shape_scene front.pcd -seed 2
 run pcl_shape_scene right.pcd -seed 2 -turn 30
 run tutorial_salient_points front.pcd right.pcd both.pcd
 picture salient_points both.pcd -field label -names 1=first,2=second
+
+around=(-camera 0,0,0,-0.03,0.06,0.9,0,-1,0,31 -size 480x360 -shade)
+run pcl_shape_scene objects.pcd -seed 7 -objects 9 -shapes cylinder,box,sphere -normals
+view objects objects.pcd -field plain "${around[@]}"
+for class in curved object; do
+  run pcl_shape_instances objects.pcd instances.pcd -class $class
+  view $class instances.pcd -field instance "${around[@]}"
+done
+sheet shape_instances 3 480 "the scene=objects.png" "curved instances=curved.png" "whole objects=object.png"
+
+run pcl_shape_scene boxes.pcd -seed 5 -normals
+run pcl_shape_grasp boxes.pcd -field instance -value 2 -json grasps.json
+picture suction_grasps boxes.pcd -field plain -shade -grasps grasps.json -camera 0,0,0,0.075,-0.03,0.7,0,-1,0,22 -size 640x540
+
+for beams in 64 16; do
+  run pcl_shape_scene street.pcd -sensor lidar -beams $beams -seed 1
+  run pcl_shape_ground street.pcd ground.pcd
+  view $beams ground.pcd -field ground -camera 7.5,0,100,7.5,0,0,0,1,0,16 -size 960x360 -point_size 1
+done
+sheet shape_ground_segmentation 1 960 "64 beams=64.png" "16 beams=16.png"

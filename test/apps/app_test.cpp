@@ -5,7 +5,6 @@
 #include "app_test.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -53,20 +52,6 @@ exists(const std::string& path)
   return fs::exists(path);
 }
 
-AppTest::AppTest()
-{
-  std::string name = (fs::temp_directory_path() / "pcl_shape_XXXXXX").string();
-  if (!mkdtemp(name.data()))
-    throw std::runtime_error(name + ": cannot be made");
-  directory_ = name;
-}
-
-AppTest::~AppTest()
-{
-  std::error_code ignored;
-  fs::remove_all(directory_, ignored);
-}
-
 std::string
 AppTest::file(const std::string& name, const std::string& contents) const
 {
@@ -78,7 +63,7 @@ std::vector<std::string>
 AppTest::files() const
 {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(directory_))
+  for (const auto& entry : fs::directory_iterator(directory_.path()))
     names.push_back(entry.path().filename());
   std::sort(names.begin(), names.end());
   return names;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "app_process.h"
+#include "support/temporary_directory.h"
 
 #include <gtest/gtest.h>
 
@@ -22,13 +23,10 @@ bool exists(const std::string& path);
 /** \brief A directory of its own for each test. */
 class AppTest : public ::testing::Test {
 protected:
-  AppTest();
-  ~AppTest() override;
-
   std::string
   path(const std::string& name) const
   {
-    return directory_ + '/' + name;
+    return directory_.file(name);
   }
 
   /** \brief The path of a new file. */
@@ -38,7 +36,7 @@ protected:
   std::vector<std::string> files() const;
 
 private:
-  std::string directory_;
+  pcl::test::TemporaryDirectory directory_;
 };
 
 /** \brief The app ended with the status and exactly one line on standard error, in

@@ -48,7 +48,9 @@ badHeaders()
 {
   return {
       {"empty", "", {"empty"}},
-      {"text", "Dear reader,\nthis is no cloud.\n", {"'Dear'", "VERSION"}},
+      {"text",
+       "Dear reader,\nthis is no cloud.\n",
+       {"'Dear'", "VERSION", "PLY", ".bin"}},
       {"zeros", std::string(300, '\0'), {"header line 1"}},
       {"no_data_line", xyz + header_end, {"DATA"}},
       {"negative_size",
@@ -141,7 +143,6 @@ badBodies()
       {"row_out_of_range", sized("1", "1", "ascii\n1 2 1e39\n"), {"'1e39'", "'z'"}},
       {"fields_abc", asciiCloud("a b c", "F F F", {"1 2 3"}), {"'x'", "a b c"}},
       {"no_z", asciiCloud("x y", "F F", {"1 2"}), {"'z'", "x y"}},
-      {"z_integer", asciiCloud("x y z", "F F I", {"1 2 3"}), {"'z'", "float32"}},
       {"z_twice",
        "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 2\n" + header_end +
            "DATA ascii\n1 2 3 4\n",

@@ -69,6 +69,13 @@ PrintTo(const BadValue& bad, std::ostream* stream)
     *stream << ' ' << option;
 }
 
+TEST(CommandLine, WhatFollowsTwoDashesAreFiles)
+{
+  expectRefused(runApp("pcl_shape_ground", {"-max_step", "0.1", "--", "-no.pcd", "--"}),
+                1,
+                {"-no.pcd: No such file"});
+}
+
 class BadValues : public ::testing::TestWithParam<BadValue> {};
 
 TEST_P(BadValues, AreRefusedWithWhatIsExpected)

@@ -4,8 +4,8 @@
 // and files with some bytes changed. scripts/test_sanitizers.sh looks for wrong
 // accesses.
 
-#include "cli/errors.h"
 #include "io/any_cloud.h"
+#include "io/errors.h"
 
 #include <gtest/gtest.h>
 
@@ -86,7 +86,13 @@ wholeFiles()
       {"ascii.ply", plyOf("ascii", "1\n1 2 3 4 5 6 1 5\n1 2 3 4 5 6 0\n")},
       {"little.ply",
        plyOf("binary_little_endian", std::string(4, '\0') + list + vertex)},
-      {"big.ply", plyOf("binary_big_endian", std::string(4, '\0') + vertex + vertex)}};
+      {"big.ply", plyOf("binary_big_endian", std::string(4, '\0') + vertex + vertex)},
+      {"grid.ply",
+       "ply\nformat ascii 1.0\nobj_info num_cols 2\nobj_info num_rows 2\nelement "
+       "vertex "
+       "2\nproperty float x\nproperty float y\nproperty float z\nelement range_grid "
+       "4\nproperty list uchar int vertex_indices\nend_header\n1 2 3\n4 5 6\n1 "
+       "0\n0\n0\n1 1\n"}};
 }
 
 TEST(Damage, WholeFilesAreRead)

@@ -3,10 +3,10 @@
 // Precision, recall and IoU of labels and instances.
 
 #include "app_test.h"
-#include "cli/errors.h"
 #include "evaluation/assignment.h"
 #include "evaluation/evaluation_tasks.h"
 #include "evaluation/objects.h"
+#include "io/errors.h"
 #include "io/pcd.h"
 #include "support/random.h"
 

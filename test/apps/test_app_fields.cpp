@@ -3,8 +3,8 @@
 // Fields of a cloud in memory: read, appended, replaced.
 
 #include "app_test.h"
-#include "cli/errors.h"
 #include "io/cloud_file.h"
+#include "io/errors.h"
 #include "io/pcd.h"
 
 #include <cmath>

@@ -3,8 +3,8 @@
 // Output files that are complete or not there at all.
 
 #include "app_test.h"
-#include "cli/errors.h"
-#include "cli/files.h"
+#include "io/errors.h"
+#include "io/files.h"
 
 #include <csignal>
 #include <fcntl.h>

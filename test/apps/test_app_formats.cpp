@@ -3,8 +3,8 @@
 // PLY and KITTI files; the reader and writer of PCL are the reference of PLY.
 
 #include "app_test.h"
-#include "cli/errors.h"
 #include "io/any_cloud.h"
+#include "io/errors.h"
 #include "io/kitti_file.h"
 #include "io/pcd.h"
 #include "io/ply.h"

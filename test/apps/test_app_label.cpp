@@ -80,6 +80,16 @@ TEST_F(Label, AllIsVoidAboveTheHighestConfidence)
   EXPECT_EQ(Json::parse(readFile(path("json")))["counts"]["void"], 400);
 }
 
+TEST_F(Label, FieldsThatPlyCannotHoldAreNamed)
+{
+  std::string cloud =
+      asciiCloud("x y z time", "F F F U", withColumn(planeRows(20), "7"));
+  cloud.replace(cloud.find("4 4 4 4"), 7, "4 4 4 8");
+  const Outcome outcome = runApp(app, {file("time.pcd", cloud), path("time.ply")});
+  expectSuccessOrWarnings(outcome);
+  EXPECT_NE(outcome.err.find("left out 'time'"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Label, ADirectoryGetsAManifest)
 {
   const Outcome outcome = label({"-json", path("json")});

@@ -3,7 +3,7 @@
 // PCD files; the reader and writer of PCL are the reference.
 
 #include "app_test.h"
-#include "cli/errors.h"
+#include "io/errors.h"
 #include "io/pcd.h"
 
 #include <pcl/io/pcd_io.h>

@@ -4,8 +4,9 @@
 // reference.
 
 #include "app_test.h"
-#include "cli/errors.h"
+#include "cli/input.h"
 #include "io/any_cloud.h"
+#include "io/errors.h"
 #include "io/kitti_file.h"
 #include "io/pcd.h"
 #include "io/ply.h"
@@ -316,6 +317,76 @@ TEST_F(Readers, PlyCamerasGiveTheViewpoint)
     EXPECT_EQ(readAnyCloud(path("pcl.ply")).viewpoint,
               (std::array<float, 7>{1, 2, 3, 0.5f, 0.5f, -0.5f, 0.5f}));
   }
+}
+
+TEST_F(Readers, ImagesOfPclsPlyWriterAreOrganized)
+{
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  CloudFile image;
+  for (const char* const name : {"x", "y", "z"})
+    addField(image, name, pcl::PCLPointField::FLOAT32);
+  addField(image, "label", pcl::PCLPointField::UINT16);
+  image.blob.width = 3;
+  image.blob.height = 2;
+  image.blob.row_step = 3 * image.blob.point_step;
+  image.blob.is_dense = 0;
+  for (std::uint16_t i = 0; i < 6; ++i) {
+    const float x = i % 4 == 1 ? nan : 0.5f * static_cast<float>(i);
+    const std::string point =
+        bytesOf(std::vector<float>{x, x, x}) + bytesOf(std::vector<std::uint16_t>{i});
+    image.blob.data.insert(image.blob.data.end(), point.begin(), point.end());
+  }
+  for (const bool is_binary : {true, false})
+    for (const bool has_camera : {true, false}) { // else it has a range_grid
+      pcl::PLYWriter().write(path("pcl.ply"),
+                             image.blob,
+                             Eigen::Vector4f::Zero(),
+                             Eigen::Quaternionf::Identity(),
+                             is_binary,
+                             has_camera);
+      const CloudFile ours = readAnyCloud(path("pcl.ply"));
+      EXPECT_EQ(ours.blob.width, 3u);
+      EXPECT_EQ(ours.blob.height, 2u);
+      expectSame(ours, *readByPcl(path("pcl.ply")));
+    }
+  const std::string grid =
+      "ply\nformat ascii 1.0\nobj_info num_cols 2\nobj_info num_rows "
+      "2\nelement vertex 1\n" +
+      xyz_properties +
+      "element range_grid 4\nproperty list uchar int "
+      "vertex_indices\nend_header\n1 2 3\n0\n1 0\n0\n";
+  EXPECT_EQ(floatsOf(decodePly("grid.ply", grid + "0\n"), "z")[1], 3.0f);
+  for (const char* const vertex : {"1 1\n", "1 -1\n"})
+    EXPECT_THROW(decodePly("grid.ply", grid + vertex), InputError);
+}
+
+TEST_F(Readers, CoordinatesMayBeWholeNumbers)
+{
+  const CloudFile pcd =
+      sameAsPcl("whole.pcd", pcdHead("I I I") + "DATA ascii\n1 -2 3\n4 5 6\n");
+  const CloudFile ply =
+      sameAsPcl("whole.ply",
+                "ply\nformat ascii 1.0\nelement vertex 2\nproperty int "
+                "x\nproperty short y\nproperty uchar "
+                "z\nend_header\n1 -2 3\n4 5 6\n");
+  for (const CloudFile* const cloud : {&pcd, &ply}) {
+    EXPECT_EQ((*pointsOf(*cloud))[0].y, -2.0f);
+    EXPECT_EQ(coordinatesOf(*cloud)[1], (std::array<double, 3>{4.0, 5.0, 6.0}));
+  }
+  EXPECT_TRUE(hasDoubles(pcd)); // an offset keeps what float would round
+}
+
+TEST_F(Readers, BooleansStayBooleans)
+{
+  const std::string head =
+      "VERSION .7\nFIELDS x y z is\nSIZE 4 4 4 1\nTYPE F F F B\nCOUNT "
+      "1 1 1 1\nWIDTH 2\nHEIGHT 1\nPOINTS 2\n";
+  const CloudFile cloud =
+      sameAsPcl("bool.pcd", head + "DATA ascii\n0.25 1 2 1\n3 -4 5.5 0\n");
+  EXPECT_EQ(labelsOf(cloud, "is"), (std::vector<std::uint32_t>{1, 0}));
+  sameAsPcl("again.pcd", encodeCloud(cloud, PCDFormat::binary_compressed));
+  EXPECT_EQ(labelsOf(decodePly("bool.ply", encodePly(cloud)), "is"),
+            labelsOf(cloud, "is"));
 }
 
 TEST_F(Readers, PlyColorsAndNormalsHaveThePclNames)

@@ -126,6 +126,14 @@ TEST_F(Streams, ADashIsStandardInputAndOutput)
       shell("$APP in.pcd - > /dev/full"), 1, {"standard output", "cannot be written"});
 }
 
+TEST_F(Streams, TilesCannotBeOfStandardInput)
+{
+  expectRefused(
+      runApp("pcl_shape_tiles", {"-", "-edges", "-output_dir", path("tiles")}),
+      1,
+      {"standard input", "only once"});
+}
+
 TEST_F(Streams, ADirectoryMayHaveAllFormats)
 {
   fs::create_directory(path("in"));

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 # SPDX-FileCopyrightText: 2026 pcl_shape contributors
-"""Make the tables of doc/labels.md of sampled parts and of generated worlds: how many labels pcl_shape_label keeps, and
-how many of these are right. Markdown goes to standard output.
-Usage: scripts/evaluate_label_worlds.py BUILD_DIR [DATA_DIR]
-DATA_DIR/parts has the sampled parts of doc/evaluation.md; without it only generated worlds are labeled. Seeds from 460001
-on are used for nothing else. Needs python3-numpy and python3-scipy.
+"""Make the tables of doc/labels.md: how many labels pcl_shape_label keeps, and how many of these are right. Markdown goes to
+standard output.
+Usage: scripts/evaluate_labels.py BUILD_DIR [DATA_DIR]
+DATA_DIR/parts has the sampled parts of doc/evaluation.md, DATA_DIR/osd learn4_gt.pcd and so on; without it only generated
+worlds and scenes are labeled. Seeds from 460001 and from 500001 on are used for nothing else. Needs python3-numpy and python3-scipy.
 """
 import pathlib
 import subprocess
@@ -28,6 +28,12 @@ WORLDS = {
     "house front": ("-place", "facade", "-sensor", "station"),
 }
 SEEDS = (460001, 460002)
+SCENES = {
+    **{f"Kinect, seed {seed}": (seed, ()) for seed in range(500001, 500011)},
+    **{f"camera, noise {sigma}, seed 500011": (500011, ("-noise", sigma)) for sigma in ("none", "0.0005", "0.001", "0.002")},
+    **{f"sampled at 2 mm, noise {sigma}, seed 500012": (500012, ("-sampling", "0.002", "-noise", sigma))
+       for sigma in ("none", "0.0002", "0.0004")},
+}
 
 
 def truth_of(cloud):
@@ -94,13 +100,33 @@ def generated_worlds(apps):
     row("all", numpy.concatenate(of_all, axis=1))
 
 
+def given_scenes(apps, folder):
+    print()
+    heading("given scene")
+    for scene in (4, 20, 22, 27, 30, 33, 44):
+        row(f"learn{scene}", labeled(apps, folder / f"learn{scene}_gt.pcd"))
+
+
+def generated_scenes(apps):
+    print()
+    heading("generated scene")
+    with tempfile.TemporaryDirectory() as directory:
+        cloud = pathlib.Path(directory) / "cloud.pcd"
+        for title, (seed, options) in SCENES.items():
+            generate(apps, cloud, seed, options)
+            row(title, labeled(apps, cloud))
+
+
 def main():
     if len(sys.argv) not in (2, 3):
-        sys.exit("usage: scripts/evaluate_label_worlds.py BUILD_DIR [DATA_DIR]")
+        sys.exit("usage: scripts/evaluate_labels.py BUILD_DIR [DATA_DIR]")
     apps = pathlib.Path(sys.argv[1]) / "apps"
     if len(sys.argv) == 3:
         given_parts(apps, pathlib.Path(sys.argv[2]) / "parts")
     generated_worlds(apps)
+    if len(sys.argv) == 3:
+        given_scenes(apps, pathlib.Path(sys.argv[2]) / "osd")
+    generated_scenes(apps)
 
 
 if __name__ == "__main__":

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Files read as a whole, and files that are written complete or not at all.
 
-#include "cli/files.h"
+#include "io/files.h"
 
-#include "cli/errors.h"
+#include "io/errors.h"
 #include "io/text.h"
 
 #include <array>

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace pcl::app {
 
@@ -19,5 +20,12 @@ class InputError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
+
+/** \brief \throws InputError "PATH: WHAT; expected EXPECTED" */
+[[noreturn]] inline void
+fail(const std::string& path, const std::string& what, const std::string& expected)
+{
+  throw InputError(path + ": " + what + "; expected " + expected);
+}
 
 } // namespace pcl::app
