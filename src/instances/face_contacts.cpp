@@ -41,7 +41,8 @@ struct Meeting {
 /** What the border of two faces is like at a place. */
 struct Bend {
   float convexity = 0.0f; ///< 1 convex or no border at all, -1 concave or a step
-  float gap = 0.0f; ///< between the two surfaces there, 1: as much as noise may make
+  float gap = 0.0f;  ///< between the two surfaces there, 1: as much as noise may make
+  float rise = 0.0f; ///< cosine to up of the normal that is nearer to it
 };
 
 /** A face near a place. */
@@ -156,7 +157,8 @@ bendAt(const Meeting& meeting,
        const InstanceInput& input,
        const PointGrid& grid,
        const Labels& faces,
-       const std::vector<Face>& properties)
+       const std::vector<Face>& properties,
+       const Vector3f& up)
 {
   const Vector3f position = Eigen::Map<const Vector3f>(meeting.position.data());
   const float radius =
@@ -177,18 +179,30 @@ bendAt(const Meeting& meeting,
     side->center /= static_cast<float>(side->points);
     side->normal.normalize();
   }
+  const float rise = std::max(a.normal.dot(up), b.normal.dot(up));
   const Face& first = properties[static_cast<std::size_t>(meeting.first)];
   const Face& second = properties[static_cast<std::size_t>(meeting.second)];
   if (first.surface.type == PrimitiveType::None ||
       second.surface.type == PrimitiveType::None)
-    return {convexity(a, b, stepLimit(input) * meeting.spacing)};
+    return {convexity(a, b, stepLimit(input) * meeting.spacing), 0.0f, rise};
   const Vector3f foot_a = continueTo(first, position, a);
   const Vector3f foot_b = continueTo(second, position, b);
   const float sine = a.normal.cross(b.normal).norm();
   const float gap = (foot_a - foot_b).norm() / meeting.spacing;
   const bool is_flat = a.normal.dot(b.normal) > flat_cosine;
   return {is_flat ? 1.0f : opening(a, b),
-          gap / (stepLimit(input) + contact_reach * sine)};
+          gap / (stepLimit(input) + contact_reach * sine),
+          rise};
+}
+
+bool
+arePlanes(const FaceContact& contact, const std::vector<Face>& properties)
+{
+  const auto isPlane = [&](std::int32_t face) {
+    return properties[static_cast<std::size_t>(face)].surface.type ==
+           PrimitiveType::Plane;
+  };
+  return isPlane(contact.first) && isPlane(contact.second);
 }
 
 } // namespace
@@ -198,22 +212,26 @@ faceContacts(const InstanceInput& input,
              const PointGrid& grid,
              const Labels& faces,
              const std::vector<Face>& properties,
-             const Labels& grown)
+             const Labels& grown,
+             const Vector3f& up)
 {
   const std::vector<Meeting> meetings = meetingsOf(input, grid, grown);
   std::vector<Bend> bends(meetings.size());
   kernels::parallelForEach(meetings.size(), input.threads, [&](std::size_t k) {
-    bends[k] = bendAt(meetings[k], input, grid, faces, properties);
+    bends[k] = bendAt(meetings[k], input, grid, faces, properties, up);
   });
   std::vector<FaceContact> result;
   for (std::size_t begin = 0, end = 0; begin < meetings.size(); begin = end) {
     FaceContact contact{meetings[begin].first, meetings[begin].second};
+    const bool may_slope = !up.isZero() && !arePlanes(contact, properties);
     std::vector<float> gaps;
     for (; end < meetings.size() && meetings[end].first == contact.first &&
            meetings[end].second == contact.second;
          ++end) {
       contact.convex += std::max(0.0f, bends[end].convexity);
       contact.concave += std::max(0.0f, -bends[end].convexity);
+      const bool slopes = may_slope && bends[end].rise < flat_cosine;
+      contact.sloping += slopes && !(bends[end].convexity > 0.0f) ? 1.0f : 0.0f;
       gaps.push_back(bends[end].gap);
     }
     if (median(std::move(gaps)) > 1.5f) { // one stands on or before the other

@@ -99,7 +99,7 @@ public:
       const auto second = static_cast<std::size_t>(contact.second);
       if (!left_out[first] && !left_out[second])
         borders_[{contact.first, contact.second}].add(
-            {contact.convex, contact.concave});
+            {contact.convex, contact.concave, contact.sloping});
       is_on_support_[first] = is_on_support_[first] || left_out[second];
       is_on_support_[second] = is_on_support_[second] || left_out[first];
     }
@@ -111,9 +111,12 @@ public:
     joinBy([](const Pair&, const Border& border) {
       return border.convex - border.concave;
     });
-    // What stands on nothing is held: at the root of a handle the surface is concave.
+    // What stands on nothing is held: at the root of a handle the surface is concave,
+    // but nothing stands on a slope.
     joinBy([this](const Pair& pair, const Border& border) {
-      return isHeld(pair.first) || isHeld(pair.second) ? border.convex : 0.0f;
+      return mayHold(pair.first, pair.second) || mayHold(pair.second, pair.first)
+                 ? border.convex + border.sloping
+                 : 0.0f;
     });
     return group_;
   }
@@ -122,13 +125,14 @@ private:
   using Pair = std::pair<std::int32_t, std::int32_t>; ///< the smaller one first
 
   struct Border {
-    float convex = 0.0f, concave = 0.0f;
+    float convex = 0.0f, concave = 0.0f, sloping = 0.0f;
 
     void
     add(const Border& other)
     {
       convex += other.convex;
       concave += other.concave;
+      sloping += other.sloping;
     }
   };
 
@@ -138,11 +142,12 @@ private:
     return sizes_[static_cast<std::size_t>(group)];
   }
 
-  /** Too narrow for a body of its own, and on no support. */
+  /** A group may be held by a body if it is too narrow for one, and on no support. */
   bool
-  isHeld(std::int32_t group)
+  mayHold(std::int32_t body, std::int32_t held)
   {
-    return sizeOf(group).isNarrow() && !is_on_support_[static_cast<std::size_t>(group)];
+    return !sizeOf(body).isNarrow() && sizeOf(held).isNarrow() &&
+           !is_on_support_[static_cast<std::size_t>(held)];
   }
 
   /** The pair that wants it most first, as long as any does.

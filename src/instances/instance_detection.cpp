@@ -122,8 +122,10 @@ findObjects(const InstanceInput& input, const InstanceLimits& limits)
   growLabels(input, grid, {open, false}, grown);
 
   const std::vector<Face> properties = facesOf(input, faces);
+  const Eigen::Vector3f up =
+      planes.empty() ? Eigen::Vector3f::Zero() : planes.front().plane.normal;
   const std::vector<FaceContact> contacts =
-      faceContacts(input, grid, faces, properties, grown);
+      faceContacts(input, grid, faces, properties, grown, up);
   const std::vector<char> supports = supportsAmong(
       input, faces, properties, patchesOf(planes, input, faces), contacts);
   Labels groups = groupFaces(properties, supports, contacts);
@@ -132,7 +134,6 @@ findObjects(const InstanceInput& input, const InstanceLimits& limits)
     if (label >= 0)
       label = groups[static_cast<std::size_t>(label)];
   if (!planes.empty()) {
-    const Eigen::Vector3f& up = planes.front().plane.normal;
     joinOpenBoxes(input, up, faces, contacts, groups, grown);
     joinInsides(input, up, grown);
   }

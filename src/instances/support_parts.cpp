@@ -16,7 +16,6 @@
 #include <iterator>
 #include <numeric>
 #include <optional>
-#include <unordered_set>
 #include <utility>
 
 namespace pcl::segmentation {
@@ -187,13 +186,14 @@ fitTo(const Nodes& on, float min_offset, SupportPlane& support)
 Nodes
 withNear(const Nodes& part, const Nodes& on, float reach)
 {
-  const std::vector<Vector3f> places = placesOf(part);
+  const Nodes places = placesOf(part);
+  const PointGrid grid(positionsOf(places), reach);
   Nodes result;
   auto next = part.begin();
   for (const SurfaceNode& node : on) {
     const bool is_in = next != part.end() && next->point == node.point;
     next += is_in ? 1 : 0;
-    if (is_in || isNear(node.position, places, reach))
+    if (is_in || isNear(node.position, grid, reach))
       result.push_back(node);
   }
   return result;
@@ -224,14 +224,18 @@ largestPartOn(SupportPlane support, const Nodes& nodes, float min_offset, float 
 Nodes
 without(const Nodes& some, const Nodes& nodes)
 {
-  std::unordered_set<std::uint32_t> points;
+  std::uint32_t last = 0;
+  for (const SurfaceNode& node : nodes)
+    last = std::max(last, node.point);
+  std::vector<char> is_some(last + 1, 0);
   for (const SurfaceNode& node : some)
-    points.insert(node.point);
+    if (node.point <= last)
+      is_some[node.point] = 1;
   Nodes others;
   std::copy_if(nodes.begin(),
                nodes.end(),
                std::back_inserter(others),
-               [&](const auto& node) { return points.count(node.point) == 0; });
+               [&](const auto& node) { return !is_some[node.point]; });
   return others;
 }
 
@@ -274,25 +278,17 @@ largestOf(const std::vector<SupportPart>& parts)
   return largest;
 }
 
-std::vector<Vector3f>
+Nodes
 placesOf(const Nodes& nodes)
 {
   // As far apart as a 22nd of the width of what they are on; they are compared with a
   // quarter of it.
   constexpr std::size_t max_places = 500;
   const std::size_t step = (nodes.size() + max_places - 1) / max_places;
-  std::vector<Vector3f> places;
+  Nodes places;
   for (std::size_t k = 0; k < nodes.size(); k += step)
-    places.push_back(nodes[k].position);
+    places.push_back(nodes[k]);
   return places;
-}
-
-bool
-isNear(const Vector3f& position, const std::vector<Vector3f>& places, float reach)
-{
-  return std::any_of(places.begin(), places.end(), [&](const Vector3f& place) {
-    return (place - position).squaredNorm() < reach * reach;
-  });
 }
 
 std::vector<SupportPart>

@@ -4,9 +4,11 @@
 
 #pragma once
 
+#include "geometry/point_grid.h"
 #include "geometry/principal_axes.h"
 #include "instances/smooth_pieces.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace pcl::segmentation {
@@ -49,11 +51,14 @@ PartSize largestOf(const std::vector<SupportPart>& parts);
 bool isLarge(const SupportPart& part, const PartSize& largest, double share);
 
 /** \brief Where a part is: some of its nodes, spread over it. */
-std::vector<Eigen::Vector3f> placesOf(const std::vector<SurfaceNode>& nodes);
+std::vector<SurfaceNode> placesOf(const std::vector<SurfaceNode>& nodes);
 
-bool isNear(const Eigen::Vector3f& position,
-            const std::vector<Eigen::Vector3f>& places,
-            float reach);
+inline bool
+isNear(const Eigen::Vector3f& position, const PointGrid& places, float reach)
+{
+  const auto any = [](std::uint32_t, const Eigen::Vector3f&) { return true; };
+  return places.anyWithin(position, reach, any);
+}
 
 /** \brief The flat parts one after another, each the largest of the plane that most of
  * the remaining points are on. Planes whose largest part is small are passed over.

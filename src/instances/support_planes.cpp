@@ -55,8 +55,7 @@ supportOf(const SupportPart& part,
     if (!may_be_on && !isSmear(node, part.support))
       return;
     const float reach = (may_be_on ? around_spacings : smear_spacings) * node.spacing;
-    const bool is_near = grid.anyWithin(
-        position, reach, [](std::uint32_t, const Vector3f&) { return true; });
+    const bool is_near = isNear(position, grid, reach);
     is_on[i] = is_near && may_be_on;
     is_smeared[i] = is_near && !may_be_on;
   });

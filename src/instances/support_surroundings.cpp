@@ -8,6 +8,7 @@
 #include "geometry/point_grid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -22,24 +23,18 @@ constexpr float max_cosine = 0.7f; // of 45 degrees: a side is steep
 constexpr float side_depth = 0.25f;
 // Of 16 directions along the plane, in which there are nodes of the part. Beside a
 // straight border there are 8, beside a round one fewer; 9 or 10 with ripple.
-constexpr int directions = 16, min_directions_inside = 11;
+constexpr std::size_t directions = 16;
+constexpr int min_directions_inside = 11;
 
 /** Where a part of a plane is, by some of its nodes. */
 class Extent {
 public:
-  explicit Extent(const SupportPart& part)
+  Extent(const SupportPart& part, const Nodes& places)
   : x_(part.support.plane.normal.unitOrthogonal())
   , y_(part.support.plane.normal.cross(x_))
-  , positions_(placesOf(part.nodes))
   {
-    for (const Vector3f& position : positions_)
-      places_.push_back(along(position));
-  }
-
-  bool
-  isNear(const Vector3f& position, float reach) const
-  {
-    return segmentation::isNear(position, positions_, reach);
+    for (const SurfaceNode& place : places)
+      places_.push_back(along(place.position));
   }
 
   /** Whether the part is on most sides of a place. */
@@ -47,13 +42,14 @@ public:
   isInside(const Vector3f& position) const
   {
     const Eigen::Vector2f from = along(position);
-    std::uint32_t seen = 0;
-    for (const Eigen::Vector2f& place : places_)
-      seen |= 1U << directionOf(place - from);
+    std::array<char, directions> seen{};
     int count = 0;
-    for (; seen != 0; seen &= seen - 1)
-      ++count;
-    return count >= min_directions_inside;
+    return std::any_of(places_.begin(), places_.end(), [&](const auto& place) {
+      char& is_seen = seen[directionOf(place - from)];
+      count += is_seen ? 0 : 1;
+      is_seen = 1;
+      return count >= min_directions_inside;
+    });
   }
 
 private:
@@ -63,17 +59,17 @@ private:
     return {x_.dot(position), y_.dot(position)};
   }
 
-  static int
+  static std::size_t
   directionOf(const Eigen::Vector2f& offset)
   {
     constexpr auto pi = static_cast<float>(M_PI);
     const float turns = (std::atan2(offset.y(), offset.x()) + pi) / (2.0f * pi);
-    return std::clamp(static_cast<int>(turns * directions), 0, directions - 1);
+    const auto last = static_cast<float>(directions - 1);
+    return static_cast<std::size_t>(std::clamp(turns * directions, 0.0f, last));
   }
 
   Vector3f x_, y_;
-  std::vector<Vector3f> positions_;
-  std::vector<Eigen::Vector2f> places_; ///< likewise, along the plane
+  std::vector<Eigen::Vector2f> places_; ///< along the plane
 };
 
 /** What a node is to a part of a plane. */
@@ -86,9 +82,11 @@ class Neighborhood {
 public:
   explicit Neighborhood(const SupportPart& part, float unit)
   : support_(part.support)
-  , extent_(part)
-  , nodes_(positionsOf(part.nodes), around_spacings * unit)
+  , some_(placesOf(part.nodes))
+  , extent_(part, some_)
   , side_reach_(side_depth * static_cast<float>(std::sqrt(part.area)))
+  , places_(positionsOf(some_), side_reach_)
+  , nodes_(positionsOf(part.nodes), around_spacings * unit)
   , band_(std::max(max_ripple, part.support.offset))
   {}
 
@@ -100,16 +98,16 @@ public:
     const float height = heightOf(node, support_.plane);
     if (relation.is_on || std::abs(height) < band_)
       return relation;
-    relation.is_side = height < 0.0f && isSteep(node) &&
-                       extent_.isNear(node.position, side_reach_) &&
-                       !extent_.isInside(node.position);
-    if (!isNear(node))
-      return relation;
-    const bool is_inside = extent_.isInside(node.position);
-    relation.is_before = height > 0.0f;
+    const bool is_low = height < 0.0f;
+    const bool may_be_side =
+        is_low && isSteep(node) && isNear(node.position, places_, side_reach_);
+    const bool is_near = isNear(node.position, nodes_, around_spacings * node.spacing);
+    // What is low and inside is noise: nobody sees through a support.
+    const bool is_inside = (may_be_side || is_near) && extent_.isInside(node.position);
+    relation.is_side = may_be_side && !is_inside;
+    relation.is_before = is_near && height > 0.0f;
     relation.is_on_top = relation.is_before && is_inside;
-    // Inside it is noise: nobody sees through a support.
-    relation.is_behind = height < 0.0f && !is_inside;
+    relation.is_behind = is_near && is_low && !is_inside;
     return relation;
   }
 
@@ -120,18 +118,12 @@ private:
     return std::abs(node.normal.dot(support_.plane.normal)) < max_cosine;
   }
 
-  bool
-  isNear(const SurfaceNode& node) const
-  {
-    return nodes_.anyWithin(node.position,
-                            around_spacings * node.spacing,
-                            [](std::uint32_t, const Vector3f&) { return true; });
-  }
-
   SupportPlane support_;
+  Nodes some_; ///< of the part
   Extent extent_;
-  PointGrid nodes_; ///< of the part
-  float side_reach_, band_;
+  float side_reach_;
+  PointGrid places_, nodes_; ///< of some nodes of the part, and of all
+  float band_;
 };
 
 } // namespace

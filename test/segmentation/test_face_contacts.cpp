@@ -60,15 +60,23 @@ TEST(FaceSurfaces, CurvedFacesHaveTheSimplestPrimitiveThatFits)
       << "what is planar is a plane or nothing";
 }
 
-/** \brief The border of two faces, which all points belong to. */
+/** \brief The border of two faces, which all points belong to.
+ * \param[in] have_primitives whether the faces are known to be planes */
 FaceContact
-contactOf(const Surface& first, const Surface& second)
+contactOf(const Surface& first,
+          const Surface& second,
+          const Eigen::Vector3f& up = Eigen::Vector3f::UnitZ(),
+          bool have_primitives = true)
 {
   const Surface both = together(first, second);
   const detail::InstanceInput input = inputOf(both);
   const PointLabels labels = labelsOf(first, second);
-  const auto contacts = faceContacts(
-      input, PointGrid(input.points, 1.5f), labels, facesOf(input, labels), labels);
+  std::vector<Face> faces = facesOf(input, labels);
+  if (!have_primitives)
+    for (Face& face : faces)
+      face.surface = {};
+  const auto contacts =
+      faceContacts(input, PointGrid(input.points, 1.5f), labels, faces, labels, up);
   EXPECT_EQ(1U, contacts.size());
   EXPECT_EQ(0, contacts.at(0).first);
   EXPECT_EQ(1, contacts.at(0).second);
@@ -89,6 +97,23 @@ TEST(FaceContacts, AnEdgeSeenFromOutsideIsConvexOneFromInsideConcave)
   EXPECT_EQ(0.0f, concave.convex);
 }
 
+TEST(FaceContacts, NothingStandsOnWalls)
+{
+  const Surface level = floorPatch(-10, 0, 0, 20, 40);
+  const Surface wall = wallPatch(0, half, false, 40, 20);
+  const Eigen::Vector3f along = Eigen::Vector3f::UnitY(); // both are steep then
+  const FaceContact held = contactOf(level, wall, along, false);
+  EXPECT_GT(held.concave, 20.0f);
+  EXPECT_GE(held.sloping, held.concave);
+  EXPECT_LT(contactOf(level, wall, Eigen::Vector3f::UnitZ(), false).sloping, 5.0f)
+      << "on a level face";
+  EXPECT_EQ(0.0f, contactOf(level, wall, Eigen::Vector3f::Zero(), false).sloping)
+      << "nobody knows which way is up";
+  EXPECT_EQ(0.0f, contactOf(level, wall, along).sloping) << "walls of two boxes";
+  const Surface down = wallPatch(0, -10, true, 40, 20);
+  EXPECT_LT(contactOf(level, down, along, false).sloping, 5.0f) << "a convex edge";
+}
+
 TEST(FaceContacts, OneLevelIsConvexAStepConcave)
 {
   const Surface level = floorPatch(0, 0, 0, 20, 40);
@@ -107,10 +132,13 @@ TEST(FaceContacts, FacesApartHaveNone)
   const Surface both = together(first, second);
   const detail::InstanceInput input = inputOf(both);
   const PointLabels labels = labelsOf(first, second);
-  EXPECT_TRUE(
-      faceContacts(
-          input, PointGrid(input.points, 1.5f), labels, facesOf(input, labels), labels)
-          .empty());
+  EXPECT_TRUE(faceContacts(input,
+                           PointGrid(input.points, 1.5f),
+                           labels,
+                           facesOf(input, labels),
+                           labels,
+                           Eigen::Vector3f::UnitZ())
+                  .empty());
 }
 
 } // namespace

@@ -86,7 +86,14 @@ TEST(FaceGrouping, NarrowGroupsAreHeldByWhatTheyTouch)
       << "a small body beside it";
   EXPECT_EQ((PointLabels{0, 1, -1}), groups({{0, 1, 0, 8}, {0, 2, 0, 40}}))
       << "a small body on it";
-  EXPECT_EQ((PointLabels{0, 1}), groupsOf(2, {{0, 1, 40, 80}})) << "too wide";
+  EXPECT_EQ((PointLabels{0, 0, -1}), groups({{0, 1, 0, 8, 4}, {0, 2, 0, 40}}))
+      << "nothing stands on a slope";
+  EXPECT_EQ((PointLabels{0, 1, -1}), groups({{0, 1, 0, 8, 4}, {1, 2, 0, 6}}))
+      << "but beside one";
+  EXPECT_EQ((PointLabels{0, 1}), groupsOf(2, {{0, 1, 40, 80, 80}})) << "too wide";
+  EXPECT_EQ((PointLabels{0, 1}),
+            groupFaces({faceOf(36), faceOf(36)}, {0, 0}, {{0, 1, 0, 8, 8}}))
+      << "a pile of small bodies";
 }
 
 TEST(FaceGrouping, WhatIsLeftOutJoinsNobody)
