@@ -25,8 +25,10 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <thread>
@@ -370,17 +372,26 @@ checkArguments(const Arguments& arguments)
   outputsOf(arguments, arguments.operandsFrom(1));
 }
 
+/** By the environment that Open MPI, MPICH and Slurm's PMI give to the processes they
+ * start. */
+bool
+isStartedByMpi()
+{
+  constexpr std::array<const char*, 3> names{
+      "OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"};
+  return std::any_of(
+      names.begin(), names.end(), [](const char* name) { return std::getenv(name); });
+}
+
 int
 run(const Arguments& arguments)
 {
   checkArguments(arguments);
-  std::unique_ptr<Team> team = mpiTeam();
-  if (team && arguments.has("processes"))
+  const bool is_mpi = isStartedByMpi();
+  if (is_mpi && arguments.has("processes"))
     throw UsageError("-processes belongs to runs without MPI; leave it out, or do not "
                      "use MPI's launcher");
-  const bool is_mpi = team != nullptr;
-  if (!team)
-    team = pcl::tiling::makeTeam(processesOf(arguments));
+  const auto team = is_mpi ? mpiTeam() : pcl::tiling::makeTeam(processesOf(arguments));
   try {
     Run(arguments, *team).run();
   }

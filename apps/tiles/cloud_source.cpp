@@ -22,7 +22,7 @@ void
 forEachFinite(const CloudSources& sources, const Use& use)
 {
   for (const auto& source : sources)
-    source->read([&](const Position* points, std::size_t count) {
+    source->stream().forEachPosition([&](const Position* points, std::size_t count) {
       for (std::size_t i = 0; i < count; ++i)
         if (std::isfinite(points[i][0]) && std::isfinite(points[i][1]) &&
             std::isfinite(points[i][2]))
