@@ -310,21 +310,22 @@ private:
   compute(TiledCloud& cloud)
   {
     const unsigned threads = threadsOf(arguments_);
-    std::optional<TiledNumbers> numbers;
+    std::optional<MeasuredCloud> measured;
     if (wanted_.needsNumbers())
-      report_.time("numbers",
-                   [&] { numbers = numbersOf(cloud, wanted_.resolution, threads); });
+      report_.time("numbers", [&] {
+        measured.emplace(measure(cloud, wanted_.resolution, threads));
+      });
     const std::array<float, 3> view_point =
         viewPointOf(sources_, cloud.offset(), arguments_.has("offset"));
     report_.time("fields",
-                 [&] { computeFields(cloud, wanted_, numbers, view_point, threads); });
-    if (!numbers)
+                 [&] { computeFields(cloud, wanted_, measured, view_point, threads); });
+    if (!measured)
       return;
     if (!wanted_.instances.empty())
       report_.setCount("counts", "instances", countInstances(cloud));
-    report_.setNumber("numbers", "spacing", numbers->of_cloud.spacing);
-    report_.setNumber("numbers", "noise", numbers->of_cloud.noise);
-    report_.setNumber("numbers", "noise_level", numbers->of_cloud.noise_level);
+    report_.setNumber("numbers", "spacing", measured->numbers.spacing);
+    report_.setNumber("numbers", "noise", measured->numbers.noise);
+    report_.setNumber("numbers", "noise_level", measured->numbers.noise_level);
   }
 
   void
