@@ -48,9 +48,9 @@ public:
   /** \brief Takes some points at a time. */
   using Use = std::function<void(const Position* points, std::size_t count)>;
 
-  /** \brief Gives the points of a section. Those of all sections, one after the other,
-   * are the points of the cloud in their order. It is called several times and must
-   * give the same points each time. */
+  /** \brief Gives the points of a section, the same each time. Those of all sections,
+   * one after the other, are the cloud in its order. \param[in] section from 0 to
+   * countSections() - 1 \param[in] use takes them */
   virtual void readSection(std::size_t section, const Use& use) const = 0;
 };
 
