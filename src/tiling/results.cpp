@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 namespace pcl::tiling {
 namespace {
@@ -99,10 +100,10 @@ Results::run(const std::string& name,
   bool has_failed = false;
   const auto report =
       [&](std::size_t number, const std::string& written, const std::string& error) {
-        complete(name, written);
-        if (!error.empty() && !has_failed)
+        if (error.empty())
+          complete(name, written);
+        else if (!std::exchange(has_failed, true))
           fail(number, error);
-        has_failed = has_failed || !error.empty();
       };
   team_.run(numbers, work, report);
   refresh();
