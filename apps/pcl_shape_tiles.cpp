@@ -25,8 +25,10 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <thread>
@@ -308,21 +310,22 @@ private:
   compute(TiledCloud& cloud)
   {
     const unsigned threads = threadsOf(arguments_);
-    std::optional<TiledNumbers> numbers;
+    std::optional<MeasuredCloud> measured;
     if (wanted_.needsNumbers())
-      report_.time("numbers",
-                   [&] { numbers = numbersOf(cloud, wanted_.resolution, threads); });
+      report_.time("numbers", [&] {
+        measured.emplace(measure(cloud, wanted_.resolution, threads));
+      });
     const std::array<float, 3> view_point =
         viewPointOf(sources_, cloud.offset(), arguments_.has("offset"));
     report_.time("fields",
-                 [&] { computeFields(cloud, wanted_, numbers, view_point, threads); });
-    if (!numbers)
+                 [&] { computeFields(cloud, wanted_, measured, view_point, threads); });
+    if (!measured)
       return;
     if (!wanted_.instances.empty())
       report_.setCount("counts", "instances", countInstances(cloud));
-    report_.setNumber("numbers", "spacing", numbers->of_cloud.spacing);
-    report_.setNumber("numbers", "noise", numbers->of_cloud.noise);
-    report_.setNumber("numbers", "noise_level", numbers->of_cloud.noise_level);
+    report_.setNumber("numbers", "spacing", measured->numbers.spacing);
+    report_.setNumber("numbers", "noise", measured->numbers.noise);
+    report_.setNumber("numbers", "noise_level", measured->numbers.noise_level);
   }
 
   void
@@ -370,17 +373,26 @@ checkArguments(const Arguments& arguments)
   outputsOf(arguments, arguments.operandsFrom(1));
 }
 
+/** By the environment that Open MPI, MPICH and Slurm's PMI give to the processes they
+ * start. */
+bool
+isStartedByMpi()
+{
+  constexpr std::array<const char*, 3> names{
+      "OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"};
+  return std::any_of(
+      names.begin(), names.end(), [](const char* name) { return std::getenv(name); });
+}
+
 int
 run(const Arguments& arguments)
 {
   checkArguments(arguments);
-  std::unique_ptr<Team> team = mpiTeam();
-  if (team && arguments.has("processes"))
+  const bool is_mpi = isStartedByMpi();
+  if (is_mpi && arguments.has("processes"))
     throw UsageError("-processes belongs to runs without MPI; leave it out, or do not "
                      "use MPI's launcher");
-  const bool is_mpi = team != nullptr;
-  if (!team)
-    team = pcl::tiling::makeTeam(processesOf(arguments));
+  const auto team = is_mpi ? mpiTeam() : pcl::tiling::makeTeam(processesOf(arguments));
   try {
     Run(arguments, *team).run();
   }

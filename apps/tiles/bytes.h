@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -19,45 +20,76 @@ template <typename T>
 void
 put(const T& value, Bytes& bytes)
 {
-  const std::size_t at = bytes.size();
-  bytes.resize(at + sizeof(T));
-  std::memcpy(bytes.data() + at, &value, sizeof(T));
+  const auto* const from = reinterpret_cast<const std::uint8_t*>(&value);
+  bytes.insert(bytes.end(), from, from + sizeof(T));
 }
 
 /** \brief How many there are, and the values. */
 template <typename T>
 void
-putAll(const std::vector<T>& values, Bytes& bytes)
+put(const std::vector<T>& values, Bytes& bytes)
 {
   put<std::uint64_t>(values.size(), bytes);
   const auto* const from = reinterpret_cast<const std::uint8_t*>(values.data());
   bytes.insert(bytes.end(), from, from + values.size() * sizeof(T));
 }
 
-/** \brief Takes values in the order in which they were put. */
+template <typename T, std::size_t size>
+void
+put(const std::array<std::vector<T>, size>& vectors, Bytes& bytes)
+{
+  for (const std::vector<T>& values : vectors)
+    put(values, bytes);
+}
+
+/** \brief Some values and vectors, one after the other. */
+template <typename... T>
+Bytes
+bytesOf(const T&... values)
+{
+  Bytes bytes;
+  (put(values, bytes), ...);
+  return bytes;
+}
+
+/** \brief Takes values and vectors in the order in which they were put. */
 class ByteReader {
 public:
   explicit ByteReader(Bytes bytes) : bytes_(std::move(bytes)) {}
 
-  template <typename T>
-  T
-  take()
+  template <typename... T>
+  void
+  take(T&... values)
   {
-    T value;
-    copy(&value, sizeof(T));
-    return value;
-  }
-
-  template <typename T>
-  std::vector<T>
-  takeAll()
-  {
-    std::vector<T> values(take<std::uint64_t>());
-    copy(values.data(), values.size() * sizeof(T));
-    return values;
+    (takeOne(values), ...);
   }
 
 private:
+  template <typename T>
+  void
+  takeOne(T& value)
+  {
+    copy(&value, sizeof(T));
+  }
+
+  template <typename T>
+  void
+  takeOne(std::vector<T>& values)
+  {
+    std::uint64_t size = 0;
+    takeOne(size);
+    values.resize(size);
+    copy(values.data(), size * sizeof(T));
+  }
+
+  template <typename T, std::size_t size>
+  void
+  takeOne(std::array<std::vector<T>, size>& vectors)
+  {
+    for (std::vector<T>& values : vectors)
+      takeOne(values);
+  }
+
   void
   copy(void* to, std::size_t size)
   {
@@ -71,5 +103,15 @@ private:
   Bytes bytes_;
   std::size_t at_ = 0;
 };
+
+/** \brief The only value or vector of some bytes, or the first one. */
+template <typename T>
+T
+takeFrom(Bytes bytes)
+{
+  T value{};
+  ByteReader(std::move(bytes)).take(value);
+  return value;
+}
 
 } // namespace pcl::app

@@ -22,7 +22,7 @@ void
 forEachFinite(const CloudSources& sources, const Use& use)
 {
   for (const auto& source : sources)
-    source->read([&](const Position* points, std::size_t count) {
+    source->stream().forEachPosition([&](const Position* points, std::size_t count) {
       for (std::size_t i = 0; i < count; ++i)
         if (std::isfinite(points[i][0]) && std::isfinite(points[i][1]) &&
             std::isfinite(points[i][2]))
@@ -33,35 +33,31 @@ forEachFinite(const CloudSources& sources, const Use& use)
 pcl::CoordinateScale
 scaleOf(const CloudSources& sources)
 {
-  std::size_t count = 0;
-  forEachFinite(sources, [&](const Position&) { ++count; });
-  if (count == 0)
-    return {};
   struct Wanted {
     std::size_t axis = 0;
-    std::uint64_t rank = 0;
     Selection<double> selection;
   };
   std::vector<Wanted> all;
-  pcl::coordinateScaleOf(count, 0, [&](std::size_t axis, double share) {
-    all.push_back(
-        {axis, static_cast<std::uint64_t>(share * static_cast<double>(count - 1)), {}});
+  pcl::coordinateScaleOf(1, 0, [&](std::size_t axis, double share) {
+    all.push_back({axis, Selection<double>([share](std::uint64_t count) {
+                     return static_cast<std::uint64_t>(share *
+                                                       static_cast<double>(count - 1));
+                   })});
     return 0.0; // the values are found below: here it only says which it needs
   });
   for (int pass = 0; pass < Selection<double>::passes; ++pass) {
     forEachFinite(sources, [&](const Position& p) {
       for (Wanted& wanted : all)
-        wanted.selection.add(p[wanted.axis], 1);
+        wanted.selection.add(p[wanted.axis]);
     });
     for (Wanted& wanted : all)
-      if (pass == 0)
-        wanted.selection.choose(wanted.rank);
-      else
-        wanted.selection.endPass();
+      wanted.selection.endPass();
   }
   auto next = all.begin();
   return pcl::coordinateScaleOf(
-      count, 0, [&](std::size_t, double) { return (next++)->selection.value(); });
+      all.front().selection.count(), 0, [&](std::size_t, double) {
+        return (next++)->selection.value();
+      });
 }
 
 } // namespace

@@ -36,13 +36,6 @@ public:
     return stream_.state();
   }
 
-  void
-  read(const std::function<void(const pcl::tiling::Position*, std::size_t)>& use)
-      const override
-  {
-    stream_.forEachPosition(use);
-  }
-
   std::size_t
   countSections() const override
   {
@@ -50,9 +43,7 @@ public:
   }
 
   void
-  readSection(std::size_t section,
-              const std::function<void(const pcl::tiling::Position*, std::size_t)>& use)
-      const override
+  readSection(std::size_t section, const Use& use) const override
   {
     stream_.forEachPosition(section, use);
   }

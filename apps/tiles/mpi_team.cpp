@@ -5,7 +5,6 @@
 #include "tiles/mpi_team.h"
 
 #include "io/errors.h"
-#include "tiles/mpi_launcher.h"
 
 #include <atomic>
 #include <chrono>
@@ -13,7 +12,6 @@
 #include <exception>
 #include <mpi.h>
 #include <mutex>
-#include <new>
 #include <string>
 #include <thread>
 #include <utility>
@@ -34,17 +32,18 @@ waitFor(MPI_Request& request)
 }
 
 /** What a rank says when it asks for a task: how the last one ended. */
-std::string
-messageOf(std::uint64_t task, const std::string& result, const std::string& error)
-{
-  return std::to_string(task) + '\n' + std::to_string(result.size()) + '\n' + result +
-         error;
-}
-
 struct Answer {
   std::uint64_t task = no_task;
-  std::string result, error;
+  pcl::tiling::Outcome outcome;
 };
+
+std::string
+messageOf(const Answer& answer)
+{
+  const auto& [result, error] = answer.outcome;
+  return std::to_string(answer.task) + '\n' + std::to_string(result.size()) + '\n' +
+         result + error;
+}
 
 Answer
 answerOf(const std::string& message)
@@ -52,22 +51,7 @@ answerOf(const std::string& message)
   const std::size_t first = message.find('\n'), second = message.find('\n', first + 1);
   const std::size_t size = std::stoull(message.substr(first + 1, second - first - 1));
   return {std::stoull(message.substr(0, first)),
-          message.substr(second + 1, size),
-          message.substr(second + 1 + size)};
-}
-
-Answer
-done(const pcl::tiling::Team::Work& work, std::uint64_t task)
-{
-  try {
-    return {task, work(task), {}};
-  }
-  catch (const std::bad_alloc&) {
-    return {task, {}, "not enough memory; use smaller tiles, or fewer ranks"};
-  }
-  catch (const std::exception& error) {
-    return {task, {}, error.what()};
-  }
+          {message.substr(second + 1, size), message.substr(second + 1 + size)}};
 }
 
 class Ranks : public pcl::tiling::Team {
@@ -128,7 +112,7 @@ private:
       const std::lock_guard<std::mutex> lock(mutex);
       try {
         if (answer.task != no_task && !failure)
-          report(answer.task, answer.result, answer.error);
+          report(answer.task, answer.outcome.result, answer.outcome.error);
       }
       catch (...) {
         failure = std::current_exception();
@@ -138,7 +122,7 @@ private:
     std::thread server([&] { serve(exchange); });
     Answer last;
     for (std::uint64_t task = exchange(last); task != no_task; task = exchange(last))
-      last = done(work, task);
+      last = {task, pcl::tiling::outcomeOf(work, task)};
     server.join();
     if (failure)
       std::rethrow_exception(failure);
@@ -178,7 +162,7 @@ private:
   {
     Answer last;
     for (;;) {
-      const std::string message = messageOf(last.task, last.result, last.error);
+      const std::string message = messageOf(last);
       MPI_Send(message.data(),
                static_cast<int>(message.size()),
                MPI_CHAR,
@@ -191,7 +175,7 @@ private:
       waitFor(request);
       if (task == no_task)
         return;
-      last = done(work, task);
+      last = {task, pcl::tiling::outcomeOf(work, task)};
     }
   }
 
@@ -203,7 +187,7 @@ private:
 std::unique_ptr<pcl::tiling::Team>
 mpiTeam()
 {
-  return isStartedByMpi() ? std::make_unique<Ranks>() : nullptr;
+  return std::make_unique<Ranks>();
 }
 
 void

@@ -10,8 +10,8 @@
 
 namespace pcl::app {
 
-/** \brief The ranks, if a launcher of MPI has started this process; else nothing.
- * \throws InputError if it has, and this program was built without MPI */
+/** \brief The ranks, if a launcher of MPI has started this process.
+ * \throws InputError if this program was built without MPI */
 std::unique_ptr<pcl::tiling::Team> mpiTeam();
 
 /** \brief End all ranks with a nonzero status, because one of them cannot go on. Does

@@ -3,7 +3,6 @@
 // What stands for the ranks of MPI in a build without it.
 
 #include "io/errors.h"
-#include "tiles/mpi_launcher.h"
 #include "tiles/mpi_team.h"
 
 namespace pcl::app {
@@ -11,10 +10,8 @@ namespace pcl::app {
 std::unique_ptr<pcl::tiling::Team>
 mpiTeam()
 {
-  if (isStartedByMpi())
-    throw InputError("was built without MPI, but is started by its launcher; expected "
-                     "-processes N instead, or a build with MPI");
-  return nullptr;
+  throw InputError("was built without MPI, but is started by its launcher; expected "
+                   "-processes N instead, or a build with MPI");
 }
 
 void

@@ -7,8 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace pcl::app {
@@ -20,8 +22,13 @@ class Selection {
 public:
   static constexpr int bits = 16, passes = 8 * sizeof(T) / bits;
 
+  /** \brief How many of so many values are below the one that is to be found. */
+  using Rank = std::function<std::uint64_t(std::uint64_t count)>;
+
+  explicit Selection(Rank rank) : rank_of_(std::move(rank)) {}
+
   void
-  add(T value, std::uint64_t times)
+  add(T value, std::uint64_t times = 1)
   {
     const Key key = keyOf(value);
     if (pass_ == 0)
@@ -31,28 +38,20 @@ public:
     counts_[key >> (bitsLeft() - bits) & digit_mask] += times;
   }
 
-  /** \brief How many values the first pass had. */
+  /** \brief How many values a pass has. */
   std::uint64_t
   count() const
   {
     return count_;
   }
 
-  /** \brief Ends the first pass. \param[in] rank how many values are below the one that
-   * is to be found, fewer than count() */
-  void
-  choose(std::uint64_t rank)
-  {
-    rank_ = rank;
-    endPass();
-  }
-
-  /** \brief Ends one of the others. */
   void
   endPass()
   {
+    if (pass_ == 0 && count_ > 0)
+      rank_ = rank_of_(count_);
     Key digit = 0;
-    while (rank_ >= counts_[digit])
+    while (count_ > 0 && rank_ >= counts_[digit])
       rank_ -= counts_[digit++];
     found_ = static_cast<Key>(pass_ == 0 ? digit : found_ << bits | digit);
     ++pass_;
@@ -64,8 +63,9 @@ public:
   T
   value() const
   {
-    if (pass_ == 0)
-      throw std::logic_error("a value is asked for before the first pass has ended");
+    if (pass_ == 0 || count_ == 0)
+      throw std::logic_error(
+          "a value is asked for before a pass with values has ended");
     const Key key = pass_ == passes ? found_ : found_ << bitsLeft();
     const Key value_bits = key & sign ? key ^ sign : ~key;
     T value{};
@@ -94,6 +94,7 @@ private:
     return bits * (passes - pass_);
   }
 
+  Rank rank_of_;
   std::vector<std::uint64_t> counts_ =
       std::vector<std::uint64_t>(std::size_t{1} << bits);
   std::uint64_t count_ = 0, rank_ = 0;

@@ -49,6 +49,12 @@ bitsOf(float value)
   return bits;
 }
 
+std::uint32_t
+bitsOf(std::uint32_t value)
+{
+  return value;
+}
+
 /** The fields of a tile's points, row by row. */
 class Rows {
 public:
@@ -77,7 +83,7 @@ public:
   add(const Value& value)
   {
     for (std::size_t i = 0; i * fields_ < values_.size(); ++i)
-      values_[i * fields_ + next_] = value(i);
+      values_[i * fields_ + next_] = bitsOf(value(i));
     ++next_;
   }
 
@@ -100,20 +106,22 @@ private:
 /** Computes the fields of one tile. */
 class TileComputation {
 public:
-  TileComputation(const TileWanted& wanted,
-                  const std::optional<TiledNumbers>& numbers,
+  TileComputation(const TiledCloud& cloud,
+                  const TileWanted& wanted,
+                  const std::optional<MeasuredCloud>& measured,
                   unsigned threads)
-  : wanted_(wanted)
-  , numbers_(numbers)
+  : cloud_(cloud)
+  , wanted_(wanted)
+  , measured_(measured)
   , threads_(threads)
   {}
 
   /** Of its own points, or with a resolution of its own means. */
   Bytes
-  operator()(const TiledCloud& cloud, std::size_t tile, const TilePoints& points) const
+  operator()(std::size_t tile, const TilePoints& points) const
   {
     TileFaces faces;
-    const Rows rows = rowsOf(cloud, tile, points, faces);
+    const Rows rows = rowsOf(tile, points, faces);
     if (!wanted_.needsSurfaces())
       return rows.toBytes(faces.unknown);
     faces.rows = rows.values();
@@ -122,25 +130,17 @@ public:
 
   /** The fields with surfaces, which are found last. */
   Bytes
-  withSurfaces(const TiledCloud& cloud,
-               std::size_t tile,
+  withSurfaces(std::size_t tile,
                const TilePoints& points,
                const pcl::FacesAround::Noise& noise,
                const std::array<float, 3>& view_point) const
   {
-    TileSurfaces surfaces = surfacesOf(cloud,
-                                       tile,
-                                       points,
-                                       *numbers_,
-                                       noise,
-                                       wanted_.instances,
-                                       wanted_.resolution,
-                                       threads_);
-    const std::size_t before = fieldsBeforeSurfaces();
+    TileSurfaces surfaces =
+        surfacesOf(*measured_, tile, points, noise, wanted_.instances);
     Rows rows(surfaces.surface.size(), fieldsBeforeInstances());
-    rows.addRows(surfaces.rows, before);
+    rows.addRows(surfaces.rows, fieldsBeforeSurfaces());
     if (wanted_.surfaces) {
-      rows.add([&](std::size_t i) { return bitsOf(surfaces.likelihood[i]); });
+      rows.add([&](std::size_t i) { return surfaces.likelihood[i]; });
       rows.add([&](std::size_t i) { return surfaces.surface[i]; });
     }
     if (wanted_.instances.empty())
@@ -149,15 +149,14 @@ public:
                             surfaces.place_of_row,
                             rows.values(),
                             view_point,
-                            numbers_->of_cloud,
-                            threads_);
+                            *measured_);
   }
 
   /** All fields, after instances were found. */
   Bytes
-  withInstances(const TiledCloud& cloud, std::size_t tile) const
+  withInstances(std::size_t tile) const
   {
-    const TileInstances instances = instancesOf(cloud, tile);
+    const TileInstances instances = instancesOf(cloud_, tile);
     Rows rows(instances.of_row.size(), fieldsBeforeInstances() + fields_of_instances);
     rows.addRows(instances.rows, fieldsBeforeInstances());
     rows.add([&](std::size_t i) { return instances.of_row[i]; });
@@ -180,34 +179,28 @@ private:
 
   /** All fields but those of surfaces. */
   Rows
-  rowsOf(const TiledCloud& cloud,
-         std::size_t tile,
-         const TilePoints& points,
-         TileFaces& faces) const
+  rowsOf(std::size_t tile, const TilePoints& points, TileFaces& faces) const
   {
-    if (wanted_.resolution > 0.0) {
-      const TilePlaces places = placesOf(points, cloud.offset(), wanted_.resolution);
-      Rows rows(places.own_places.size(), fieldsBeforeSurfaces());
+    std::size_t size = points.own;
+    TilePlaces places;
+    if (measured_) {
+      places = placesOf(*measured_, tile, points);
+      size = places.own_places.size();
+    }
+    Rows rows(size, fieldsBeforeSurfaces());
+    if (wanted_.normals)
+      addNormals(places, rows);
+    if (wanted_.needsEdges())
       addEdges(places, rows, faces);
-      return rows;
-    }
-    Rows rows(points.own, fieldsBeforeSurfaces());
-    if (wanted_.needsNumbers()) {
-      const TilePlaces places = measuredPlacesOf(cloud, tile, points, *numbers_);
-      if (wanted_.normals)
-        addNormals(places, rows);
-      if (wanted_.needsEdges())
-        addEdges(places, rows, faces);
-    }
     if (wanted_.inad_radius > 0.0)
-      addInad(floatsOf(points, cloud.offset()), rows);
+      addInad(floatsOf(points, cloud_.offset()), rows);
     return rows;
   }
 
   void
   addNormals(const TilePlaces& places, Rows& rows) const
   {
-    const pcl::CloudNumbers& numbers = numbers_->of_cloud;
+    const pcl::CloudNumbers& numbers = measured_->numbers;
     const pcl::ShapeModel& model = wanted_.needsSurfaces()
                                        ? pcl::ShapeModel::defaultSurfaces()
                                        : pcl::ShapeModel::defaultEdges();
@@ -218,9 +211,7 @@ private:
                      radii.normal_radius +
                          radii.normal_radius_noise * numbers.noise_level);
     for (std::size_t c = 0; c < 4; ++c)
-      rows.add([&](std::size_t i) {
-        return bitsOf(normals[4 * static_cast<std::size_t>(places.own_places[i]) + c]);
-      });
+      rows.add([&](std::size_t i) { return normals[4 * places.placeOf(i) + c]; });
   }
 
   pcl::ShapeField::ConstPtr
@@ -230,11 +221,11 @@ private:
       return pcl::make_shared<const pcl::ShapeField>(
           pcl::edgesOf({places.view(), places.is_own, places.distances},
                        places.places,
-                       numbers_->of_cloud,
+                       measured_->numbers,
                        threads_));
     pcl::ShapeFieldEstimation<pcl::PointXYZ> estimation;
     estimation.setInputCloud(places.places);
-    estimation.setCloudNumbers(numbers_->of_cloud);
+    estimation.setCloudNumbers(measured_->numbers);
     estimation.setEdgesOnly(true);
     estimation.setNumberOfThreads(threads_);
     const auto field = pcl::make_shared<pcl::ShapeField>();
@@ -242,6 +233,7 @@ private:
     return field;
   }
 
+  /** And what the next steps need of the places. */
   void
   addEdges(const TilePlaces& places, Rows& rows, TileFaces& faces) const
   {
@@ -253,7 +245,7 @@ private:
       addMeans(places, *field, rows);
     if (wanted_.needsSurfaces())
       faces.part =
-          pcl::facesOfPart(*field, numbers_->of_cloud, places.is_own, threads_);
+          pcl::facesOfPart(*field, measured_->numbers, places.is_own, threads_);
     if (!wanted_.instances.empty())
       faces.places = ownPlaces(places, *field);
     if (wanted_.edges || wanted_.types)
@@ -280,14 +272,11 @@ private:
   static void
   addMeans(const TilePlaces& places, const pcl::ShapeField& field, Rows& rows)
   {
-    const auto placeOf = [&](std::size_t i) {
-      return static_cast<std::size_t>(places.own_places[i]);
-    };
     for (std::size_t axis = 0; axis < 3; ++axis)
       rows.add([&](std::size_t i) {
-        return bitsOf((*places.places)[placeOf(i)].data[axis]);
+        return (*places.places)[places.placeOf(i)].data[axis];
       });
-    rows.add([&](std::size_t i) { return bitsOf(field.spacings[placeOf(i)]); });
+    rows.add([&](std::size_t i) { return field.spacings[places.placeOf(i)]; });
   }
 
   void
@@ -299,9 +288,6 @@ private:
     detector.setInputCloud(places.places);
     detector.setShapeField(field);
     detector.setNumberOfThreads(threads_);
-    const auto placeOf = [&](std::size_t i) {
-      return static_cast<std::size_t>(places.own_places[i]);
-    };
     std::vector<std::vector<float>> likelihoods;
     pcl::Edges edges;
     withPclErrors("tile", [&] {
@@ -315,12 +301,12 @@ private:
       const std::vector<pcl::PointIndices> members = detector.classesOf(likelihoods);
       for (const pcl::index_t i : members.front().indices)
         edge[static_cast<std::size_t>(i)] = 1;
-      rows.add([&](std::size_t i) { return bitsOf(likelihoods[0][placeOf(i)]); });
-      rows.add([&](std::size_t i) { return edge[placeOf(i)]; });
+      rows.add([&](std::size_t i) { return likelihoods[0][places.placeOf(i)]; });
+      rows.add([&](std::size_t i) { return edge[places.placeOf(i)]; });
     }
     if (wanted_.types)
       rows.add([&](std::size_t i) {
-        return static_cast<std::uint32_t>(edges.types[placeOf(i)]);
+        return static_cast<std::uint32_t>(edges.types[places.placeOf(i)]);
       });
   }
 
@@ -342,22 +328,23 @@ private:
       estimation.compute(inad);
       return inad.size() == points->size();
     });
-    rows.add([&](std::size_t i) { return bitsOf(inad[i].mu); });
-    rows.add([&](std::size_t i) { return bitsOf(inad[i].sigma); });
+    rows.add([&](std::size_t i) { return inad[i].mu; });
+    rows.add([&](std::size_t i) { return inad[i].sigma; });
   }
 
+  const TiledCloud& cloud_;
   const TileWanted& wanted_;
-  const std::optional<TiledNumbers>& numbers_;
+  const std::optional<MeasuredCloud>& measured_;
   unsigned threads_;
 };
 
 double
-haloOfFields(const TileWanted& wanted, const std::optional<TiledNumbers>& numbers)
+haloOfFields(const TileWanted& wanted, const std::optional<MeasuredCloud>& measured)
 {
   double halo = 2.0 * rounding * wanted.inad_radius; // INAD looks at neighbors' normals
-  if (numbers) {
+  if (measured) {
     const pcl::CloudReach reach =
-        pcl::reachOf(numbers->of_cloud, pcl::ShapeModel::defaultEdges());
+        pcl::reachOf(measured->numbers, pcl::ShapeModel::defaultEdges());
     halo = std::max({halo,
                      wanted.normals ? reach.normals : 0.0,
                      wanted.edges ? reach.edges : 0.0,
@@ -370,7 +357,7 @@ haloOfFields(const TileWanted& wanted, const std::optional<TiledNumbers>& number
 /** Means of some tiles with their fields. */
 class MeansAround {
 public:
-  MeansAround(const TileWanted& wanted)
+  explicit MeansAround(const TileWanted& wanted)
   : fields_(fieldsOf(wanted))
   , has_instances_(!wanted.instances.empty())
   {}
@@ -379,85 +366,72 @@ public:
   void
   add(const Bytes& bytes)
   {
-    const std::size_t row = fields_of_means + fields_.size();
-    std::vector<std::uint32_t> values((bytes.size() - result_header) /
-                                      sizeof(std::uint32_t));
-    if (!values.empty())
-      std::memcpy(
-          values.data(), bytes.data() + result_header, bytes.size() - result_header);
-    for (std::size_t at = 0; at < values.size(); at += row) {
+    const std::size_t begin = values_.size();
+    values_.resize(begin + (bytes.size() - result_header) / sizeof values_[0]);
+    std::copy(bytes.begin() + result_header,
+              bytes.end(),
+              reinterpret_cast<std::uint8_t*>(values_.data() + begin));
+    for (std::size_t at = begin; at < values_.size(); at += row()) {
       std::array<float, fields_of_means> mean{};
-      std::memcpy(mean.data(), &values[at], sizeof mean);
+      std::memcpy(mean.data(), &values_[at], sizeof mean);
       positions_.insert(positions_.end(), mean.begin(), mean.begin() + 3);
       spacings_.push_back(mean[3]);
-      for (std::size_t f = 0; f < fields_.size(); ++f)
-        values_.push_back(values[at + fields_of_means + f]);
     }
   }
 
   Bytes
   rowsAt(const pcl::XYZView& points, double resolution, unsigned threads) const
   {
-    const std::vector<std::int32_t> means =
-        nearest(points, spacings_, resolution, threads);
+    const auto nearest = [&](const std::vector<float>& spacings) {
+      return pcl::nearestMeans(points,
+                               {positions_.data(), 3, spacings.size()},
+                               spacings,
+                               resolution,
+                               threads);
+    };
     Rows rows(points.size, fields_.size());
-    const std::size_t of_all =
-        fields_.size() - (has_instances_ ? fields_of_instances : 0);
-    for (std::size_t f = 0; f < of_all; ++f)
-      rows.add([&](std::size_t i) { return valueOf(f, means[i]); });
-    if (has_instances_) {
-      // However wide the spacing of a mean is: its instance is that of its voxel.
-      const std::vector<std::int32_t> near = nearest(
-          points, std::vector<float>(spacings_.size(), 0.0f), resolution, threads);
-      rows.add([&](std::size_t i) { return valueOf(of_all, near[i]); });
-    }
+    const auto add = [&](std::size_t field, const std::vector<std::int32_t>& means) {
+      rows.add([&](std::size_t i) {
+        return means[i] < 0 ? fields_[field].unknown
+                            : values_[static_cast<std::size_t>(means[i]) * row() +
+                                      fields_of_means + field];
+      });
+    };
+    const std::vector<std::int32_t> means = nearest(spacings_);
+    const std::size_t before = fields_.size() - (has_instances_ ? 1 : 0);
+    for (std::size_t f = 0; f < before; ++f)
+      add(f, means);
+    if (has_instances_) // of its voxel's mean, however wide the spacing of a mean is
+      add(before, nearest(std::vector<float>(spacings_.size(), 0.0f)));
     return rows.toBytes(0);
   }
 
 private:
-  std::vector<std::int32_t>
-  nearest(const pcl::XYZView& points,
-          std::vector<float> spacings,
-          double resolution,
-          unsigned threads) const
+  std::size_t
+  row() const
   {
-    return pcl::nearestMeans(points,
-                             {positions_.data(), 3, positions_.size() / 3},
-                             std::move(spacings),
-                             resolution,
-                             threads);
-  }
-
-  std::uint32_t
-  valueOf(std::size_t field, std::int32_t mean) const
-  {
-    return mean < 0 ? fields_[field].unknown
-                    : values_[static_cast<std::size_t>(mean) * fields_.size() + field];
+    return fields_of_means + fields_.size();
   }
 
   std::vector<TileField> fields_;
   bool has_instances_;
   std::vector<float> positions_, spacings_;
-  std::vector<std::uint32_t> values_;
+  std::vector<std::uint32_t> values_; ///< of each mean all of its row
 };
 
 /** From the fields of means to those of points. */
 void
-spreadMeans(TiledCloud& cloud,
-            const TileWanted& wanted,
-            const pcl::CloudNumbers& numbers,
-            unsigned threads)
+spreadMeans(const MeasuredCloud& cloud, const TileWanted& wanted)
 {
-  const double halo =
-      haloOf(rounding * pcl::reachOfMeans(numbers.distance, wanted.resolution),
-             wanted.resolution);
-  cloud.run(resultsName(), 0.0, [&](std::size_t tile, const TilePoints& points) {
+  const double reach =
+      rounding * pcl::reachOfMeans(cloud.numbers.distance, cloud.resolution);
+  cloud.tiles.run(resultsName(), 0.0, [&](std::size_t tile, const TilePoints& points) {
     MeansAround means(wanted);
-    means.add(cloud.resultOf(means_name, tile));
-    for (const std::size_t other : cloud.tilesAround(tile, halo))
-      means.add(cloud.resultOf(means_name, other));
-    const auto places = floatsOf(points, cloud.offset());
-    return means.rowsAt(pcl::detail::xyzOf(*places), wanted.resolution, threads);
+    means.add(cloud.tiles.resultOf(means_name, tile));
+    for (const std::size_t other : cloud.tilesAround(tile, reach))
+      means.add(cloud.tiles.resultOf(means_name, other));
+    const auto places = floatsOf(points, cloud.tiles.offset());
+    return means.rowsAt(pcl::detail::xyzOf(*places), cloud.resolution, cloud.threads);
   });
 }
 
@@ -476,10 +450,10 @@ requireFew(std::uint64_t unknown, std::uint64_t places)
 
 /** A coarser resolution needs other halos: the tiles that there are cannot be used. */
 void
-requireNoiseWithinRadii(const TileWanted& wanted, const TiledNumbers& numbers)
+requireNoiseWithinRadii(const MeasuredCloud& cloud, const TileWanted& wanted)
 {
   const double coarser =
-      pcl::coarserResolution(numbers.of_cloud, numbers.places, wanted.resolution);
+      pcl::coarserResolution(cloud.numbers, cloud.places, cloud.resolution);
   if (coarser == 0.0)
     return;
   std::ostringstream text;
@@ -499,7 +473,7 @@ unknownOf(TiledCloud& cloud, const std::string& name)
   return std::stoull(cloud.decide("unknown", [&] {
     std::uint64_t count = 0;
     forEachTile(cloud, [&](std::size_t tile) {
-      count += ByteReader(cloud.resultOf(name, tile)).take<std::uint64_t>();
+      count += takeFrom<std::uint64_t>(cloud.resultOf(name, tile));
     });
     return std::to_string(count);
   }));
@@ -560,40 +534,34 @@ resultsName()
 void
 computeFields(TiledCloud& cloud,
               const TileWanted& wanted,
-              const std::optional<TiledNumbers>& numbers,
+              const std::optional<MeasuredCloud>& measured,
               const std::array<float, 3>& view_point,
               unsigned threads)
 {
-  if (wanted.needsNumbers())
-    requireNoiseWithinRadii(wanted, *numbers);
-  const TileComputation computation(wanted, numbers, threads);
+  if (measured)
+    requireNoiseWithinRadii(*measured, wanted);
+  const TileComputation computation(cloud, wanted, measured, threads);
   const std::string last = wanted.resolution > 0.0 ? means_name : resultsName();
   const std::string name = wanted.needsSurfaces() ? facesName() : last;
-  cloud.run(name,
-            haloOfFields(wanted, numbers),
-            [&](std::size_t tile, const TilePoints& points) {
-              return computation(cloud, tile, points);
-            });
+  cloud.run(name, haloOfFields(wanted, measured), computation);
   if (wanted.needsEdges() && wanted.resolution == 0.0)
-    requireFew(unknownOf(cloud, name), numbers->places);
+    requireFew(unknownOf(cloud, name), measured->places);
   const bool has_instances = !wanted.instances.empty();
   if (wanted.needsSurfaces()) {
-    const pcl::FacesAround::Noise noise =
-        noiseOfFaces(cloud, *numbers, wanted.resolution, threads);
-    const double halo = haloOf(0.0, wanted.resolution);
+    const pcl::FacesAround::Noise noise = noiseOfFaces(*measured);
     cloud.run(has_instances ? instancePointsName() : last,
-              halo,
+              haloOf(0.0, wanted.resolution),
               [&](std::size_t tile, const TilePoints& points) {
-                return computation.withSurfaces(cloud, tile, points, noise, view_point);
+                return computation.withSurfaces(tile, points, noise, view_point);
               });
   }
   if (has_instances) {
-    findInstances(cloud, numbers->of_cloud, wanted.resolution, threads);
+    findInstances(*measured);
     cloud.runOnResults(
-        last, [&](std::size_t tile) { return computation.withInstances(cloud, tile); });
+        last, [&](std::size_t tile) { return computation.withInstances(tile); });
   }
   if (wanted.resolution > 0.0)
-    spreadMeans(cloud, wanted, numbers->of_cloud, threads);
+    spreadMeans(*measured, wanted);
 }
 
 } // namespace pcl::app

@@ -47,11 +47,12 @@ const std::string& resultsName();
 constexpr std::size_t result_header = sizeof(std::uint64_t);
 
 /** \brief Compute the fields of all tiles, as far as that was not done before.
+ * \param[in] measured the same cloud, if what is wanted needs its numbers
  * \param[in] view_point where the points were seen from, for instances
  * \throws InputError for a cloud that would be sampled evenly as a whole */
 void computeFields(pcl::tiling::TiledCloud& cloud,
                    const TileWanted& wanted,
-                   const std::optional<TiledNumbers>& numbers,
+                   const std::optional<MeasuredCloud>& measured,
                    const std::array<float, 3>& view_point,
                    unsigned threads);
 

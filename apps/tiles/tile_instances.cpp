@@ -8,6 +8,8 @@
 #include "tiles/tile_pieces.h"
 #include "tiles/tile_places.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <utility>
 
@@ -28,36 +30,26 @@ const std::string grown_name = "grown", instances_name = "instances";
 std::vector<InstancePoint>
 pointsOf(const TiledCloud& cloud, std::size_t tile)
 {
-  return ByteReader(cloud.resultOf(instancePointsName(), tile))
-      .takeAll<InstancePoint>();
+  return takeFrom<std::vector<InstancePoint>>(
+      cloud.resultOf(instancePointsName(), tile));
+}
+
+Eigen::Vector3d
+positionOf(const InstancePoint& point)
+{
+  return Eigen::Vector3f(point.position.data()).cast<double>();
 }
 
 /** The box of some points, grown along each axis. */
-class GrownBox {
-public:
-  GrownBox(const std::vector<InstancePoint>& points, double by)
-  {
-    for (const InstancePoint& point : points)
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double at = point.position[axis];
-        low_[axis] = &point == points.data() ? at - by : std::min(low_[axis], at - by);
-        high_[axis] =
-            &point == points.data() ? at + by : std::max(high_[axis], at + by);
-      }
-  }
-
-  bool
-  holds(const InstancePoint& point) const
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (point.position[axis] < low_[axis] || point.position[axis] > high_[axis])
-        return false;
-    return true;
-  }
-
-private:
-  std::array<double, 3> low_{}, high_{};
-};
+Eigen::AlignedBox3d
+grownBox(const std::vector<InstancePoint>& points, double by)
+{
+  Eigen::AlignedBox3d box;
+  for (const InstancePoint& point : points)
+    box.extend(positionOf(point));
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(by);
+  return {box.min() - margin, box.max() + margin};
+}
 
 /** Labels of a tile's points: numbers of its own, and what they are in the cloud. */
 struct TileLabels {
@@ -80,19 +72,14 @@ labelBytes(const InstancesOfParts& parts,
     places.push_back(label < 0 ? -1
                                : static_cast<std::int32_t>(found - counts.begin()));
   }
-  Bytes bytes;
-  putAll(counts, bytes);
-  putAll(places, bytes);
-  return bytes;
+  return bytesOf(counts, places);
 }
 
 TileLabels
 labelsOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
 {
-  ByteReader reader(cloud.resultOf(name, tile));
   TileLabels labels;
-  labels.counts = reader.takeAll<LabelCount>();
-  labels.places = reader.takeAll<std::int32_t>();
+  ByteReader(cloud.resultOf(name, tile)).take(labels.counts, labels.places);
   return labels;
 }
 
@@ -105,10 +92,8 @@ struct TileRanks {
 TileRanks
 ranksOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
 {
-  ByteReader reader(cloud.resultOf(name, tile));
   TileRanks ranks;
-  ranks.count = reader.take<std::uint64_t>();
-  ranks.ranks = reader.takeAll<std::int32_t>();
+  ByteReader(cloud.resultOf(name, tile)).take(ranks.count, ranks.ranks);
   return ranks;
 }
 
@@ -130,13 +115,10 @@ ranksOfPoints(const TiledCloud& cloud,
 /** The steps in their order. */
 class Steps {
 public:
-  Steps(TiledCloud& cloud,
-        const pcl::CloudNumbers& numbers,
-        double resolution,
-        unsigned threads)
-  : cloud_(cloud)
-  , parts_(numbers, {}, threads)
-  , resolution_(resolution)
+  explicit Steps(const MeasuredCloud& cloud)
+  : measured_(cloud)
+  , cloud_(cloud.tiles)
+  , parts_(cloud.numbers, {}, cloud.threads)
   {}
 
   void
@@ -154,27 +136,19 @@ public:
   }
 
 private:
-  std::vector<std::size_t>
-  tilesAround(std::size_t tile, double reach) const
-  {
-    return cloud_.tilesAround(tile, haloOf(reach, resolution_));
-  }
-
   Bytes
   nodesOf(std::size_t tile) const
   {
     std::vector<InstancePoint> points = pointsOf(cloud_, tile);
     const std::size_t own = points.size();
     if (own > 0) {
-      const GrownBox box(points, parts_.reach().nodes);
-      for (const std::size_t other : tilesAround(tile, parts_.reach().nodes))
+      const Eigen::AlignedBox3d box = grownBox(points, parts_.reach().nodes);
+      for (const std::size_t other : measured_.tilesAround(tile, parts_.reach().nodes))
         for (const InstancePoint& point : pointsOf(cloud_, other))
-          if (box.holds(point))
+          if (box.contains(positionOf(point)))
             points.push_back(point);
     }
-    Bytes bytes;
-    putAll(parts_.nodes(points, own), bytes);
-    return bytes;
+    return bytesOf(parts_.nodes(points, own));
   }
 
   Bytes
@@ -183,7 +157,7 @@ private:
     std::vector<InstanceNode> nodes = pcl::app::nodesOf(cloud_, nodes_name, tile);
     const std::size_t own = nodes.size();
     std::vector<NodeOfTile> around;
-    for (const std::size_t other : tilesAround(tile, parts_.reach().links)) {
+    for (const std::size_t other : measured_.tilesAround(tile, parts_.reach().links)) {
       std::uint32_t number = 0;
       for (const InstanceNode& node : pcl::app::nodesOf(cloud_, nodes_name, other)) {
         nodes.push_back(node);
@@ -198,7 +172,7 @@ private:
   {
     const std::vector<InstancePoint> points = pointsOf(cloud_, tile);
     CutNodes all = cutNodesOf(cloud_, nodes_name, pieces_name, tile);
-    for (const std::size_t other : tilesAround(tile, parts_.reach().labels)) {
+    for (const std::size_t other : measured_.tilesAround(tile, parts_.reach().labels)) {
       const CutNodes some = cutNodesOf(cloud_, nodes_name, pieces_name, other);
       all.nodes.insert(all.nodes.end(), some.nodes.begin(), some.nodes.end());
       all.labels.insert(all.labels.end(), some.labels.begin(), some.labels.end());
@@ -216,13 +190,14 @@ private:
         ranksOfPoints(cloud_, labels_name, ranks_name, tile);
     const std::size_t own = points.size();
     if (own > 0) {
-      const GrownBox box(points, parts_.reach().growth);
-      for (const std::size_t other : tilesAround(tile, parts_.reach().growth)) {
+      const Eigen::AlignedBox3d box = grownBox(points, parts_.reach().growth);
+      for (const std::size_t other :
+           measured_.tilesAround(tile, parts_.reach().growth)) {
         const std::vector<InstancePoint> some = pointsOf(cloud_, other);
         const std::vector<std::int32_t> of_some =
             ranksOfPoints(cloud_, labels_name, ranks_name, other);
         for (std::size_t i = 0; i < some.size(); ++i)
-          if (box.holds(some[i])) {
+          if (box.contains(positionOf(some[i]))) {
             points.push_back(some[i]);
             labels.push_back(of_some[i]);
           }
@@ -248,22 +223,20 @@ private:
       });
       const std::vector<std::int32_t> ranks = (parts_.*rank)(all);
       const auto is_some = [](std::int32_t r) { return r >= 0; };
-      const auto count = std::count_if(ranks.begin(), ranks.end(), is_some);
+      const auto count = static_cast<std::uint64_t>(
+          std::count_if(ranks.begin(), ranks.end(), is_some));
       forEachTile(cloud_, [&](std::size_t tile) {
         std::vector<std::int32_t> of_tile;
         for (const LabelCount& label : labelsOf(cloud_, labels, tile).counts)
           of_tile.push_back(ranks[static_cast<std::size_t>(label.label)]);
-        Bytes bytes;
-        put<std::uint64_t>(static_cast<std::uint64_t>(count), bytes);
-        putAll(of_tile, bytes);
-        write(tile, bytes);
+        write(tile, bytesOf(count, of_tile));
       });
     });
   }
 
+  const MeasuredCloud& measured_;
   TiledCloud& cloud_;
   InstancesOfParts parts_;
-  double resolution_;
 };
 
 } // namespace
@@ -280,11 +253,10 @@ instancePointsOf(std::vector<InstancePoint> places,
                  const std::vector<std::uint32_t>& place_of_row,
                  const std::vector<std::uint32_t>& rows,
                  const std::array<float, 3>& view_point,
-                 const pcl::CloudNumbers& numbers,
-                 unsigned threads)
+                 const MeasuredCloud& cloud)
 {
   const std::vector<bool> is_held =
-      InstancesOfParts(numbers, {}, threads).mayHold(places);
+      InstancesOfParts(cloud.numbers, {}, cloud.threads).mayHold(places);
   std::vector<InstancePoint> points;
   std::vector<std::uint32_t> point_of_place(places.size(), none);
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -296,35 +268,28 @@ instancePointsOf(std::vector<InstancePoint> places,
   std::vector<std::uint32_t> point_of_row;
   for (const std::uint32_t place : place_of_row)
     point_of_row.push_back(point_of_place[place]);
-  Bytes bytes;
-  putAll(points, bytes);
-  putAll(point_of_row, bytes);
-  putAll(rows, bytes);
-  return bytes;
+  return bytesOf(points, point_of_row, rows);
 }
 
 void
-findInstances(TiledCloud& cloud,
-              const pcl::CloudNumbers& numbers,
-              double resolution,
-              unsigned threads)
+findInstances(const MeasuredCloud& cloud)
 {
-  Steps(cloud, numbers, resolution, threads).run();
+  Steps(cloud).run();
 }
 
 TileInstances
 instancesOf(const TiledCloud& cloud, std::size_t tile)
 {
-  ByteReader reader(cloud.resultOf(instancePointsName(), tile));
-  reader.takeAll<InstancePoint>();
-  const auto point_of_row = reader.takeAll<std::uint32_t>();
+  std::vector<InstancePoint> points;
+  std::vector<std::uint32_t> point_of_row;
+  TileInstances result;
+  ByteReader(cloud.resultOf(instancePointsName(), tile))
+      .take(points, point_of_row, result.rows);
   const std::vector<std::int32_t> instances =
       ranksOfPoints(cloud, grown_name, instances_name, tile);
-  TileInstances result;
   for (const std::uint32_t point : point_of_row)
     result.of_row.push_back(
         point == none ? 0 : static_cast<std::uint32_t>(instances[point] + 1));
-  result.rows = reader.takeAll<std::uint32_t>();
   return result;
 }
 

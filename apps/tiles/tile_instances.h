@@ -5,8 +5,8 @@
 #pragma once
 
 #include "tiles/bytes.h"
+#include "tiles/tile_numbers.h"
 
-#include <pcl/features/cloud_numbers.h>
 #include <pcl/segmentation/instances_of_parts.h>
 #include <pcl/tiling/tiled_cloud.h>
 
@@ -28,15 +28,10 @@ Bytes instancePointsOf(std::vector<pcl::InstancePoint> places,
                        const std::vector<std::uint32_t>& place_of_row,
                        const std::vector<std::uint32_t>& rows,
                        const std::array<float, 3>& view_point,
-                       const pcl::CloudNumbers& numbers,
-                       unsigned threads);
+                       const MeasuredCloud& cloud);
 
-/** \brief Find the instances of the whole cloud, as far as that was not done before.
- * \param[in] resolution of the voxel means that places are, meters; 0 for none */
-void findInstances(pcl::tiling::TiledCloud& cloud,
-                   const pcl::CloudNumbers& numbers,
-                   double resolution,
-                   unsigned threads);
+/** \brief Find the instances of the whole cloud, as far as that was not done before. */
+void findInstances(const MeasuredCloud& cloud);
 
 /** \brief What a tile has of them. */
 struct TileInstances {

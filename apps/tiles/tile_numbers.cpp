@@ -37,17 +37,6 @@ struct TileDistances {
   std::vector<float> distances;       ///< of its places
   std::vector<std::uint32_t> repeats; ///< points whose place is that of one before them
   std::vector<std::uint32_t> places;  ///< of them
-
-  Bytes
-  toBytes() const
-  {
-    Bytes bytes;
-    put(box, bytes);
-    putAll(distances, bytes);
-    putAll(repeats, bytes);
-    putAll(places, bytes);
-    return bytes;
-  }
 };
 
 /** Those of the own points of a tile. */
@@ -65,35 +54,29 @@ setRepeats(const std::vector<std::int32_t>& own_places, TileDistances& distances
 }
 
 Bytes
-measuredDistances(const TilePoints& points,
-                  const pcl::tiling::Position& offset,
-                  double reach,
-                  double resolution,
-                  unsigned threads)
+measuredDistances(const TilePoints& points, const MeasuredCloud& cloud, double reach)
 {
-  const TilePlaces places = placesOf(points, offset, resolution);
+  const TilePlaces places = placesOf(points, cloud.tiles.offset(), cloud.resolution);
   TileDistances distances;
   for (std::size_t i = 0; i < places.places->size(); ++i)
     if (places.is_own[i]) {
       const pcl::PointXYZ& place = (*places.places)[i];
       distances.box.add(PointBox::of({place.x, place.y, place.z}));
     }
-  distances.distances =
-      pcl::PartOfCloud(places.view(), places.is_own, threads).measureDistances(reach);
-  if (resolution == 0.0)
+  distances.distances = pcl::PartOfCloud(places.view(), places.is_own, cloud.threads)
+                            .measureDistances(reach);
+  if (cloud.resolution == 0.0)
     setRepeats(places.own_places, distances);
-  return distances.toBytes();
+  return bytesOf(
+      distances.box, distances.distances, distances.repeats, distances.places);
 }
 
 TileDistances
 distancesOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
 {
-  ByteReader reader(cloud.resultOf(name, tile));
   TileDistances distances;
-  distances.box = reader.take<PointBox>();
-  distances.distances = reader.takeAll<float>();
-  distances.repeats = reader.takeAll<std::uint32_t>();
-  distances.places = reader.takeAll<std::uint32_t>();
+  ByteReader(cloud.resultOf(name, tile))
+      .take(distances.box, distances.distances, distances.repeats, distances.places);
   return distances;
 }
 
@@ -118,142 +101,124 @@ middleOf(std::uint64_t count)
   return count / 2; // the upper one of two, as the library's medians
 }
 
-/** Of points that are not finite: no voxel mean stands for them. */
-std::uint64_t
-unknownPlaces(const TiledCloud& cloud, double resolution)
-{
-  return resolution > 0.0 ? 0 : cloud.countNotFinite();
-}
-
-/** use(distances) of each tile. */
-template <typename Use>
-void
-forEachDistances(const TiledCloud& cloud, const std::string& name, const Use& use)
-{
-  forEachTile(cloud, [&](std::size_t tile) { use(distancesOf(cloud, name, tile)); });
-}
-
-/** The medians of the distances that are positive, and of all of them, in two passes
- * over the files of tiles. Points that are not finite count with the first one, as in
- * the whole cloud. */
-class DistanceMedians {
-  static_assert(Selection<float>::passes == 2, "choose() ends one, values() the other");
-
-public:
-  explicit DistanceMedians(std::uint64_t unknown) : unknown_(unknown) {}
-
-  void
-  add(const std::vector<float>& distances)
-  {
-    for (const float d : distances) {
-      all_.add(d, 1);
-      if (d > 0.0f)
-        positive_.add(d, 1);
-    }
-  }
-
-  /** After the first pass. */
-  void
-  choose()
-  {
-    has_positive_ = positive_.count() > 0;
-    if (has_positive_)
-      positive_.choose(middleOf(positive_.count()));
-    all_.add(has_positive_ ? positive_.value() : 1.0f, unknown_);
-    all_.choose(middleOf(all_.count()));
-  }
-
-  /** After the second one: of those that are positive, and of all. */
-  std::pair<float, float>
-  values()
-  {
-    if (has_positive_)
-      positive_.endPass();
-    const float distance = has_positive_ ? positive_.value() : 1.0f;
-    all_.add(distance, unknown_);
-    all_.endPass();
-    return {distance, all_.value()};
-  }
-
-private:
-  std::uint64_t unknown_;
-  bool has_positive_ = false;
-  Selection<float> positive_, all_;
-};
-
-/** Medians, the box and the number of places, of distances as far as the reach. */
+/** Medians, the box and the number of places, of distances as far as the reach. Each
+ * pass over the files of tiles finds further digits of the medians. */
 Json
 mediansOf(const TiledCloud& cloud, const std::string& name, double resolution)
 {
   PointBox box;
   std::uint64_t places = 0;
-  DistanceMedians medians(unknownPlaces(cloud, resolution));
-  forEachDistances(cloud, name, [&](const TileDistances& of_tile) {
-    places += of_tile.distances.size();
-    medians.add(of_tile.distances);
-    box.add(of_tile.box);
-  });
-  if (places < min_places)
-    throw InputError("the cloud has " + std::to_string(places) +
-                     " different places; expected at least " +
-                     std::to_string(min_places) + " to divide it");
-  medians.choose();
-  forEachDistances(cloud, name, [&](const TileDistances& of_tile) {
-    medians.add(of_tile.distances);
-  });
-  const auto [positive, middle] = medians.values();
-  const double distance = positive;
+  Selection<float> positives(middleOf), all(middleOf);
+  float distance = 1.0f; // without a positive one
+  for (int pass = 0; pass < Selection<float>::passes; ++pass) {
+    forEachTile(cloud, [&](std::size_t tile) {
+      const TileDistances of_tile = distancesOf(cloud, name, tile);
+      for (const float d : of_tile.distances) {
+        all.add(d);
+        if (d > 0.0f)
+          positives.add(d);
+      }
+      places += pass == 0 ? of_tile.distances.size() : 0;
+      box.add(of_tile.box);
+    });
+    if (places < min_places)
+      throw InputError("the cloud has " + std::to_string(places) +
+                       " different places; expected at least " +
+                       std::to_string(min_places) + " to divide it");
+    positives.endPass();
+    if (positives.count() > 0)
+      distance = positives.value();
+    // Points that are not finite count with it, as in the whole cloud; no voxel mean
+    // stands for them.
+    all.add(distance, resolution > 0.0 ? 0 : cloud.countNotFinite());
+    all.endPass();
+  }
   const bool is_known = std::isfinite(distance);
-  return {{"distance", is_known ? distance : 0.0},
-          {"spacing", is_known ? pcl::spacingAt(middle, distance) : 0.0f},
+  return {{"distance", is_known ? double{distance} : 0.0},
+          {"spacing", is_known ? pcl::spacingAt(all.value(), double{distance}) : 0.0f},
           {"low", box.low},
           {"high", box.high},
           {"places", places}};
 }
 
-/** The numbers that distances give, with a reach that was far enough for them. */
-TiledNumbers
-mediansOf(TiledCloud& cloud, double resolution, unsigned threads)
+/** Sets the numbers that distances give, with a reach that was far enough for them. */
+void
+measureDistances(MeasuredCloud& cloud)
 {
   // Twelve neighbors of a mean are within some two voxels.
   constexpr double first_voxels = 8.0;
-  double reach =
-      std::max(first_reach * cloud.typicalDistance(), first_voxels * resolution);
+  double reach = std::max(first_reach * cloud.tiles.typicalDistance(),
+                          first_voxels * cloud.resolution);
   if (!(reach > 0.0))
     reach = 1.0; // all points in one cell: it grows if that is too little
   for (int round = 0;; ++round) {
-    const std::string name = "distances_" + std::to_string(round);
-    const double halo = haloOf(reach, resolution);
-    cloud.run(name, halo, [&](std::size_t, const TilePoints& points) {
-      return measuredDistances(points, cloud.offset(), reach, resolution, threads);
-    });
+    cloud.distances = "distances_" + std::to_string(round);
+    cloud.tiles.run(cloud.distances,
+                    haloOf(reach, cloud.resolution),
+                    [&](std::size_t, const TilePoints& points) {
+                      return measuredDistances(points, cloud, reach);
+                    });
     const Json medians =
-        Json::parse(cloud.decide("medians_" + std::to_string(round), [&] {
-          return mediansOf(cloud, name, resolution).dump();
+        Json::parse(cloud.tiles.decide("medians_" + std::to_string(round), [&] {
+          return mediansOf(cloud.tiles, cloud.distances, cloud.resolution).dump();
         }));
-    TiledNumbers numbers;
-    numbers.of_cloud.distance = medians.at("distance");
-    numbers.of_cloud.spacing = medians.at("spacing");
-    numbers.of_cloud.low = medians.at("low");
-    numbers.of_cloud.high = medians.at("high");
-    numbers.places = medians.at("places");
-    numbers.distances = name;
+    cloud.numbers.distance = medians.at("distance");
+    cloud.numbers.spacing = medians.at("spacing");
+    cloud.numbers.low = medians.at("low");
+    cloud.numbers.high = medians.at("high");
+    cloud.places = medians.at("places");
     const double needed =
-        pcl::reachOf(numbers.of_cloud, pcl::ShapeModel::defaultEdges()).spacing;
+        pcl::reachOf(cloud.numbers, pcl::ShapeModel::defaultEdges()).spacing;
     if (needed > 0.0 && needed <= reach)
-      return numbers;
-    reach = first_reach * std::max(reach, numbers.of_cloud.distance);
+      return;
+    reach = first_reach * std::max(reach, cloud.numbers.distance);
   }
 }
 
 Bytes
-toBytes(const pcl::NoiseMeasures& measures)
+noiseOf(const MeasuredCloud& cloud, std::size_t tile, const TilePoints& points)
 {
-  Bytes bytes;
-  putAll(measures.variations, bytes);
-  for (const auto& angles : measures.angles)
-    putAll(angles, bytes);
-  return bytes;
+  const TilePlaces places = placesOf(cloud, tile, points);
+  const pcl::NoiseMeasures measures =
+      cloud.resolution > 0.0
+          ? pcl::PartOfCloud(places.view(), places.is_own, cloud.threads)
+                .measureNoise(cloud.numbers, cloud.places)
+          : pcl::measureNoise({places.view(), places.is_own, places.distances},
+                              cloud.numbers,
+                              cloud.places,
+                              cloud.threads);
+  return bytesOf(measures.variations, measures.angles);
+}
+
+/** Sets the numbers that follow from distances. */
+void
+measureNoise(MeasuredCloud& cloud)
+{
+  const double reach =
+      pcl::reachOf(cloud.numbers, pcl::ShapeModel::defaultEdges()).noise;
+  cloud.tiles.run("noise",
+                  haloOf(reach, cloud.resolution),
+                  [&](std::size_t tile, const TilePoints& points) {
+                    return noiseOf(cloud, tile, points);
+                  });
+  const Json noise = Json::parse(cloud.tiles.decide("noise", [&] {
+    pcl::NoiseMeasures all;
+    forEachTile(cloud.tiles, [&](std::size_t tile) {
+      pcl::NoiseMeasures of_tile;
+      ByteReader(cloud.tiles.resultOf("noise", tile))
+          .take(of_tile.variations, of_tile.angles);
+      all.add(of_tile);
+    });
+    pcl::CloudNumbers found = cloud.numbers;
+    pcl::setNoise(all, found);
+    return Json{{"noise", found.noise},
+                {"noise_level", found.noise_level},
+                {"noise_correlation", found.noise_correlation}}
+        .dump();
+  }));
+  cloud.numbers.noise = noise.at("noise");
+  cloud.numbers.noise_level = noise.at("noise_level");
+  cloud.numbers.noise_correlation = noise.at("noise_correlation");
 }
 
 /** The places of the first points, which are the tile's own. */
@@ -280,96 +245,63 @@ ownPlaces(TileDistances own,
   return result;
 }
 
-pcl::NoiseMeasures
-measuresOf(const Bytes& bytes)
-{
-  ByteReader reader(bytes);
-  pcl::NoiseMeasures measures;
-  measures.variations = reader.takeAll<float>();
-  for (auto& angles : measures.angles)
-    angles = reader.takeAll<float>();
-  return measures;
-}
-
 } // namespace
 
-TiledNumbers
-numbersOf(TiledCloud& cloud, double resolution, unsigned threads)
+std::vector<std::size_t>
+MeasuredCloud::tilesAround(std::size_t tile, double reach) const
 {
-  TiledNumbers numbers = mediansOf(cloud, resolution, threads);
-  const double reach =
-      pcl::reachOf(numbers.of_cloud, pcl::ShapeModel::defaultEdges()).noise;
-  const double halo = haloOf(reach, resolution);
-  cloud.run("noise", halo, [&](std::size_t tile, const TilePoints& points) {
-    if (resolution > 0.0) {
-      const TilePlaces places = placesOf(points, cloud.offset(), resolution);
-      return toBytes(pcl::PartOfCloud(places.view(), places.is_own, threads)
-                         .measureNoise(numbers.of_cloud, numbers.places));
-    }
-    const TilePlaces places = measuredPlacesOf(cloud, tile, points, numbers);
-    const pcl::KnownPart part{places.view(), places.is_own, places.distances};
-    return toBytes(pcl::measureNoise(part, numbers.of_cloud, numbers.places, threads));
-  });
-  const Json noise = Json::parse(cloud.decide("noise", [&] {
-    pcl::NoiseMeasures measures;
-    forEachTile(cloud, [&](std::size_t tile) {
-      measures.add(measuresOf(cloud.resultOf("noise", tile)));
-    });
-    pcl::CloudNumbers found = numbers.of_cloud;
-    pcl::setNoise(measures, found);
-    return Json{{"noise", found.noise},
-                {"noise_level", found.noise_level},
-                {"noise_correlation", found.noise_correlation}}
-        .dump();
-  }));
-  numbers.of_cloud.noise = noise.at("noise");
-  numbers.of_cloud.noise_level = noise.at("noise_level");
-  numbers.of_cloud.noise_correlation = noise.at("noise_correlation");
-  return numbers;
+  return tiles.tilesAround(tile, haloOf(reach, resolution));
+}
+
+MeasuredCloud
+measure(TiledCloud& tiles, double resolution, unsigned threads)
+{
+  MeasuredCloud cloud{tiles, resolution, threads, {}, 0, {}};
+  measureDistances(cloud);
+  measureNoise(cloud);
+  return cloud;
 }
 
 TilePlaces
-measuredPlacesOf(const TiledCloud& cloud,
-                 std::size_t tile,
-                 const TilePoints& points,
-                 const TiledNumbers& numbers)
+placesOf(const MeasuredCloud& cloud, std::size_t tile, const TilePoints& points)
 {
-  const auto all = floatsOf(points, cloud.offset());
+  if (cloud.resolution > 0.0)
+    return placesOf(points, cloud.tiles.offset(), cloud.resolution);
+  const auto all = floatsOf(points, cloud.tiles.offset());
   TilePlaces result =
-      ownPlaces(distancesOf(cloud, numbers.distances, tile), *all, points.own);
+      ownPlaces(distancesOf(cloud.tiles, cloud.distances, tile), *all, points.own);
   const std::size_t own_places = result.places->size();
   std::vector<float> of_tile;
   for (std::size_t k = 0; k < points.around.size(); ++k) {
     const auto& [other, row] = points.around[k];
     if (k == 0 || other != points.around[k - 1].tile)
-      of_tile = distancesOfPoints(distancesOf(cloud, numbers.distances, other));
+      of_tile = distancesOfPoints(distancesOf(cloud.tiles, cloud.distances, other));
     if (std::isnan(of_tile[row]))
       continue;
     result.places->push_back((*all)[points.own + k]);
     result.distances.push_back(of_tile[row]);
   }
-  result.is_own.assign(result.places->size(), false);
-  std::fill_n(result.is_own.begin(), own_places, true);
+  result.is_own.resize(own_places, true);
+  result.is_own.resize(result.places->size(), false);
   return result;
 }
 
 TilePlaces
-ownMeasuredPlacesOf(const TiledCloud& cloud,
-                    std::size_t tile,
-                    const TilePoints& points,
-                    const TiledNumbers& numbers)
+ownPlacesOf(const MeasuredCloud& cloud, std::size_t tile, const TilePoints& points)
 {
-  TilePlaces result = ownPlaces(distancesOf(cloud, numbers.distances, tile),
-                                *floatsOf(points, cloud.offset()),
+  if (cloud.resolution > 0.0)
+    return ownMeansOf(points, cloud.tiles.offset(), cloud.resolution);
+  TilePlaces result = ownPlaces(distancesOf(cloud.tiles, cloud.distances, tile),
+                                *floatsOf(points, cloud.tiles.offset()),
                                 points.own);
   result.is_own.assign(result.places->size(), true);
   return result;
 }
 
 PointBox
-boxOfPlaces(const TiledCloud& cloud, std::size_t tile, const TiledNumbers& numbers)
+boxOfPlaces(const MeasuredCloud& cloud, std::size_t tile)
 {
-  return ByteReader(cloud.resultOf(numbers.distances, tile)).take<PointBox>();
+  return takeFrom<PointBox>(cloud.tiles.resultOf(cloud.distances, tile));
 }
 
 } // namespace pcl::app

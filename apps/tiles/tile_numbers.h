@@ -11,38 +11,42 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace pcl::app {
 
-struct TiledNumbers {
-  pcl::CloudNumbers of_cloud;
+/** \brief A cloud in tiles whose numbers are known. */
+struct MeasuredCloud {
+  pcl::tiling::TiledCloud& tiles;
+  double resolution; ///< of the voxel means that places are, meters; 0 for points
+  unsigned threads;
+  pcl::CloudNumbers numbers;
   std::uint64_t places = 0; ///< that are finite
   std::string distances;    ///< the name of the results that have them
+
+  /** \brief The tiles around one, see haloOf(). */
+  std::vector<std::size_t> tilesAround(std::size_t tile, double reach) const;
 };
 
 /** \brief Measure the tiles, as far as that was not done before. The numbers are those
  * of the whole cloud, bit by bit. \param[in] resolution of the voxel means that they
  * are of, meters; 0 for the cloud's own places
  * \throws InputError if there are too few points */
-TiledNumbers
-numbersOf(pcl::tiling::TiledCloud& cloud, double resolution, unsigned threads);
+MeasuredCloud
+measure(pcl::tiling::TiledCloud& tiles, double resolution, unsigned threads);
 
-/** \brief placesOf() without a resolution, from what measuring the numbers has found:
- * which places are equal, and how far it is to their neighbors. */
-TilePlaces measuredPlacesOf(const pcl::tiling::TiledCloud& cloud,
-                            std::size_t tile,
-                            const pcl::tiling::TilePoints& points,
-                            const TiledNumbers& numbers);
+/** \brief The places or means of a tile and around it. Without a resolution it is known
+ * from measuring which places are equal, and how far it is to their neighbors. */
+TilePlaces placesOf(const MeasuredCloud& cloud,
+                    std::size_t tile,
+                    const pcl::tiling::TilePoints& points);
 
 /** \brief The tile's own ones alone, in their order. */
-TilePlaces ownMeasuredPlacesOf(const pcl::tiling::TiledCloud& cloud,
-                               std::size_t tile,
-                               const pcl::tiling::TilePoints& points,
-                               const TiledNumbers& numbers);
+TilePlaces ownPlacesOf(const MeasuredCloud& cloud,
+                       std::size_t tile,
+                       const pcl::tiling::TilePoints& points);
 
 /** \brief The box of a tile's own places, or means. */
-PointBox boxOfPlaces(const pcl::tiling::TiledCloud& cloud,
-                     std::size_t tile,
-                     const TiledNumbers& numbers);
+PointBox boxOfPlaces(const MeasuredCloud& cloud, std::size_t tile);
 
 } // namespace pcl::app

@@ -35,11 +35,8 @@ struct TileLinks {
 TileLinks
 linksOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
 {
-  ByteReader reader(cloud.resultOf(name, tile));
   TileLinks links;
-  links.pieces = reader.take<std::uint32_t>();
-  links.piece = reader.takeAll<std::uint32_t>();
-  links.outward = reader.takeAll<OutwardLink>();
+  ByteReader(cloud.resultOf(name, tile)).take(links.pieces, links.piece, links.outward);
   return links;
 }
 
@@ -190,7 +187,7 @@ private:
 std::vector<InstanceNode>
 nodesOf(const TiledCloud& cloud, const std::string& name, std::size_t tile)
 {
-  return ByteReader(cloud.resultOf(name, tile)).takeAll<InstanceNode>();
+  return takeFrom<std::vector<InstanceNode>>(cloud.resultOf(name, tile));
 }
 
 Bytes
@@ -201,11 +198,7 @@ linkBytes(const LinkedNodes& linked,
   std::vector<OutwardLink> outward;
   for (const auto& [piece, node] : linked.outward)
     outward.push_back({piece, around[node - own]});
-  Bytes bytes;
-  put(linked.pieces, bytes);
-  putAll(linked.piece, bytes);
-  putAll(outward, bytes);
-  return bytes;
+  return bytesOf(linked.pieces, linked.piece, outward);
 }
 
 void
@@ -222,12 +215,8 @@ cutPieces(const TiledCloud& cloud,
   const Pieces pieces = unitedPieces(cloud, names.links);
   Cutting cutting(cloud, names.nodes, parts, pieces);
   const std::vector<std::vector<std::int32_t>>& labels = cutting.run();
-  forEachTile(cloud, [&](std::size_t tile) {
-    Bytes bytes;
-    put(box, bytes);
-    putAll(labels[tile], bytes);
-    write(tile, bytes);
-  });
+  forEachTile(cloud,
+              [&](std::size_t tile) { write(tile, bytesOf(box, labels[tile])); });
 }
 
 CutNodes
@@ -238,9 +227,7 @@ cutNodesOf(const TiledCloud& cloud,
 {
   CutNodes result;
   result.nodes = nodesOf(cloud, nodes, tile);
-  ByteReader reader(cloud.resultOf(pieces, tile));
-  result.box = reader.take<PointBox>();
-  result.labels = reader.takeAll<std::int32_t>();
+  ByteReader(cloud.resultOf(pieces, tile)).take(result.box, result.labels);
   return result;
 }
 

@@ -26,6 +26,13 @@ struct TilePlaces {
   std::vector<float> distances; ///< to the 12th neighbor of each place, if known
 
   pcl::XYZView view() const;
+
+  /** \brief \param[in] point of the tile's */
+  std::size_t
+  placeOf(std::size_t point) const
+  {
+    return static_cast<std::size_t>(own_places[point]);
+  }
 };
 
 /** \brief A box along the axes; it begins with no point. */

@@ -28,15 +28,13 @@ using Json = nlohmann::ordered_json;
 
 const std::string windows_name = "windows";
 
-pcl::LinkedPieces
-takeLinked(ByteReader& reader)
+/** What other tiles read is before the rest. */
+void
+takeLinked(ByteReader& reader, TileFaces& faces)
 {
-  pcl::LinkedPieces linked;
-  linked.pieces = reader.takeAll<pcl::FacePiece>();
-  linked.others = reader.takeAll<std::array<float, 3>>();
-  linked.link_begins = reader.takeAll<std::uint32_t>();
-  linked.links = reader.takeAll<std::uint32_t>();
-  return linked;
+  pcl::LinkedPieces& linked = faces.part.linked;
+  reader.take(
+      faces.unknown, linked.pieces, linked.others, linked.link_begins, linked.links);
 }
 
 TileFaces
@@ -44,52 +42,38 @@ facesOf(const TiledCloud& cloud, std::size_t tile)
 {
   ByteReader reader(cloud.resultOf(facesName(), tile));
   TileFaces faces;
-  faces.unknown = reader.take<std::uint64_t>();
-  faces.part.linked = takeLinked(reader);
-  faces.part.piece_of_place = reader.takeAll<std::uint32_t>();
-  faces.part.of_model = reader.takeAll<float>();
-  faces.rows = reader.takeAll<std::uint32_t>();
-  faces.places = reader.takeAll<pcl::InstancePoint>();
+  takeLinked(reader, faces);
+  reader.take(faces.part.piece_of_place, faces.part.of_model, faces.rows, faces.places);
   return faces;
 }
 
 /** The same nodes each time: their windows are found in one pass and used in the next.
  */
 std::unique_ptr<FacesAround>
-facesAround(const TiledCloud& cloud,
-            std::size_t tile,
-            const pcl::PartOfFaces& own,
-            const TiledNumbers& numbers,
-            double resolution,
-            unsigned threads)
+facesAround(const MeasuredCloud& cloud, std::size_t tile, const pcl::PartOfFaces& own)
 {
-  const PointBox box = boxOfPlaces(cloud, tile, numbers);
+  const PointBox box = boxOfPlaces(cloud, tile);
   auto faces = std::make_unique<FacesAround>(
-      own, FacesAround::Box{box.low, box.high}, numbers.of_cloud, threads);
-  const double halo =
-      haloOf(pcl::reachOf(numbers.of_cloud, pcl::ShapeModel::defaultEdges()).surfaces,
-             resolution);
-  for (const std::size_t other : cloud.tilesAround(tile, halo)) {
-    ByteReader reader(cloud.resultOf(facesName(), other));
-    reader.take<std::uint64_t>();
-    faces->add(takeLinked(reader));
+      own, FacesAround::Box{box.low, box.high}, cloud.numbers, cloud.threads);
+  const double reach =
+      pcl::reachOf(cloud.numbers, pcl::ShapeModel::defaultEdges()).surfaces;
+  for (const std::size_t other : cloud.tilesAround(tile, reach)) {
+    ByteReader reader(cloud.tiles.resultOf(facesName(), other));
+    TileFaces of_other;
+    takeLinked(reader, of_other);
+    faces->add(of_other.part.linked);
   }
   return faces;
 }
 
 Bytes
-windowsOf(const TiledCloud& cloud,
-          std::size_t tile,
-          const TiledNumbers& numbers,
-          double resolution,
-          unsigned threads)
+windowsOf(const MeasuredCloud& cloud, std::size_t tile)
 {
-  const TileFaces own = facesOf(cloud, tile);
-  const auto faces = facesAround(cloud, tile, own.part, numbers, resolution, threads);
+  const TileFaces own = facesOf(cloud.tiles, tile);
   Bytes bytes;
-  for (const FacesAround::LevelWindows& of_level : faces->windows()) {
+  for (const auto& of_level : facesAround(cloud, tile, own.part)->windows()) {
     put(of_level.nodes, bytes);
-    putAll(of_level.windows, bytes);
+    put(of_level.windows, bytes);
   }
   return bytes;
 }
@@ -99,38 +83,30 @@ takeWindows(const TiledCloud& cloud, std::size_t tile)
 {
   ByteReader reader(cloud.resultOf(windows_name, tile));
   FacesAround::Windows windows;
-  for (FacesAround::LevelWindows& of_level : windows) {
-    of_level.nodes = reader.take<std::uint64_t>();
-    of_level.windows = reader.takeAll<FacesAround::Window>();
-  }
+  for (FacesAround::LevelWindows& of_level : windows)
+    reader.take(of_level.nodes, of_level.windows);
   return windows;
 }
 
-/** The files are read twice: once for each digit of the values of all levels. */
 FacesAround::Noise
 noiseOfWindows(const TiledCloud& cloud)
 {
-  static_assert(Selection<float>::passes == 2, "addAll() is called twice");
-  std::array<Selection<float>, FacesAround::levels> selections;
-  const auto addAll = [&] {
+  std::vector<Selection<float>> residuals(FacesAround::levels,
+                                          Selection<float>(FacesAround::rankOfNoise));
+  for (int pass = 0; pass < Selection<float>::passes; ++pass) {
     forEachTile(cloud, [&](std::size_t tile) {
       const FacesAround::Windows windows = takeWindows(cloud, tile);
       for (std::size_t level = 0; level < windows.size(); ++level)
         for (const FacesAround::Window& window : windows[level].windows)
-          selections[level].add(window.residual, 1);
+          residuals[level].add(window.residual);
     });
-  };
-  addAll();
-  for (Selection<float>& selection : selections)
-    if (selection.count() > 0)
-      selection.choose(FacesAround::rankOfNoise(selection.count()));
-  addAll();
+    for (Selection<float>& of_level : residuals)
+      of_level.endPass();
+  }
   FacesAround::Noise noise{};
   for (std::size_t level = 0; level < noise.size(); ++level)
-    if (selections[level].count() > 0) {
-      selections[level].endPass();
-      noise[level] = selections[level].value();
-    }
+    if (residuals[level].count() > 0)
+      noise[level] = residuals[level].value();
   return noise;
 }
 
@@ -173,51 +149,41 @@ facesName()
 Bytes
 toBytes(const TileFaces& faces)
 {
-  Bytes bytes;
-  put(faces.unknown, bytes);
-  putAll(faces.part.linked.pieces, bytes);
-  putAll(faces.part.linked.others, bytes);
-  putAll(faces.part.linked.link_begins, bytes);
-  putAll(faces.part.linked.links, bytes);
-  putAll(faces.part.piece_of_place, bytes);
-  putAll(faces.part.of_model, bytes);
-  putAll(faces.rows, bytes);
-  putAll(faces.places, bytes);
-  return bytes;
+  const pcl::LinkedPieces& linked = faces.part.linked;
+  return bytesOf(faces.unknown,
+                 linked.pieces,
+                 linked.others,
+                 linked.link_begins,
+                 linked.links,
+                 faces.part.piece_of_place,
+                 faces.part.of_model,
+                 faces.rows,
+                 faces.places);
 }
 
 FacesAround::Noise
-noiseOfFaces(TiledCloud& cloud,
-             const TiledNumbers& numbers,
-             double resolution,
-             unsigned threads)
+noiseOfFaces(const MeasuredCloud& cloud)
 {
-  cloud.runOnResults(windows_name, [&](std::size_t tile) {
-    return windowsOf(cloud, tile, numbers, resolution, threads);
-  });
-  return Json::parse(cloud.decide("noise_of_faces",
-                                  [&] { return Json(noiseOfWindows(cloud)).dump(); }));
+  cloud.tiles.runOnResults(windows_name,
+                           [&](std::size_t tile) { return windowsOf(cloud, tile); });
+  return Json::parse(cloud.tiles.decide(
+      "noise_of_faces", [&] { return Json(noiseOfWindows(cloud.tiles)).dump(); }));
 }
 
 TileSurfaces
-surfacesOf(const TiledCloud& cloud,
+surfacesOf(const MeasuredCloud& cloud,
            std::size_t tile,
            const TilePoints& points,
-           const TiledNumbers& numbers,
            const FacesAround::Noise& noise,
-           const std::string& instances,
-           double resolution,
-           unsigned threads)
+           const std::string& instances)
 {
-  const TilePlaces places = resolution > 0.0
-                                ? ownMeansOf(points, cloud.offset(), resolution)
-                                : ownMeasuredPlacesOf(cloud, tile, points, numbers);
-  TileFaces own = facesOf(cloud, tile);
+  const TilePlaces places = ownPlacesOf(cloud, tile, points);
+  TileFaces own = facesOf(cloud.tiles, tile);
   if (places.places->empty()) // the means of its voxels are of other tiles
     return {};
-  const auto faces = facesAround(cloud, tile, own.part, numbers, resolution, threads);
+  const auto faces = facesAround(cloud, tile, own.part);
   const pcl::ShapeField::ConstPtr field = fieldOf(
-      places, faces->likelihoods(places.view(), noise, takeWindows(cloud, tile)));
+      places, faces->likelihoods(places.view(), noise, takeWindows(cloud.tiles, tile)));
   SurfaceDetector detector;
   detector.setInputCloud(places.places);
   detector.setShapeField(field);

@@ -33,10 +33,7 @@ Bytes toBytes(const TileFaces& faces);
 
 /** \brief The noise of the whole cloud that windows of faces are compared with, at each
  * level. The windows of all tiles are measured, as far as that was not done before. */
-pcl::FacesAround::Noise noiseOfFaces(pcl::tiling::TiledCloud& cloud,
-                                     const TiledNumbers& numbers,
-                                     double resolution,
-                                     unsigned threads);
+pcl::FacesAround::Noise noiseOfFaces(const MeasuredCloud& cloud);
 
 /** \brief What the tile's own points get, or with a resolution its own means. */
 struct TileSurfaces {
@@ -49,13 +46,10 @@ struct TileSurfaces {
 };
 
 /** \param[in] instances the class of instances, or empty */
-TileSurfaces surfacesOf(const pcl::tiling::TiledCloud& cloud,
+TileSurfaces surfacesOf(const MeasuredCloud& cloud,
                         std::size_t tile,
                         const pcl::tiling::TilePoints& points,
-                        const TiledNumbers& numbers,
                         const pcl::FacesAround::Noise& noise,
-                        const std::string& instances,
-                        double resolution,
-                        unsigned threads);
+                        const std::string& instances);
 
 } // namespace pcl::app

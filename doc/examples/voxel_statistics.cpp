@@ -38,7 +38,7 @@ public:
   }
 
   void
-  read(const std::function<void(const Position*, std::size_t)>& use) const override
+  readSection(std::size_t, const Use& use) const override
   {
     std::mt19937 engine(1);
     const auto random = [&](double size) {

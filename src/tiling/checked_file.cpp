@@ -10,10 +10,9 @@
 #include <pcl/tiling/point_source.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <fcntl.h>
 #include <unistd.h>
+#include <utility>
 #include <zlib.h>
 
 #include <sys/stat.h>
@@ -22,100 +21,60 @@ namespace pcl::tiling {
 namespace {
 
 [[noreturn]] void
-fail(const std::string& path, const std::string& what, int error)
+fail(const std::string& path, const std::string& what, int error = errno)
 {
   throw TilingError(path + ": cannot be " + what + ": " + std::strerror(error));
 }
 
-/** A file descriptor that is closed in the end. */
-class File {
-public:
-  File(const std::string& path, int flags) : path_(path)
-  {
-    constexpr mode_t by_umask = 0666;
-    do
-      descriptor_ = ::open(path.c_str(), flags | O_CLOEXEC, by_umask);
-    while (descriptor_ < 0 && errno == EINTR);
-    if (descriptor_ < 0)
-      fail(path, (flags & O_ACCMODE) == O_RDONLY ? "read" : "written", errno);
-  }
-  ~File()
-  {
-    if (descriptor_ >= 0)
-      ::close(descriptor_);
-  }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
+void
+writeTo(std::FILE* file, const std::string& path, const void* data, std::size_t size)
+{
+  if (std::fwrite(data, 1, size, file) != size)
+    fail(path, "written");
+}
 
-  void
-  write(const void* data, std::size_t size)
-  {
-    const auto* from = static_cast<const char*>(data);
-    while (size > 0) {
-      const ssize_t written = ::write(descriptor_, from, size);
-      if (written < 0 && errno != EINTR)
-        fail(path_, "written", errno);
-      if (written > 0) {
-        from += written;
-        size -= static_cast<std::size_t>(written);
-      }
-    }
-  }
+void
+readFrom(std::FILE* file,
+         const std::string& path,
+         std::uint64_t at,
+         void* to,
+         std::size_t size)
+{
+  if (size == 0)
+    return;
+  if (::fseeko(file, static_cast<off_t>(at), SEEK_SET) != 0)
+    fail(path, "read");
+  const std::size_t got = std::fread(to, 1, size, file);
+  if (got < size && std::ferror(file) != 0)
+    fail(path, "read");
+  if (got < size)
+    throw TilingError(path + ": truncated: " + std::to_string(size - got) +
+                      " bytes are missing at its end");
+}
 
-  void
-  readAt(std::uint64_t at, void* to, std::size_t size)
-  {
-    auto* next = static_cast<char*>(to);
-    while (size > 0) {
-      const ssize_t got = ::pread(descriptor_, next, size, static_cast<off_t>(at));
-      if (got < 0 && errno != EINTR)
-        fail(path_, "read", errno);
-      if (got == 0)
-        throw TilingError(path_ + ": truncated: " + std::to_string(size) +
-                          " bytes are missing at its end");
-      if (got > 0) {
-        next += got;
-        at += static_cast<std::uint64_t>(got);
-        size -= static_cast<std::size_t>(got);
-      }
-    }
-  }
-
-  std::size_t
-  size() const
-  {
-    struct stat status {};
-    if (::fstat(descriptor_, &status) != 0)
-      fail(path_, "read", errno);
-    return static_cast<std::size_t>(status.st_size);
-  }
-
-  /** Some file systems report only here that the disk is full. The checksums detect
-   * what is lost if the machine is switched off. */
-  void
-  finish()
-  {
-    const int closed = ::close(descriptor_);
-    descriptor_ = -1;
-    if (closed != 0)
-      fail(path_, "written", errno);
-  }
-
-private:
-  std::string path_;
-  int descriptor_ = -1;
-};
+/** Some file systems report only here that the disk is full. The checksums detect what
+ * is lost if the machine is switched off. */
+void
+finish(File file, const std::string& path)
+{
+  if (std::fclose(file.release()) != 0)
+    fail(path, "written");
+}
 
 } // namespace
 
-std::uint32_t
-checksumOf(const void* data, std::size_t size)
+File
+openFile(const std::string& path, const std::string& mode)
 {
-  return checksumOf(0, data, size);
+  File file(std::fopen(path.c_str(), (mode + 'e').c_str()));
+  if (!file)
+    fail(path, mode == "r" ? "read" : "written");
+  std::setvbuf(file.get(), nullptr, _IONBF, 0);
+  return file;
 }
 
 std::uint32_t
-checksumOf(std::uint32_t before, const void* data, std::size_t size)
+checksumOf(const void* data, std::size_t size, std::uint32_t before)
 {
   return static_cast<std::uint32_t>(
       ::crc32_z(before, static_cast<const unsigned char*>(data), size));
@@ -129,65 +88,46 @@ toText(std::uint32_t checksum)
   return digits;
 }
 
-struct WholeFile::State {
-  explicit State(const std::string& at)
-  : path(at)
-  , temporary(at + '.' + std::to_string(::getpid()) + ".tmp")
-  , file(temporary, O_WRONLY | O_CREAT | O_TRUNC)
-  {}
-
-  std::string path, temporary;
-  File file;
-  std::uint64_t size = 0;
-  std::uint32_t checksum = 0;
-  bool is_committed = false;
-};
-
-WholeFile::WholeFile(const std::string& path) : state_(std::make_unique<State>(path)) {}
+WholeFile::WholeFile(const std::string& path)
+: path_(path)
+, temporary_(path + '.' + std::to_string(::getpid()) + ".tmp")
+, file_(openFile(temporary_, "w"))
+{}
 
 WholeFile::~WholeFile()
 {
-  if (!state_->is_committed)
-    ::unlink(state_->temporary.c_str());
+  if (!temporary_.empty())
+    ::unlink(temporary_.c_str());
 }
 
 void
 WholeFile::write(const void* data, std::size_t size)
 {
   if (size == 0)
-    return;
-  state_->file.write(data, size);
-  state_->size += size;
-  state_->checksum = checksumOf(state_->checksum, data, size);
+    return; // without data there may be no place, either
+  writeTo(file_.get(), temporary_, data, size);
+  size_ += size;
+  checksum_ = checksumOf(data, size, checksum_);
 }
 
 void
 WholeFile::commit()
 {
-  state_->file.finish();
-  if (std::rename(state_->temporary.c_str(), state_->path.c_str()) != 0)
-    fail(state_->path, "written", errno);
-  state_->is_committed = true;
-}
-
-std::uint64_t
-WholeFile::size() const
-{
-  return state_->size;
-}
-
-std::uint32_t
-WholeFile::checksum() const
-{
-  return state_->checksum;
+  finish(std::move(file_), temporary_);
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0)
+    fail(path_, "written");
+  temporary_.clear();
 }
 
 Bytes
 readWhole(const std::string& path)
 {
-  File file(path, O_RDONLY); // before its size is asked for: NFS remembers old ones
-  Bytes bytes(file.size());
-  file.readAt(0, bytes.data(), bytes.size());
+  const File file = openFile(path, "r"); // before its size is asked for: NFS remembers
+  struct stat status {};                 // old ones
+  if (::fstat(::fileno(file.get()), &status) != 0)
+    fail(path, "read");
+  Bytes bytes(static_cast<std::size_t>(status.st_size));
+  readFrom(file.get(), path, 0, bytes.data(), bytes.size());
   return bytes;
 }
 
@@ -202,15 +142,15 @@ failDamaged(const std::string& path)
 void
 readAt(const std::string& path, std::uint64_t at, void* to, std::size_t size)
 {
-  File(path, O_RDONLY).readAt(at, to, size);
+  readFrom(openFile(path, "r").get(), path, at, to, size);
 }
 
 void
 appendTo(const std::string& path, const void* data, std::size_t size)
 {
-  File file(path, O_WRONLY | O_CREAT | O_APPEND);
-  file.write(data, size);
-  file.finish();
+  File file = openFile(path, "a");
+  writeTo(file.get(), path, data, size);
+  finish(std::move(file), path);
 }
 
 std::int64_t

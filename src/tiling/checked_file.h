@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,13 +15,25 @@ namespace pcl::tiling {
 
 using Bytes = std::vector<std::uint8_t>;
 
-std::uint32_t checksumOf(const void* data, std::size_t size);
-
-/** \brief Of some bytes and those before them. \param[in] before their checksum */
-std::uint32_t checksumOf(std::uint32_t before, const void* data, std::size_t size);
+/** \param[in] before the checksum of the bytes before them, if there are any */
+std::uint32_t checksumOf(const void* data, std::size_t size, std::uint32_t before = 0);
 
 /** \brief Eight digits. */
 std::string toText(std::uint32_t checksum);
+
+struct CloseFile {
+  void
+  operator()(std::FILE* file) const
+  {
+    std::fclose(file);
+  }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+/** \brief Without a buffer: each file is read or written in a few large pieces.
+ * \param[in] mode of std::fopen(); programs that are started do not get the file
+ * \throws TilingError */
+File openFile(const std::string& path, const std::string& mode);
 
 /** \brief A file that is written beside its place from its beginning to its end, and
  * renamed then. All methods throw a TilingError. */
@@ -37,14 +50,24 @@ public:
   void commit();
 
   /** \brief How many bytes were written. */
-  std::uint64_t size() const;
+  std::uint64_t
+  size() const
+  {
+    return size_;
+  }
 
   /** \brief Of all bytes that were written. */
-  std::uint32_t checksum() const;
+  std::uint32_t
+  checksum() const
+  {
+    return checksum_;
+  }
 
 private:
-  struct State;
-  std::unique_ptr<State> state_;
+  std::string path_, temporary_;
+  File file_;
+  std::uint64_t size_ = 0;
+  std::uint32_t checksum_ = 0;
 };
 
 /** \throws TilingError */
@@ -62,14 +85,5 @@ void appendTo(const std::string& path, const void* data, std::size_t size);
 
 /** \brief -1 if there is no such file. */
 std::int64_t sizeOfFile(const std::string& path);
-
-/** \brief The data as bytes at the end. */
-template <typename T>
-void
-put(const T& value, Bytes& bytes)
-{
-  const auto* const from = reinterpret_cast<const std::uint8_t*>(&value);
-  bytes.insert(bytes.end(), from, from + sizeof(T));
-}
 
 } // namespace pcl::tiling

@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fcntl.h>
 #include <filesystem>
 #include <regex>
 #include <unistd.h>
@@ -26,16 +25,6 @@ namespace {
 
 const std::string manifest_name = "manifest.jsonl", lock_name = "lock";
 
-int
-openLock(const std::string& path)
-{
-  constexpr mode_t by_umask = 0666;
-  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, by_umask);
-  if (descriptor < 0)
-    throw TilingError(path + ": cannot be written: " + std::strerror(errno));
-  return descriptor;
-}
-
 /** A run that ends after the file was opened removes it: the lock is then on a file
  * that nobody else finds. */
 bool
@@ -49,15 +38,11 @@ isStillAt(const std::string& path, int descriptor)
 
 std::vector<fs::path>
 entriesOf(const std::string& directory)
-{
-  std::error_code error;
-  std::vector<fs::path> entries;
-  for (fs::directory_iterator entry(directory, error), end; !error && entry != end;
-       entry.increment(error))
-    entries.push_back(entry->path());
-  if (error)
-    throw TilingError(directory + ": cannot be read: " + error.message());
-  return entries;
+try {
+  return {fs::directory_iterator(directory), {}};
+}
+catch (const fs::filesystem_error& error) {
+  throw TilingError(directory + ": cannot be read: " + error.code().message());
 }
 
 bool
@@ -90,30 +75,44 @@ removeFile(const fs::path& path)
     throw TilingError(path.string() + ": cannot be removed: " + error.message());
 }
 
-enum class FileOfTile { none, complete, unfinished };
-
 /** By its name: 000012.bin, or 000012.bin.345.tmp while process 345 writes it. */
-FileOfTile
-kindOf(const fs::path& path)
+bool
+isOfTile(const fs::path& file)
 {
   static const std::regex names("[0-9]{6,}\\.bin(\\.[0-9]+\\.tmp)?");
-  std::smatch parts;
-  const std::string name = path.filename().string();
-  if (!std::regex_match(name, parts, names))
-    return FileOfTile::none;
-  return parts[1].matched ? FileOfTile::unfinished : FileOfTile::complete;
+  return std::regex_match(file.filename().string(), names);
 }
 
 void
 removeUnfinished(const std::string& directory)
 {
-  for (const fs::path& entry : entriesOf(directory)) {
-    std::error_code error;
-    if (!fs::is_directory(fs::symlink_status(entry, error)))
-      continue;
-    for (const fs::path& file : entriesOf(entry.string()))
-      if (kindOf(file) == FileOfTile::unfinished)
-        removeFile(file);
+  for (const fs::path& entry : entriesOf(directory))
+    if (std::error_code error; fs::is_directory(fs::symlink_status(entry, error)))
+      for (const fs::path& file : entriesOf(entry.string()))
+        if (isOfTile(file) && file.extension() == ".tmp")
+          removeFile(file);
+}
+
+/** Against other runs; the lock ends with the process. */
+File
+lockedFile(const std::string& path)
+{
+  const std::string directory = fs::path(path).parent_path().string();
+  // The processes of a run that was killed a moment ago may take that long to end.
+  constexpr int attempts = 20;
+  constexpr useconds_t pause = 100000; // microseconds
+  for (int attempt = 0;; ++attempt) {
+    File file = openFile(path, "a");
+    if (::flock(::fileno(file.get()), LOCK_EX | LOCK_NB) == 0) {
+      if (isStillAt(path, ::fileno(file.get())))
+        return file;
+    }
+    else if (errno != EWOULDBLOCK)
+      throw TilingError(directory + ": cannot be locked: " + std::strerror(errno));
+    file.reset();
+    if (attempt == attempts)
+      throw TilingError(directory + ": another run is using it; expected to be alone");
+    ::usleep(pause);
   }
 }
 
@@ -142,37 +141,11 @@ makeDirectory(const std::string& path)
     throw TilingError(path + ": cannot be made: " + error.message());
 }
 
-Lock::Lock(const std::string& path)
-{
-  const std::string directory = fs::path(path).parent_path().string();
-  // The processes of a run that was killed a moment ago may take that long to end.
-  constexpr int attempts = 20;
-  constexpr useconds_t pause = 100000; // microseconds
-  for (int attempt = 0;; ++attempt) {
-    descriptor_ = openLock(path);
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) {
-      if (isStillAt(path, descriptor_))
-        return;
-    }
-    else if (errno != EWOULDBLOCK) {
-      const int error = errno;
-      ::close(descriptor_);
-      throw TilingError(directory + ": cannot be locked: " + std::strerror(error));
-    }
-    ::close(descriptor_);
-    if (attempt == attempts)
-      throw TilingError(directory + ": another run is using it; expected to be alone");
-    ::usleep(pause);
-  }
-}
-
-Lock::~Lock() { ::close(descriptor_); }
-
 OwnDirectory::OwnDirectory(const std::string& path) : path_(path)
 {
   makeDirectory(path);
   requireOwn(path);
-  lock_.emplace(path + '/' + lock_name);
+  lock_ = lockedFile(path + '/' + lock_name);
   removeUnfinished(path);
 }
 
@@ -183,7 +156,7 @@ OwnDirectory::removeFilesOf(const std::string& name) const
   if (!isThere(directory))
     return;
   for (const fs::path& file : entriesOf(directory))
-    if (kindOf(file) != FileOfTile::none)
+    if (isOfTile(file))
       removeFile(file);
   removeFile(directory);
 }

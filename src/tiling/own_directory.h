@@ -4,8 +4,9 @@
 
 #pragma once
 
+#include "tiling/checked_file.h"
+
 #include <cstddef>
-#include <optional>
 #include <string>
 
 namespace pcl::tiling {
@@ -18,18 +19,6 @@ std::string manifestPath(const std::string& directory);
 
 /** \brief With its parents. \throws TilingError */
 void makeDirectory(const std::string& path);
-
-/** \brief Locks a file against other runs; the lock ends with the process. */
-class Lock {
-public:
-  explicit Lock(const std::string& path);
-  ~Lock();
-  Lock(const Lock&) = delete;
-  Lock& operator=(const Lock&) = delete;
-
-private:
-  int descriptor_ = -1;
-};
 
 /** \brief A directory with a manifest and one directory for each name of files; nothing
  * else in it is ever removed. All methods throw a TilingError. */
@@ -48,7 +37,7 @@ public:
 
 private:
   std::string path_;
-  std::optional<Lock> lock_;
+  File lock_;
 };
 
 } // namespace pcl::tiling

@@ -4,6 +4,7 @@
 
 #include "tiling/plan.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -42,30 +43,22 @@ Survey::ofSection(int exponent)
   // leave the cache. A million points are 32 in a cell then, and tiles have thousands.
   // Eight sections have as many cells as there may be of all.
   constexpr std::size_t max_cells = DensityCells::default_max_cells / 8;
-  return {max_cells, exponent};
+  return {DensityCells(max_cells, exponent)};
 }
 
 void
 Survey::add(const Position* points, std::size_t count, const Position& offset)
 {
-  constexpr std::size_t at_a_time = 1024;
   std::vector<float> of_finite;
-  of_finite.reserve(3 * at_a_time);
-  const auto addThese = [&] {
-    cells_.add(of_finite.data(), of_finite.size() / 3);
-    finite_ += of_finite.size() / 3;
-    of_finite.clear();
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::array<float, 3> floats = floatsOf(points[i], offset);
-    if (!isFinite(floats))
-      ++not_finite_;
-    else
+  of_finite.reserve(3 * count);
+  for (std::size_t i = 0; i < count; ++i)
+    if (const std::array<float, 3> floats = floatsOf(points[i], offset);
+        isFinite(floats))
       of_finite.insert(of_finite.end(), floats.begin(), floats.end());
-    if (of_finite.size() == 3 * at_a_time)
-      addThese();
-  }
-  addThese();
+  const std::size_t added = of_finite.size() / 3;
+  cells.add(of_finite.data(), added);
+  finite += added;
+  not_finite += count - added;
 }
 
 void
@@ -73,25 +66,24 @@ Survey::add(const Bytes& bytes)
 {
   SurveyHeader header;
   std::memcpy(&header, bytes.data(), sizeof header);
-  std::vector<Cell> cells(header.cells);
-  if (!cells.empty())
-    std::memcpy(
-        cells.data(), bytes.data() + sizeof header, cells.size() * sizeof cells[0]);
-  finite_ += header.finite;
-  not_finite_ += header.not_finite;
-  cells_.add(CellGrid{static_cast<int>(header.exponent)}, cells);
+  std::vector<Cell> of_bytes(header.cells);
+  std::copy(bytes.begin() + sizeof header,
+            bytes.end(),
+            reinterpret_cast<std::uint8_t*>(of_bytes.data()));
+  finite += header.finite;
+  not_finite += header.not_finite;
+  cells.add(CellGrid{static_cast<int>(header.exponent)}, of_bytes);
 }
 
 Bytes
 Survey::toBytes() const
 {
-  const std::vector<Cell> cells = cells_.counts().sorted();
-  const SurveyHeader header{finite_, not_finite_, cells.size(), cells_.grid().exponent};
-  Bytes bytes(sizeof header + cells.size() * sizeof(Cell));
+  const std::vector<Cell> sorted = cells.counts().sorted();
+  const SurveyHeader header{finite, not_finite, sorted.size(), cells.grid().exponent};
+  Bytes bytes(sizeof header + sorted.size() * sizeof(Cell));
   std::memcpy(bytes.data(), &header, sizeof header);
-  if (!cells.empty())
-    std::memcpy(
-        bytes.data() + sizeof header, cells.data(), cells.size() * sizeof(Cell));
+  const auto* const from = reinterpret_cast<const std::uint8_t*>(sorted.data());
+  std::copy_n(from, sorted.size() * sizeof(Cell), bytes.begin() + sizeof header);
   return bytes;
 }
 
@@ -101,17 +93,17 @@ planOf(const Survey& survey,
        std::uint64_t max_points,
        double max_edge)
 {
-  if (survey.finite() == 0)
-    throw TilingError("none of " + std::to_string(survey.notFinite()) +
+  if (survey.finite == 0)
+    throw TilingError("none of " + std::to_string(survey.not_finite) +
                       " points is finite; expected at least one");
   Plan plan{offset,
-            TileTree(survey.cells(), max_points, max_edge),
+            TileTree(survey.cells, max_points, max_edge),
             {},
-            survey.finite(),
-            survey.notFinite(),
-            survey.cells().typicalDistance()};
+            survey.finite,
+            survey.not_finite,
+            survey.cells.typicalDistance()};
   plan.points.resize(plan.tree.size());
-  for (const auto& [key, count] : survey.cells().counts().sorted())
+  for (const auto& [key, count] : survey.cells.counts().sorted())
     plan.points[plan.tree.tileOf(key)] += count;
   return plan;
 }
@@ -122,8 +114,7 @@ toJson(const Plan& plan)
   nlohmann::ordered_json nodes = nlohmann::ordered_json::array();
   for (const TileTree::Node& node : plan.tree.nodes())
     nodes.push_back({node.axis, node.cut, node.first, node.second});
-  return {{"event", "plan"},
-          {"offset", plan.offset},
+  return {{"offset", plan.offset},
           {"cell", plan.tree.grid().exponent},
           {"nodes", nodes},
           {"points", plan.points},

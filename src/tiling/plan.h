@@ -24,10 +24,9 @@ std::array<float, 3> floatsOf(const Position& point, const Position& offset);
 bool isFinite(const std::array<float, 3>& point);
 
 /** \brief How many points are where. Those of sections can be added in any order. */
-class Survey {
-public:
-  /** \brief Of all sections. */
-  Survey() = default;
+struct Survey {
+  DensityCells cells;
+  std::uint64_t finite = 0, not_finite = 0;
 
   /** \brief Of one section, in fewer cells. \param[in] exponent see DensityCells */
   static Survey ofSection(int exponent = DensityCells::min_exponent);
@@ -38,30 +37,6 @@ public:
   void add(const Bytes& bytes);
 
   Bytes toBytes() const;
-
-  const DensityCells&
-  cells() const
-  {
-    return cells_;
-  }
-
-  std::uint64_t
-  finite() const
-  {
-    return finite_;
-  }
-
-  std::uint64_t
-  notFinite() const
-  {
-    return not_finite_;
-  }
-
-private:
-  Survey(std::size_t max_cells, int exponent) : cells_(max_cells, exponent) {}
-
-  DensityCells cells_;
-  std::uint64_t finite_ = 0, not_finite_ = 0;
 };
 
 /** \brief How the sources are divided. */

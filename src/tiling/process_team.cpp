@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// One process, or several that are started for each run and get tasks through pipes.
+// One process, or several that are started for each run and get tasks through sockets.
 
 #include <pcl/tiling/point_source.h>
 #include <pcl/tiling/team.h>
@@ -14,33 +14,15 @@
 #include <cstring>
 #include <exception>
 #include <new>
-#include <optional>
 #include <poll.h>
 #include <unistd.h>
 
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 
 namespace pcl::tiling {
 namespace {
-
-struct Outcome {
-  std::string result, error;
-};
-
-Outcome
-outcomeOf(const Team::Work& work, std::size_t task)
-{
-  try {
-    return {work(task), {}};
-  }
-  catch (const std::bad_alloc&) {
-    return {{}, "not enough memory; use smaller tiles, or fewer processes"};
-  }
-  catch (const std::exception& error) {
-    return {{}, error.what()};
-  }
-}
 
 class Alone : public Team {
 public:
@@ -56,37 +38,35 @@ public:
   }
 };
 
-/** \return false if the other end is closed */
+/** \param[in] some sends or receives bytes from a place on, and says how many
+ * \return false if the other end is closed */
+template <typename Some>
 bool
-sendAll(int to, const void* data, std::size_t size)
+transferAll(std::size_t size, const Some& some)
 {
-  const auto* from = static_cast<const char*>(data);
-  while (size > 0) {
-    const ssize_t sent = ::write(to, from, size);
-    if (sent < 0 && errno == EINTR)
-      continue;
-    if (sent <= 0)
+  for (std::size_t at = 0; at < size;) {
+    const ssize_t done = some(at);
+    if (done == 0 || (done < 0 && errno != EINTR))
       return false;
-    from += sent;
-    size -= static_cast<std::size_t>(sent);
+    at += done > 0 ? static_cast<std::size_t>(done) : 0;
   }
   return true;
 }
 
 bool
+sendAll(int to, const void* data, std::size_t size)
+{
+  return transferAll(size, [&](std::size_t at) {
+    return ::send(to, static_cast<const char*>(data) + at, size - at, MSG_NOSIGNAL);
+  });
+}
+
+bool
 receiveAll(int from, void* data, std::size_t size)
 {
-  auto* to = static_cast<char*>(data);
-  while (size > 0) {
-    const ssize_t got = ::read(from, to, size);
-    if (got < 0 && errno == EINTR)
-      continue;
-    if (got <= 0)
-      return false;
-    to += got;
-    size -= static_cast<std::size_t>(got);
-  }
-  return true;
+  return transferAll(size, [&](std::size_t at) {
+    return ::recv(from, static_cast<char*>(data) + at, size - at, 0);
+  });
 }
 
 bool
@@ -111,63 +91,52 @@ class Worker {
 public:
   Worker(const Team::Work& work, const std::vector<std::unique_ptr<Worker>>& others)
   {
-    std::array<int, 2> down{}, up{};
-    if (::pipe(down.data()) != 0 || ::pipe(up.data()) != 0)
-      throw TilingError(std::string("no pipe to a process: ") + std::strerror(errno));
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+      throw TilingError(std::string("no socket to a process: ") + std::strerror(errno));
     const pid_t parent = ::getpid();
     process_ = ::fork();
     if (process_ < 0)
       throw TilingError(std::string("no further process: ") + std::strerror(errno));
-    if (process_ == 0) {
-      // Ends with the one that gives tasks, for nobody else would; a handler may remove
-      // what is unfinished.
-      ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-      for (const auto& other : others)
-        other->closePipes();
-      ::close(down[1]);
-      ::close(up[0]);
-      ::_exit(::getppid() == parent ? serve(work, down[0], up[1]) : EXIT_FAILURE);
-    }
-    ::close(down[0]);
-    ::close(up[1]);
-    tasks_ = down[1];
-    results_ = up[0];
+    socket_ = ends[process_ == 0];
+    ::close(ends[process_ != 0]);
+    if (process_ > 0)
+      return;
+    // Ends with the one that gives tasks, for nobody else would; a handler may remove
+    // what is unfinished.
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+    for (const auto& other : others)
+      ::close(other->socket_);
+    ::_exit(::getppid() == parent ? serve(work) : EXIT_FAILURE);
   }
 
   ~Worker()
   {
-    closePipes();
-    while (process_ > 0 && ::waitpid(process_, nullptr, 0) < 0 && errno == EINTR)
-      ;
+    ::close(socket_);
+    if (process_ > 0)
+      waitForItsEnd();
   }
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /** \return false if it has ended */
-  bool
-  give(std::size_t task)
+  /** That it has ended is noticed when its answer is taken. */
+  void
+  give(std::uint64_t task)
   {
     task_ = task;
-    const std::uint64_t number = task;
-    return sendAll(tasks_, &number, sizeof number);
-  }
-
-  bool
-  isBusy() const
-  {
-    return task_.has_value();
+    sendAll(socket_, &task, sizeof task);
   }
 
   std::size_t
   task() const
   {
-    return *task_;
+    return task_;
   }
 
   int
-  results() const
+  socket() const
   {
-    return results_;
+    return socket_;
   }
 
   /** Its answer about the task; without one it was killed. */
@@ -176,62 +145,41 @@ public:
   {
     Outcome outcome;
     is_alive =
-        receiveText(results_, outcome.result) && receiveText(results_, outcome.error);
-    if (!is_alive)
-      outcome.error = whyItEnded();
-    task_.reset();
+        receiveText(socket_, outcome.result) && receiveText(socket_, outcome.error);
+    if (is_alive)
+      return outcome;
+    const int status = waitForItsEnd();
+    outcome.error = "its process was ended";
+    if (WIFSIGNALED(status))
+      outcome.error += " by signal " + std::to_string(WTERMSIG(status));
     return outcome;
   }
 
 private:
-  static int
-  serve(const Team::Work& work, int tasks, int results)
+  int
+  serve(const Team::Work& work) const
   {
-    for (std::uint64_t task = 0; receiveAll(tasks, &task, sizeof task);) {
+    for (std::uint64_t task = 0; receiveAll(socket_, &task, sizeof task);) {
       const Outcome outcome = outcomeOf(work, task);
-      if (!sendText(results, outcome.result) || !sendText(results, outcome.error))
+      if (!sendText(socket_, outcome.result) || !sendText(socket_, outcome.error))
         return EXIT_FAILURE;
     }
     return EXIT_SUCCESS;
   }
 
-  std::string
-  whyItEnded()
+  int
+  waitForItsEnd()
   {
     int status = 0;
     while (::waitpid(process_, &status, 0) < 0 && errno == EINTR)
       ;
     process_ = -1;
-    return "its process was ended" +
-           (WIFSIGNALED(status) ? " by signal " + std::to_string(WTERMSIG(status))
-                                : std::string());
-  }
-
-  void
-  closePipes()
-  {
-    for (int* const end : {&tasks_, &results_})
-      if (*end >= 0) {
-        ::close(*end);
-        *end = -1;
-      }
+    return status;
   }
 
   pid_t process_ = -1;
-  int tasks_ = -1, results_ = -1;
-  std::optional<std::size_t> task_;
-};
-
-/** A pipe whose reader has ended gives an error instead of a signal. */
-class IgnoredPipeSignal {
-public:
-  IgnoredPipeSignal() : old_(std::signal(SIGPIPE, SIG_IGN)) {}
-  ~IgnoredPipeSignal() { std::signal(SIGPIPE, old_); }
-  IgnoredPipeSignal(const IgnoredPipeSignal&) = delete;
-  IgnoredPipeSignal& operator=(const IgnoredPipeSignal&) = delete;
-
-private:
-  void (*old_)(int);
+  int socket_ = -1;
+  std::size_t task_ = 0;
 };
 
 class Processes : public Team {
@@ -243,7 +191,6 @@ public:
       const Work& work,
       const Report& report) override
   {
-    const IgnoredPipeSignal ignored;
     std::vector<std::unique_ptr<Worker>> workers;
     for (std::size_t i = 0; i < std::min(count_, tasks.size()); ++i)
       workers.push_back(std::make_unique<Worker>(work, workers));
@@ -272,7 +219,7 @@ private:
   {
     std::vector<pollfd> ends;
     for (const auto& worker : workers)
-      ends.push_back({worker->results(), POLLIN, 0});
+      ends.push_back({worker->socket(), POLLIN, 0});
     while (::poll(ends.data(), ends.size(), -1) < 0)
       if (errno != EINTR)
         throw TilingError(std::string("waiting for processes: ") +
@@ -287,10 +234,18 @@ private:
 
 } // namespace
 
-std::unique_ptr<Team>
-makeTeam()
+Outcome
+outcomeOf(const Team::Work& work, std::size_t task)
 {
-  return std::make_unique<Alone>();
+  try {
+    return {work(task), {}};
+  }
+  catch (const std::bad_alloc&) {
+    return {{}, "not enough memory; use smaller tiles, or fewer processes"};
+  }
+  catch (const std::exception& error) {
+    return {{}, error.what()};
+  }
 }
 
 std::unique_ptr<Team>
@@ -298,7 +253,9 @@ makeTeam(std::size_t processes)
 {
   if (processes == 0)
     throw TilingError("0 processes; expected at least one");
-  return processes == 1 ? makeTeam() : std::make_unique<Processes>(processes);
+  if (processes == 1)
+    return std::make_unique<Alone>();
+  return std::make_unique<Processes>(processes);
 }
 
 } // namespace pcl::tiling

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 namespace pcl::tiling {
 namespace {
@@ -25,20 +26,6 @@ allOf(const Tasks& tasks)
     return tasks.sizes[a] > tasks.sizes[b];
   });
   return all;
-}
-
-/** Use a record, which may be in the form of another version. */
-template <typename Use>
-void
-useRecord(const std::string& directory, const Use& use)
-{
-  try {
-    use();
-  }
-  catch (const Manifest::Record::exception& error) {
-    throw TilingError(manifestPath(directory) + ": has an unknown record (" +
-                      error.what() + "); expected a manifest of this version");
-  }
 }
 
 } // namespace
@@ -63,7 +50,7 @@ Results::Results(const std::string& directory,
 }
 
 void
-Results::compute(const std::string& name, const Tasks& tasks, const Task& task)
+Results::compute(const std::string& name, const Tasks& tasks, const Team::Work& task)
 {
   team_.meet(); // before the first one adds files that others count as missing
   // What is missing is asked by each rank for itself, and file systems may answer
@@ -72,17 +59,9 @@ Results::compute(const std::string& name, const Tasks& tasks, const Task& task)
   if (!tasks.sizes.empty())
     makePlaceFor(name);
   std::string failure;
-  team_.run(
-      missing,
-      task,
-      [&](std::size_t number, const std::string& written, const std::string& error) {
-        if (error.empty())
-          complete(name, number, written);
-        else if (failure.empty())
-          failure =
-              name + " of " + tasks.kind + ' ' + std::to_string(number) + ": " + error;
-      });
-  refresh();
+  run(name, missing, task, [&](std::size_t number, const std::string& error) {
+    failure = name + " of " + tasks.kind + ' ' + std::to_string(number) + ": " + error;
+  });
   requireAll(name, tasks, failure);
 }
 
@@ -92,31 +71,42 @@ Results::computeAtOnce(const std::string& name,
                        const std::function<void(const Write& write)>& function)
 {
   team_.meet();
-  const bool is_missing = isMissing(name, tasks);
-  makePlaceFor(name);
-  std::string failure;
-  const auto work = [&](std::size_t) {
-    std::string all; // a line for each file
-    function([&](std::size_t number, const Bytes& bytes) {
-      all += std::to_string(number) + ' ' + write(name, number, bytes) + '\n';
-    });
-    return all;
-  };
-  team_.run(is_missing ? std::vector<std::size_t>{0} : std::vector<std::size_t>{},
-            work,
-            [&](std::size_t, const std::string& all, const std::string& error) {
-              failure = error;
-              std::istringstream lines(error.empty() ? all : std::string());
-              std::size_t number = 0;
-              for (std::string written;
-                   lines >> number && std::getline(lines, written);)
-                complete(name, number, written);
-            });
-  refresh();
+  std::vector<std::size_t> once;
   if (isMissing(name, tasks))
-    throw TilingError(failure.empty()
-                          ? name + " of some " + tasks.kind + "s were not written"
-                          : name + ": " + failure);
+    once.push_back(0);
+  makePlaceFor(name);
+  std::string failure = name + " of some " + tasks.kind + "s were not written";
+  const auto work = [&](std::size_t) {
+    std::string written;
+    function([&](std::size_t number, const Bytes& bytes) {
+      written += write(name, number, bytes);
+    });
+    return written;
+  };
+  run(name, once, work, [&](std::size_t, const std::string& error) {
+    failure = name + ": " + error;
+  });
+  if (isMissing(name, tasks))
+    throw TilingError(failure);
+}
+
+template <typename Fail>
+void
+Results::run(const std::string& name,
+             const std::vector<std::size_t>& numbers,
+             const Team::Work& work,
+             const Fail& fail)
+{
+  bool has_failed = false;
+  const auto report =
+      [&](std::size_t number, const std::string& written, const std::string& error) {
+        if (error.empty())
+          complete(name, written);
+        else if (!std::exchange(has_failed, true))
+          fail(number, error);
+      };
+  team_.run(numbers, work, report);
+  refresh();
 }
 
 std::string
@@ -127,7 +117,8 @@ Results::write(const std::string& name,
   WholeFile file(filePath(directory_, name, number));
   fill(file);
   file.commit();
-  return std::to_string(file.size()) + ' ' + toText(file.checksum());
+  return std::to_string(number) + ' ' + std::to_string(file.size()) + ' ' +
+         toText(file.checksum()) + '\n';
 }
 
 std::string
@@ -145,19 +136,19 @@ Results::makePlaceFor(const std::string& name)
 }
 
 void
-Results::complete(const std::string& name,
-                  std::size_t number,
-                  const std::string& written)
+Results::complete(const std::string& name, const std::string& written)
 {
+  std::istringstream words(written);
   Complete now;
-  std::istringstream(written) >> now.bytes >> now.check;
-  const Complete* const before = find(name, number);
-  if (!before || before->bytes != now.bytes || before->check != now.check)
-    add({{"event", "result"},
-         {"name", name},
-         {"number", number},
-         {"bytes", now.bytes},
-         {"check", now.check}});
+  for (std::size_t number = 0; words >> number >> now.bytes >> now.check;) {
+    const Complete* const before = find(name, number);
+    if (!before || before->bytes != now.bytes || before->check != now.check)
+      add({{"event", "result"},
+           {"name", name},
+           {"number", number},
+           {"bytes", now.bytes},
+           {"check", now.check}});
+  }
 }
 
 bool
@@ -170,16 +161,13 @@ void
 Results::check(const std::string& name, const Tasks& tasks)
 {
   std::string failure;
-  team_.run(
-      allOf(tasks),
-      [&](std::size_t number) {
-        read(name, number);
-        return std::string();
-      },
-      [&](std::size_t, const std::string&, const std::string& error) {
-        failure = failure.empty() ? error : failure;
-      });
-  team_.meet();
+  const auto work = [&](std::size_t number) {
+    read(name, number);
+    return std::string();
+  };
+  run(name, allOf(tasks), work, [&](std::size_t, const std::string& error) {
+    failure = error;
+  });
   if (!failure.empty())
     throw TilingError(failure);
   requireAll(name, tasks, failure); // what is damaged was removed
@@ -211,7 +199,7 @@ Results::copyTo(
   for (std::uint64_t at = 0; at < complete.bytes; at += bytes.size()) {
     bytes.resize(std::min(bytes_at_a_time, complete.bytes - at));
     readAt(path, at, bytes.data(), bytes.size());
-    checksum = checksumOf(checksum, bytes.data(), bytes.size());
+    checksum = checksumOf(bytes.data(), bytes.size(), checksum);
     sink(bytes.data(), bytes.size());
   }
   if (toText(checksum) != complete.check)
@@ -238,17 +226,24 @@ Results::removeAll()
   own_->remove();
 }
 
+std::optional<std::string>
+Results::decision(const std::string& name) const
+{
+  const auto found = decisions_.find(name);
+  return found == decisions_.end() ? std::nullopt : std::optional(found->second);
+}
+
 std::string
 Results::decide(const std::string& name, const std::function<std::string()>& find)
 {
-  if (!decisions_.count(name) && team_.isFirst())
+  if (!decision(name) && team_.isFirst())
     add({{"event", "decision"}, {"name", name}, {"value", find()}});
   refresh();
-  const auto found = decisions_.find(name);
-  if (found == decisions_.end())
+  const std::optional<std::string> found = decision(name);
+  if (!found)
     throw TilingError(directory_ + ": has no decision on " + name +
                       "; expected the first rank to write one");
-  return found->second;
+  return *found;
 }
 
 void
@@ -256,21 +251,6 @@ Results::add(const Record& record)
 {
   manifest_->add(record);
   take(record);
-}
-
-void
-Results::readLast(const std::string& event,
-                  const std::function<void(const Record& record)>& use) const
-{
-  const std::vector<Record>& records = manifest_->records();
-  useRecord(directory_, [&] {
-    const auto last =
-        std::find_if(records.rbegin(), records.rend(), [&](const Record& record) {
-          return record.at("event") == event;
-        });
-    if (last != records.rend())
-      use(*last);
-  });
 }
 
 void
@@ -303,10 +283,8 @@ Results::begin(const Record& now)
 void
 Results::readRecords()
 {
-  useRecord(directory_, [&] {
-    for (const Record& record : manifest_->records())
-      take(record);
-  });
+  for (const Record& record : manifest_->records())
+    take(record);
 }
 
 void

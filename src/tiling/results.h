@@ -45,11 +45,9 @@ public:
           const std::set<std::string>& names,
           Team& team);
 
-  /** \brief Writes the file of a task, and returns what write() has returned. */
-  using Task = std::function<std::string(std::size_t number)>;
-
-  /** \brief Compute the files of a name that are missing, the largest tasks first. */
-  void compute(const std::string& name, const Tasks& tasks, const Task& task);
+  /** \brief Compute the files of a name that are missing, the largest tasks first.
+   * \param[in] task returns what write() has returned */
+  void compute(const std::string& name, const Tasks& tasks, const Team::Work& task);
 
   /** \brief Takes the bytes of a task. */
   using Write = std::function<void(std::size_t number, const Bytes& bytes)>;
@@ -59,21 +57,12 @@ public:
                      const Tasks& tasks,
                      const std::function<void(const Write& write)>& function);
 
-  /** \brief Write a file. \return text of how many bytes it has and their checksum */
+  /** \brief Write a file. \return a line: its number, size and checksum */
   std::string write(const std::string& name,
                     std::size_t number,
                     const std::function<void(WholeFile& file)>& fill) const;
   std::string
   write(const std::string& name, std::size_t number, const Bytes& bytes) const;
-
-  /** \brief Make the place of files that the first process writes by itself. */
-  void makePlaceFor(const std::string& name);
-
-  /** \brief Records a file that the first process has written, unless the manifest has
-   * the same already: it may have been made anew. \param[in] written what write() has
-   * returned */
-  void
-  complete(const std::string& name, std::size_t number, const std::string& written);
 
   bool isMissing(const std::string& name, const Tasks& tasks) const;
 
@@ -97,15 +86,8 @@ public:
   /** \brief What the first process has found for a name. */
   std::string decide(const std::string& name, const std::function<std::string()>& find);
 
-  /** \brief Add a record of another kind, in the first process. */
-  void add(const Record& record);
-
-  /** \brief use() the last record of an event, if there is one. */
-  void readLast(const std::string& event,
-                const std::function<void(const Record& record)>& use) const;
-
-  /** \brief The ranks that do not write the manifest read it again. */
-  void refresh();
+  /** \brief What was found for a name, in this run or an earlier one. */
+  std::optional<std::string> decision(const std::string& name) const;
 
 private:
   /** A file that is complete. */
@@ -114,6 +96,20 @@ private:
     std::string check;
   };
 
+  /** Do tasks that return what write() has returned for each file; fail(number, error)
+   * for the first failure. */
+  template <typename Fail>
+  void run(const std::string& name,
+           const std::vector<std::size_t>& numbers,
+           const Team::Work& work,
+           const Fail& fail);
+  /** In the first process, unless the manifest has the same already: files may have
+   * been made anew. */
+  void complete(const std::string& name, const std::string& written);
+  void add(const Record& record);
+  void makePlaceFor(const std::string& name);
+  /** The ranks that do not write the manifest read it again. */
+  void refresh();
   void begin(const Record& now);
   void readRecords();
   void take(const Record& record);

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 namespace pcl::tiling {
 namespace {
@@ -35,62 +36,25 @@ constexpr double blocks_along = 24.0;   // edges: a border is a tenth of the til
 constexpr std::size_t cells_along = 25; // the last one has the farthest points
 constexpr std::size_t all_cells = cells_along * cells_along * cells_along;
 
-/** Cells of a box, numbered along x, y and z. */
-class Cells {
-public:
-  explicit Cells(const Box& box) : low_(box.low)
-  {
-    double edge = 0.0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      edge = std::max(edge, box.high[axis] - box.low[axis]);
-    scale_ = edge > 0.0 ? blocks_along / edge : 0.0;
-  }
-
-  std::uint16_t
-  of(const Position& p) const
-  {
+/** Of each point the cell of the tile's box, numbered along x, y and z. */
+std::vector<std::uint16_t>
+cellsOf(const std::vector<Position>& points)
+{
+  const Box box = Box::of(points);
+  double edge = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    edge = std::max(edge, box.high[axis] - box.low[axis]);
+  const double scale = edge > 0.0 ? blocks_along / edge : 0.0;
+  std::vector<std::uint16_t> cells;
+  cells.reserve(points.size());
+  for (const Position& p : points) {
     std::size_t cell = 0;
     for (std::size_t axis = 3; axis-- > 0;)
       cell = cell * cells_along +
-             static_cast<std::size_t>((p[axis] - low_[axis]) * scale_);
-    return static_cast<std::uint16_t>(cell);
+             static_cast<std::size_t>((p[axis] - box.low[axis]) * scale);
+    cells.push_back(static_cast<std::uint16_t>(cell));
   }
-
-private:
-  Position low_;
-  double scale_ = 0.0;
-};
-
-/** Those with points, in their order. */
-struct CellsWithPoints {
-  std::vector<std::uint16_t> of_point;
-  std::vector<std::uint16_t> number = std::vector<std::uint16_t>(all_cells);
-  std::vector<std::uint64_t> begins{0}; ///< and the end
-
-  std::size_t
-  size() const
-  {
-    return begins.size() - 1;
-  }
-};
-
-CellsWithPoints
-cellsOf(const std::vector<Position>& points)
-{
-  const Cells cells(Box::of(points));
-  CellsWithPoints found;
-  std::vector<std::uint64_t> counts(all_cells);
-  found.of_point.reserve(points.size());
-  for (const Position& p : points) {
-    found.of_point.push_back(cells.of(p));
-    ++counts[found.of_point.back()];
-  }
-  for (std::size_t cell = 0; cell < all_cells; ++cell)
-    if (counts[cell] > 0) {
-      found.number[cell] = static_cast<std::uint16_t>(found.size());
-      found.begins.push_back(found.begins.back() + counts[cell]);
-    }
-  return found;
+  return cells;
 }
 
 } // namespace
@@ -132,23 +96,33 @@ Bytes
 TileFile::encoded(const std::vector<Position>& points)
 {
   using Point = Entry<Coordinate>;
-  const CellsWithPoints cells = cellsOf(points);
-  std::vector<Block> blocks(cells.size());
-  const std::size_t begin = sizeof(Header) + blocks.size() * sizeof(Block);
+  const std::vector<std::uint16_t> cells = cellsOf(points);
+  std::vector<Block> blocks(all_cells);
+  for (const std::uint16_t cell : cells)
+    ++blocks[cell].size;
+  const auto isEmpty = [](const Block& block) { return block.size == 0; };
+  const auto empty = std::count_if(blocks.begin(), blocks.end(), isEmpty);
+  std::uint64_t before = 0;
+  for (Block& block : blocks) {
+    block.begin = before;
+    before += std::exchange(block.size, 0);
+  }
+  const std::size_t begin =
+      sizeof(Header) + (all_cells - static_cast<std::size_t>(empty)) * sizeof(Block);
   Bytes bytes(begin + points.size() * sizeof(Point));
   std::uint8_t* const data = bytes.data() + begin;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::size_t b = cells.number[cells.of_point[i]];
-    Block& block = blocks[b];
+    Block& block = blocks[cells[i]];
     const Box box{points[i], points[i]};
-    if (block.size == 0)
-      block = {box, cells.begins[b]};
+    if (isEmpty(block))
+      block.box = box;
     block.box.add(box);
     Point point{coordinatesAs<Coordinate>(points[i]), {}};
     point.place = static_cast<decltype(point.place)>(i);
     std::memcpy(
         data + (block.begin + block.size++) * sizeof point, &point, sizeof point);
   }
+  blocks.erase(std::remove_if(blocks.begin(), blocks.end(), isEmpty), blocks.end());
   for (Block& block : blocks)
     block.check =
         checksumOf(data + block.begin * sizeof(Point), block.size * sizeof(Point));

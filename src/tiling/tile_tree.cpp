@@ -221,12 +221,11 @@ CellCounts::sorted() const
 CellCounts
 CellCounts::coarser(int doublings) const
 {
-  const double share = powerOfTwo(-doublings);
-  const auto larger = [&](double key) { return wholeBelow(share * key); };
+  const CellGrid larger{doublings};
   CellCounts result(slots_.size());
   for (const auto& [key, count] : slots_)
     if (count > 0)
-      result.add({larger(key[0]), larger(key[1]), larger(key[2])}, count);
+      result.add(larger.keyOf(CellGrid{}, key), count);
   return result;
 }
 
@@ -292,7 +291,7 @@ DensityCells::typicalDistance() const
   if (counts_.size() < 2)
     return 0.0;
   CellCounts counts = counts_;
-  std::vector<Cell> cells = counts.sorted();
+  Cells cells = counts.sorted();
   const std::uint64_t all = countOf(cells.begin(), cells.end());
   CellGrid grid = grid_;
   const auto isCoarse = [&] {
@@ -300,16 +299,16 @@ DensityCells::typicalDistance() const
   };
   for (; !isCoarse(); ++grid.exponent)
     counts = counts.coarser(1);
-  std::vector<std::uint64_t> sorted;
-  for (const Cell& cell : counts.sorted())
-    sorted.push_back(cell.count);
-  std::sort(sorted.begin(), sorted.end());
+  cells = counts.sorted();
+  std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
+    return a.count < b.count;
+  });
   std::uint64_t before = 0;
-  for (const std::uint64_t count : sorted)
-    if (2 * (before += count) >= all)
-      // Of a surface that crosses the cell: a circle with so many points.
-      return grid.size() * std::sqrt(neighbors / (pi * static_cast<double>(count)));
-  return 0.0;
+  const auto middle = std::find_if(cells.begin(), cells.end(), [&](const Cell& cell) {
+    return 2 * (before += cell.count) >= all;
+  });
+  // Of a surface that crosses the cell: a circle with so many points.
+  return grid.size() * std::sqrt(neighbors / (pi * static_cast<double>(middle->count)));
 }
 
 TileTree::TileTree(const DensityCells& cells, std::uint64_t max_points, double max_edge)

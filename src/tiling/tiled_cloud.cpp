@@ -18,7 +18,7 @@
 namespace pcl::tiling {
 namespace {
 
-constexpr int format_version = 4;
+constexpr int format_version = 5;
 const std::string tiles_name = "tiles";
 // Of sections: their counts, their points by tile, and which rows of tiles these are.
 const std::string survey_name = "survey", sections_name = "sections",
@@ -76,17 +76,16 @@ struct TiledCloud::State {
   , sources(of_points)
   , sections(sectionsOf(of_points))
   , settings(how)
-  , team(of_processes)
   , results(in_directory, beginning(of_points, how), own_names, of_processes)
   {
-    readPlan();
+    if (const auto decided = results.decision(tiles_name))
+      setPlan(*decided);
   }
 
   void
-  readPlan()
+  setPlan(const std::string& decided)
   {
-    results.readLast(
-        "plan", [&](const Results::Record& record) { optional_plan = planOf(record); });
+    optional_plan = planOf(Results::Record::parse(decided));
   }
 
   const Plan&
@@ -123,15 +122,13 @@ struct TiledCloud::State {
     results.compute(survey_name, sectionTasks(), [&](std::size_t section) {
       return results.write(survey_name, section, surveyOf(section).toBytes());
     });
-    if (team.isFirst()) {
+    setPlan(results.decide(tiles_name, [&] {
       Survey all;
       for (std::size_t section = 0; section < sections.size(); ++section)
         all.add(results.read(survey_name, section));
-      results.add(
-          toJson(planOf(all, given_offset, settings.max_points, settings.max_edge)));
-    }
-    results.refresh();
-    readPlan();
+      return toJson(planOf(all, given_offset, settings.max_points, settings.max_edge))
+          .dump();
+    }));
   }
 
   /** The counts of a section in the smallest cells that are few enough. Most sections
@@ -147,9 +144,9 @@ struct TiledCloud::State {
       readParts(section, [&](const Position* points, std::size_t count) {
         survey.add(points, count, given_offset);
       });
-      if (!survey.cells().areSmallest())
+      if (!survey.cells.areSmallest())
         continue;
-      last_exponent = survey.cells().grid().exponent;
+      last_exponent = survey.cells.grid().exponent;
       return survey;
     }
   }
@@ -163,16 +160,6 @@ struct TiledCloud::State {
     sources[source]->readSection(number, use);
   }
 
-  /** use(point) for each point of a section. */
-  template <typename Use>
-  void
-  readSection(std::size_t section, const Use& use) const
-  {
-    readParts(section, [&](const Position* points, std::size_t count) {
-      std::for_each(points, points + count, use);
-    });
-  }
-
   /** The points of each section by tile, and which rows of the tiles they are. A rank
    * that misses nothing takes part too: others may see other files. */
   void
@@ -184,33 +171,33 @@ struct TiledCloud::State {
     results.compute(sections_name, tasks, [&](std::size_t section) {
       return results.write(sections_name, section, [&](WholeFile& file) {
         SectionWriter writer(file, plan().points.size());
-        readSection(section, [&](const Position& point) {
-          const std::array<float, 3> floats = floatsOf(point, offset());
-          if (isFinite(floats))
-            writer.add(point, plan().tree.tileOf(floats.data()));
+        readParts(section, [&](const Position* points, std::size_t count) {
+          for (const Position* point = points; point < points + count; ++point)
+            if (const auto floats = floatsOf(*point, offset()); isFinite(floats))
+              writer.add(*point, plan().tree.tileOf(floats.data()));
         });
         writer.finish();
       });
     });
-    if (is_needed && team.isFirst())
-      countRows();
-    results.refresh();
+    results.computeAtOnce(rows_name, sectionTasks(), [&](const Results::Write& write) {
+      countRows(write);
+    });
   }
 
   void
-  countRows()
+  countRows(const Results::Write& write) const
   {
-    results.makePlaceFor(rows_name);
     std::vector<std::uint64_t> next(plan().points.size());
     for (std::size_t section = 0; section < sections.size(); ++section) {
       const std::vector<std::uint64_t> counts = sectionFile(section).counts();
-      Bytes bytes;
+      std::vector<Rows> rows;
       for (std::size_t tile = 0; tile < counts.size(); ++tile)
         if (counts[tile] > 0) {
-          put(Rows{tile, next[tile], counts[tile]}, bytes);
+          rows.push_back({tile, next[tile], counts[tile]});
           next[tile] += counts[tile];
         }
-      results.complete(rows_name, section, results.write(rows_name, section, bytes));
+      const auto* const bytes = reinterpret_cast<const std::uint8_t*>(rows.data());
+      write(section, {bytes, bytes + rows.size() * sizeof(Rows)});
     }
     if (next != plan().points)
       throw TilingError(directory + ": the sources have other points than before; "
@@ -274,7 +261,6 @@ struct TiledCloud::State {
   Sources sources;
   std::vector<Section> sections;
   TileSettings settings;
-  Team& team;
   Results results;
   Position given_offset{};
   int last_exponent = DensityCells::min_exponent; ///< of the section surveyed last
@@ -473,6 +459,7 @@ TiledCloud::removeResult(const std::string& name)
 std::string
 TiledCloud::decide(const std::string& name, const std::function<std::string()>& find)
 {
+  requireFree(name);
   return state_->results.decide(name, find);
 }
 

@@ -304,19 +304,23 @@ TYPED_TEST(Selections, FindTheValueOfEachRank)
   std::vector<TypeParam> sorted = values;
   std::sort(sorted.begin(), sorted.end());
   for (std::size_t rank = 0; rank < values.size(); ++rank) {
-    Selection selection;
+    Selection selection([&](std::uint64_t count) {
+      EXPECT_EQ(count, values.size());
+      return rank;
+    });
     EXPECT_THROW(selection.value(), std::logic_error);
     for (int pass = 0; pass < Selection::passes; ++pass) {
       for (const TypeParam value : values)
-        selection.add(value, 1);
+        selection.add(value);
       EXPECT_EQ(selection.count(), values.size());
-      if (pass == 0)
-        selection.choose(rank);
-      else
-        selection.endPass();
+      selection.endPass();
     }
     EXPECT_EQ(selection.value(), sorted[rank]) << "rank " << rank;
   }
+  Selection of_nothing([](std::uint64_t count) { return count / 2; });
+  of_nothing.endPass();
+  EXPECT_EQ(of_nothing.count(), 0U);
+  EXPECT_THROW(of_nothing.value(), std::logic_error);
 }
 
 TEST_F(Tiles, RefuseAResolutionThatDoesNotFit)

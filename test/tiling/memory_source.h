@@ -39,13 +39,6 @@ public:
     return state_;
   }
 
-  void
-  read(const std::function<void(const Position*, std::size_t)>& use) const override
-  {
-    for (std::size_t section = 0; section < countSections(); ++section)
-      readSection(section, use);
-  }
-
   std::size_t
   countSections() const override
   {
@@ -53,9 +46,7 @@ public:
   }
 
   void
-  readSection(
-      std::size_t section,
-      const std::function<void(const Position*, std::size_t)>& use) const override
+  readSection(std::size_t section, const Use& use) const override
   {
     constexpr std::size_t at_a_time = 100;
     const std::size_t end = points_.size() * (section + 1) / countSections();

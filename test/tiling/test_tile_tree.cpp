@@ -109,11 +109,11 @@ TEST(Survey, SectionsHaveFewCellsAndTilesFewPointsAllTheSame)
   for (const auto& [begin, end] : {std::pair(0, 150000), std::pair(150000, 400000)}) {
     Survey section = Survey::ofSection();
     section.add(points.data() + begin, static_cast<std::size_t>(end - begin), {});
-    EXPECT_GT(section.cells().counts().size(), DensityCells::default_max_cells / 64);
-    EXPECT_LE(section.cells().counts().size(), DensityCells::default_max_cells / 8);
+    EXPECT_GT(section.cells.counts().size(), DensityCells::default_max_cells / 64);
+    EXPECT_LE(section.cells.counts().size(), DensityCells::default_max_cells / 8);
     all.add(section.toBytes());
   }
-  EXPECT_EQ(all.finite(), points.size());
+  EXPECT_EQ(all.finite, points.size());
   const Plan plan = planOf(all, {}, 20000, 0.0);
   for (const auto& [tile, count] : countsOf(plan.tree, points)) {
     EXPECT_LE(count, 20000U);

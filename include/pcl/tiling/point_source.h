@@ -37,12 +37,6 @@ public:
   /** \brief Text that changes when the cloud does, such as its size and date. */
   virtual std::string state() const = 0;
 
-  /** \brief Gives all points in their order, in batches. It is called several times and
-   * must give the same points each time. */
-  virtual void
-  read(const std::function<void(const Position* points, std::size_t count)>& use)
-      const = 0;
-
   /** \brief In how many sections the cloud can be read, at the same time by several
    * processes: always the same number, at least one. */
   virtual std::size_t
@@ -51,18 +45,13 @@ public:
     return 1;
   }
 
-  /** \brief Gives the points of a section as read() does. Those of all sections, one
-   * after the other, are the points of the cloud in their order. */
-  virtual void
-  readSection(
-      std::size_t section,
-      const std::function<void(const Position* points, std::size_t count)>& use) const
-  {
-    if (section > 0)
-      throw TilingError(name() + ": has no section " + std::to_string(section) +
-                        "; expected readSection() to go with countSections()");
-    read(use);
-  }
+  /** \brief Takes some points at a time. */
+  using Use = std::function<void(const Position* points, std::size_t count)>;
+
+  /** \brief Gives the points of a section, the same each time. Those of all sections,
+   * one after the other, are the cloud in its order. \param[in] section from 0 to
+   * countSections() - 1 \param[in] use takes them */
+  virtual void readSection(std::size_t section, const Use& use) const = 0;
 };
 
 } // namespace pcl::tiling

@@ -50,11 +50,18 @@ public:
   {}
 };
 
-/** \brief This process alone. */
-std::unique_ptr<Team> makeTeam();
+/** \brief How a task has ended. */
+struct Outcome {
+  std::string result; ///< what the work has returned
+  std::string error;  ///< empty if there was none
+};
 
-/** \brief Processes that are started for each run. If one is killed, its task fails.
- * The caller must not have used OpenMP before. */
-std::unique_ptr<Team> makeTeam(std::size_t processes);
+/** \brief Do a task, for classes of teams. \param[in] work to be done \param[in] task
+ * its number \return an exception as an error */
+Outcome outcomeOf(const Team::Work& work, std::size_t task);
+
+/** \brief One process, this one, or more that are started for each run. If one is
+ * killed, its task fails. To start some the caller must not have used OpenMP before. */
+std::unique_ptr<Team> makeTeam(std::size_t processes = 1);
 
 } // namespace pcl::tiling
