@@ -20,7 +20,6 @@ namespace pcl::detail {
 namespace {
 
 using namespace segmentation;
-using Eigen::Vector3f;
 
 // The radii of the default edge model, which has these factors, too.
 constexpr double normal_radius = 1.2, normal_radius_noise = 10.0;
@@ -205,7 +204,7 @@ noiseLevelOf(const Neighborhoods& neighborhoods,
   };
   const NoiseLevel level = levelOf(noise, flattest);
   const double thickness =
-      level.level > 0.0 ? plateThickness(neighborhoods, spacings) : 0.0;
+      level.level > 0.0 ? plateThickness(neighborhoods, spacings, threads) : 0.0;
   return thickness > 0.0 ? withinPlates(level, thickness) : level;
 }
 

@@ -4,6 +4,7 @@
 
 #include "features/normal_scatter.h"
 
+#include "common/gathered.h"
 #include "common/statistics.h"
 #include "features/local_spacing.h"
 

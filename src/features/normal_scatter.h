@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "features/part_noise.h"
+#include "features/points_near.h"
 #include "geometry/point_grid.h"
 
 #include <pcl/types.h>

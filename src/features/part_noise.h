@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "common/gathered.h"
+#include "features/points_near.h"
 
 #include <pcl/features/cloud_numbers.h>
 #include <pcl/features/xyz_view.h>
@@ -22,42 +22,6 @@ namespace pcl::detail {
 /** \throws std::invalid_argument unless there is one for each place
  * \param[in] what there is, e.g. "distances" */
 void requireOneEach(std::size_t places, std::size_t count, const std::string& what);
-
-/** \brief The points within a distance of some of them, and others. */
-class PointsNear {
-public:
-  /** \param[in] some ascending, finite
-   * \param[in] cells in the distance: the more, the fewer others */
-  PointsNear(const XYZView& points,
-             const pcl::Indices& some,
-             double reach,
-             int cells,
-             unsigned threads);
-
-  XYZView
-  view() const
-  {
-    return viewOfPositions(positions_);
-  }
-
-  /** \brief Which ones they are. */
-  const pcl::Indices&
-  indices() const
-  {
-    return indices_;
-  }
-
-  /** \brief Where those that were given are in view(). */
-  const pcl::Indices&
-  some() const
-  {
-    return some_;
-  }
-
-private:
-  pcl::Indices indices_, some_;
-  std::vector<float> positions_;
-};
 
 /** \brief How local spacings are found. */
 struct SpacingsOfPart {

@@ -70,7 +70,7 @@ public:
     const std::vector<float> of_points =
         NormalScatter(neighborhoods_, spacings_, chosen_, radius / spacing_, threads_)(
             normal_radius, radius / spacing_);
-    double all = 0.0, bends = 0.0;
+    std::int64_t all = 0, bends = 0;
     pcl::Indices on_steps;
     for (std::size_t k = 0; k < chosen_.size(); ++k) {
       if (!std::isfinite(of_means[k]) || !std::isfinite(of_points[k]))
@@ -82,31 +82,37 @@ public:
       if (of_points[k] < parallel * of_means[k])
         on_steps.push_back(chosen_[k]);
     }
-    const double on = areaOf(on_steps);
-    if (!(on > 0.0 && 4.0 * on >= all && 2.0 * on >= bends))
+    const std::int64_t on = areaOf(on_steps);
+    if (on == 0 || 4 * on < all || 2 * on < bends)
       return false;
-    const std::vector<float> thicknesses = thicknessesAt(
-        on_steps, neighborhoods_, spacings_, static_cast<float>(normal_reach * radius));
-    double thick = 0.0;
+    const std::vector<float> thicknesses =
+        thicknessesAt(on_steps,
+                      neighborhoods_,
+                      spacings_,
+                      static_cast<float>(normal_reach * radius),
+                      threads_);
+    std::int64_t thick = 0;
     for (std::size_t k = 0; k < on_steps.size(); ++k)
-      thick += thicknesses[k] > 0.0f ? areaOf(on_steps[k]) : 0.0;
-    return 3.0 * thick <= 2.0 * on;
+      thick += thicknesses[k] > 0.0f ? areaOf(on_steps[k]) : 0;
+    return 3 * thick <= 2 * on;
   }
 
 private:
-  /** What a point stands for. */
-  double
+  /** What a point stands for, in thousandths of a square of the cloud's spacing: sums
+   * of whole numbers do not depend on the order. */
+  std::int64_t
   areaOf(pcl::index_t point) const
   {
-    const auto spacing =
-        static_cast<double>(spacings_[static_cast<std::size_t>(point)]);
-    return spacing * spacing;
+    constexpr double parts = 1000.0;
+    const double spacings =
+        static_cast<double>(spacings_[static_cast<std::size_t>(point)]) / spacing_;
+    return std::llround(parts * spacings * spacings);
   }
 
-  double
+  std::int64_t
   areaOf(const pcl::Indices& points) const
   {
-    double area = 0.0;
+    std::int64_t area = 0;
     for (const pcl::index_t i : points)
       area += areaOf(i);
     return area;

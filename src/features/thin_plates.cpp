@@ -7,7 +7,7 @@
 #include "common/gathered.h"
 #include "common/statistics.h"
 #include "features/local_spacing.h"
-#include "features/part_noise.h"
+#include "features/points_near.h"
 #include "features/some_points.h"
 #include "geometry/point_grid.h"
 
@@ -36,6 +36,8 @@ thicknessAt(const Vector3f& place,
             const XYZView& points,
             const PointGrid& grid)
 {
+  if (!normal.allFinite())
+    return 0.0f;
   std::size_t own = 0;
   std::vector<float> others;
   grid.forEachWithin(place, reach, [&](std::uint32_t i, float squared) {
@@ -56,12 +58,12 @@ std::vector<float>
 thicknessesAt(const pcl::Indices& chosen,
               const Neighborhoods& neighborhoods,
               const std::vector<float>& spacings,
-              float reach)
+              float reach,
+              unsigned threads)
 {
   const std::vector<float> normals = normalsWithCurvature(
       neighborhoods.among(chosen), times(normal_radius, gathered(spacings, chosen)));
   constexpr int cells = 1;
-  constexpr unsigned threads = 1;
   const PointsNear near(
       neighborhoods.input(), chosen, static_cast<double>(reach), cells, threads);
   const PointGrid grid(near.view(), reach);
@@ -78,12 +80,15 @@ thicknessesAt(const pcl::Indices& chosen,
 }
 
 double
-plateThickness(const Neighborhoods& neighborhoods, const std::vector<float>& spacings)
+plateThickness(const Neighborhoods& neighborhoods,
+               const std::vector<float>& spacings,
+               unsigned threads)
 {
   const pcl::Indices chosen = somePoints(neighborhoods.input(), some);
   // Farther away the other side is in few neighborhoods.
   const float reach = 3.0f * medianSpacing(spacings);
-  std::vector<float> thick = thicknessesAt(chosen, neighborhoods, spacings, reach);
+  std::vector<float> thick =
+      thicknessesAt(chosen, neighborhoods, spacings, reach, threads);
   thick.erase(std::remove(thick.begin(), thick.end(), 0.0f), thick.end());
   return 3 * thick.size() > 2 * chosen.size()
              ? static_cast<double>(median(std::move(thick)))

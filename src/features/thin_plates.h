@@ -12,19 +12,22 @@
 namespace pcl::detail {
 
 /** \brief For each of some points of a cloud, how far straight above or below it the
- * points of another surface are, in its spacing; 0 if there is none, or if there are
- * less than half as many of them as around the point.
- * \param[in] neighborhoods of all points of the cloud among themselves
- * \param[in] spacings one for each point \param[in] chosen ascending
- * \param[in] reach how far the other surface may be, meters */
+ * points of another surface are, in its local spacing; 0 if there is none, or if there
+ * are less than half as many of them as around the point. \param[in] neighborhoods of
+ * all points of the cloud among themselves \param[in] spacings one for each point
+ * \param[in] chosen ascending \param[in] reach how far the other surface may be, meters
+ */
 std::vector<float> thicknessesAt(const pcl::Indices& chosen,
                                  const Neighborhoods& neighborhoods,
                                  const std::vector<float>& spacings,
-                                 float reach);
+                                 float reach,
+                                 unsigned threads);
 
-/** \brief The thickness of a cloud of thin plates, in spacings: the middle one, if two
- * thirds of some points have another side within three spacings; else 0. */
-double plateThickness(const Neighborhoods& neighborhoods,
-                      const std::vector<float>& spacings);
+/** \brief The thickness of a cloud of thin plates, in local spacings (about two mean
+ * distances of points each): the middle one, if two thirds of some points have another
+ * side within three of them; else 0. */
+PCL_SHAPE_EXPORTS double plateThickness(const Neighborhoods& neighborhoods,
+                                        const std::vector<float>& spacings,
+                                        unsigned threads);
 
 } // namespace pcl::detail

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace {
 
@@ -107,6 +108,18 @@ TEST(SensorSteps, AreSeenIfTheyAreWiderThanNeighborhoods)
   }
   EXPECT_GT(static_cast<double>(near), 0.98 * static_cast<double>(edges));
   EXPECT_GT(static_cast<double>(found), 0.9 * static_cast<double>(on_crease));
+}
+
+TEST(SensorSteps, ThatAreWideAreSeenInAnyOrder)
+{
+  const auto cloud = corner(0.00287);
+  const auto reversed = make_shared<Cloud>(*cloud);
+  std::reverse(reversed->begin(), reversed->end());
+  const ShapeField field = edgeFieldOf(cloud), other = edgeFieldOf(reversed);
+  EXPECT_EQ(field.resolution, other.resolution);
+  std::vector<float> likelihood = other.edge_likelihood;
+  std::reverse(likelihood.begin(), likelihood.end());
+  EXPECT_TRUE(sameBits(field.edge_likelihood, likelihood));
 }
 
 TEST(SensorSteps, AreNotSeenOnWallsWithoutThem)
