@@ -203,8 +203,9 @@ sourcesOf(const std::vector<std::string>& inputs, const Arguments& arguments)
         std::make_shared<const CloudSource>(input, floatsOfBin(arguments)));
     if (sources.back()->stream().isInMemory())
       logLine(arguments.app() + ": " + input +
-              ": warning: is read as a whole, since it is compressed or has lists; "
-              "expected memory for it");
+              ": warning: is read as a whole, as .bin, compressed PCD and PLY with "
+              "lists, a camera, a range_grid, big-endian numbers or elements before "
+              "the vertices are; expected memory for it");
   }
   return sources;
 }

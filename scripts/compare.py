@@ -2,7 +2,8 @@
 """Compare with other methods on generated scenes, and write the tables of doc/.
 
 Usage: scripts/compare.py grasps|ground|instances|keypoints BUILD_DIR [CLOUD.pcd ...] [OPTION ...]
-Clouds and options are those of BUILD_DIR/benchmarks/compare_grasps and so on. RESULTS: keep the results in this file, or
+Clouds and options are those of BUILD_DIR/benchmarks/compare_grasps and so on; an option replaces the usual one only as
+words of its own (-threads N, not -threads=N). RESULTS: keep the results in this file, or
 make the tables of them if it is there. ROOT: of the pages to write (the repository). A table stands between
 <!-- begin NAME --> and <!-- end NAME -->.
 """

@@ -7,10 +7,10 @@ Usage: scripts/measure_tiles.py BUILD_DIR [-what memory,scaling,identity,faults]
            [-scene landscape|room|street|sheet] [-points N] [-files N] [-tile L]
            [-options="-edges -types"] [-memory M] [-mpi] [-runs N | -only K,...]
            [-kills N] [-whole N]
-A generated landscape of about N points (scripts/tile_scenes.py, needs NumPy) is written into
-strips in a temporary directory, where there must be room for some 120 bytes a point; or
-another scene. Tables in Markdown go to standard output. Times are
-of the processor, so that other programs on the machine count little.
+A scene of about N points (scripts/tile_scenes.py, needs NumPy; a landscape unless -scene
+names another) is written into strips in a temporary directory, where there must be room
+for some 120 bytes a point. Tables in Markdown go to standard output. Times are of the
+processor, so that other programs on the machine count little.
 
 memory    runs one process, and the same options in memory: on one strip, or with
           -whole N on a landscape of about N points

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <set>
 
 namespace fs = std::filesystem;
 
@@ -240,6 +241,11 @@ checkCloudOutput(const Arguments& arguments, const std::string& output)
     throw UsageError("output '" + output +
                      "' is of KITTI's format, which has no fields; expected .pcd or "
                      ".ply");
+  static const std::set<std::string> others{
+      ".csv", ".e57", ".las", ".laz", ".obj", ".pts", ".stl", ".txt", ".xyz"};
+  if (others.count(endingOf(output)) > 0)
+    throw UsageError("output '" + output +
+                     "' has the ending of another format; expected .pcd or .ply");
 }
 
 void

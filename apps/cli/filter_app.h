@@ -71,7 +71,8 @@ void checkOutputPath(const Arguments& arguments,
 /** \brief Throws if one of the files to write is the -model file. */
 void checkOutputs(const Arguments& arguments, const std::vector<std::string>& outputs);
 
-/** \brief The same for one cloud; also throws if its ending is KITTI's .bin. */
+/** \brief The same for one cloud; also throws if its ending is KITTI's .bin, or
+ * known as that of another format. */
 void checkCloudOutput(const Arguments& arguments, const std::string& output);
 
 /** \brief Make the output and the -json file appear, once both are written. */

@@ -26,7 +26,7 @@ givenOffset(const Arguments& arguments)
 }
 
 bool
-hasDoubles(const CloudFile& cloud)
+exceedFloats(const CloudFile& cloud)
 {
   for (const char* const name : {"x", "y", "z"})
     if (const pcl::PCLPointField* const field = findField(cloud, name);
@@ -117,10 +117,10 @@ chooseOffset(const Arguments& arguments, CloudFile& cloud, Report& report)
   if (!findField(cloud, "x") || !findField(cloud, "y") || !findField(cloud, "z"))
     return; // refused where the points are needed
   const auto given = givenOffset(arguments);
-  const bool has_doubles = hasDoubles(cloud);
+  const bool exceed_floats = exceedFloats(cloud);
   if (given)
     cloud.offset = *given;
-  else if (has_doubles)
+  else if (exceed_floats)
     cloud.offset = pcl::coordinateOffset(coordinatesOf(cloud));
   const bool has_offset = cloud.offset != std::array<double, 3>{};
   if (has_offset && !given) {
@@ -129,9 +129,9 @@ chooseOffset(const Arguments& arguments, CloudFile& cloud, Report& report)
     cloud.is_view_known = v[0] != 0.0f || v[1] != 0.0f || v[2] != 0.0f;
   }
   logOffset(arguments, cloud.path, cloud.offset);
-  if (given || has_doubles)
+  if (given || exceed_floats)
     report.setJson("parameters", "offset", cloud.offset);
-  if (!has_doubles || given)
+  if (!exceed_floats || given)
     warnOfRounding(arguments, cloud);
 }
 

@@ -22,7 +22,7 @@ std::optional<std::array<double, 3>> givenOffset(const Arguments& arguments);
 
 /** \brief Whether a coordinate has more digits than float: doubles, and integers of 32
  * bits or more. */
-bool hasDoubles(const CloudFile& cloud);
+bool exceedFloats(const CloudFile& cloud);
 
 /** \brief Throws a UsageError for what is wrong with these options. */
 void checkInputOptions(const Arguments& arguments);

@@ -110,8 +110,8 @@ HeaderLines::add(std::string_view line, std::size_t number)
   if (!is_keyword && lines_.empty())
     fail(path_,
          where + "begins with " + inQuotes(words.front()),
-         "a PCD file, which begins with VERSION or FIELDS, a PLY file, or KITTI's with "
-         "the ending .bin or -floats");
+         "a PCD file, which begins with VERSION or FIELDS, a PLY file with the ending "
+         ".ply, or KITTI's with the ending .bin or -floats");
   if (!is_keyword)
     fail(path_,
          where + "begins with " + inQuotes(words.front()),

@@ -501,16 +501,21 @@ public:
     });
   }
 
-  /** Where there is a position it is the viewpoint's, where there are axes likewise. */
+  /** Where there is a position it is the viewpoint's, where there are axes likewise. A
+   * size counts if it is that of the image. */
   void
-  apply(Header& header) const
+  apply(Header& header, std::size_t pixels) const
   {
     CloudFile& cloud = header.cloud;
     constexpr float max_side = 1 << 24; // of whole numbers that float holds
     if (values_[12] > 0.0f && values_[13] > 1.0f &&
         values_.tail<2>().maxCoeff() < max_side) {
-      header.columns = static_cast<std::uint32_t>(values_[12]);
-      header.rows = static_cast<std::uint32_t>(values_[13]);
+      const auto columns = static_cast<std::uint32_t>(values_[12]);
+      const auto rows = static_cast<std::uint32_t>(values_[13]);
+      if (std::uint64_t{columns} * rows == pixels) {
+        header.columns = columns;
+        header.rows = rows;
+      }
     }
     if (values_.segment<3>(9).allFinite())
       std::copy(values_.data() + 9, values_.data() + 12, cloud.viewpoint.begin());
@@ -544,15 +549,21 @@ takeGrid(const CloudFile& cloud, const Element& element, Body& body)
   Grid grid;
   std::optional<std::uint64_t> vertex; // the first of a pixel's list
   const auto use = [&](const InProperty& property, const std::uint8_t* bytes) {
-    const double number = visitType(property.datatype, [&](auto value) {
+    if (!property.count_type)
+      return;
+    visitType(property.datatype, [&](auto value) {
       std::memcpy(&value, bytes, sizeof(value));
-      return static_cast<double>(value);
+      const auto number = static_cast<double>(value);
+      if (!(number >= 0.0 && number < static_cast<double>(cloud.size()) &&
+            number == std::trunc(number))) {
+        std::string problem = "range_grid has the vertex ";
+        appendNumber(value, problem);
+        fail(cloud.path,
+             problem,
+             "a whole number from 0 to " + std::to_string(cloud.size() - 1));
+      }
+      vertex = vertex.value_or(static_cast<std::uint64_t>(number));
     });
-    if (!(number >= 0.0 && number < static_cast<double>(cloud.size())))
-      fail(cloud.path,
-           "range_grid has the vertex " + std::to_string(number),
-           "0 or more, and less than " + std::to_string(cloud.size()));
-    vertex = vertex.value_or(static_cast<std::uint64_t>(number));
   };
   takeElement(cloud, element, body, use, [&] {
     grid.push_back(std::exchange(vertex, std::nullopt));
@@ -560,14 +571,21 @@ takeGrid(const CloudFile& cloud, const Element& element, Body& body)
   return grid;
 }
 
-/** As PCL fills an image: where there is no vertex, floats are NaN and others 0. */
+/** As PCL fills an image: where there is no vertex, floats are NaN and others 0. It
+ * leaves the vertices alone if the pixels are as many. */
 void
 fillImage(Header& header, const Grid& grid)
 {
   pcl::PCLPointCloud2& blob = header.cloud.blob;
-  if (grid.empty() || std::uint64_t{header.columns} * header.rows != grid.size() ||
-      grid.size() > max_points || grid.size() * blob.point_step > max_bytes)
+  const bool fits = std::uint64_t{header.columns} * header.rows == grid.size();
+  if (grid.empty() || (!fits && grid.size() == header.cloud.size()))
     return;
+  if (!fits || grid.size() > max_points || grid.size() * blob.point_step > max_bytes)
+    fail(header.cloud.path,
+         "range_grid has " + std::to_string(grid.size()) + " pixels of " +
+             std::to_string(blob.point_step) + " bytes",
+         "as many as num_cols times num_rows, " + std::to_string(header.columns) +
+             " times " + std::to_string(header.rows) + ", and less than 4 GiB");
   std::vector<std::uint8_t> empty(blob.point_step, 0), data;
   for (const pcl::PCLPointField& field : blob.fields)
     visitType(field.datatype, [&](auto value) {
@@ -576,6 +594,7 @@ fillImage(Header& header, const Grid& grid)
         std::memcpy(empty.data() + field.offset, &value, sizeof(value));
       }
     });
+  data.reserve(grid.size() * blob.point_step);
   for (const std::optional<std::uint64_t>& vertex : grid) {
     const std::uint8_t* const from =
         vertex ? blob.data.data() + *vertex * blob.point_step : empty.data();
@@ -623,7 +642,7 @@ takeElements(Header& header, Body& body)
       takeElement(header.cloud, *element, body, use);
     }
   }
-  camera.apply(header);
+  camera.apply(header, grid.empty() ? header.cloud.size() : grid.size());
   fillImage(header, grid);
   setLayout(header);
 }

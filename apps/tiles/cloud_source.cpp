@@ -110,11 +110,11 @@ boxOf(const CloudSources& sources, const std::array<double, 3>& offset)
 std::array<double, 3>
 offsetOf(const CloudSources& sources)
 {
-  const bool has_doubles =
+  const bool exceed_floats =
       std::any_of(sources.begin(), sources.end(), [](const auto& source) {
-        return hasDoubles(source->stream().description());
+        return exceedFloats(source->stream().description());
       });
-  return has_doubles ? pcl::coordinateOffset(scaleOf(sources)) : Position{};
+  return exceed_floats ? pcl::coordinateOffset(scaleOf(sources)) : Position{};
 }
 
 } // namespace pcl::app

@@ -10,7 +10,7 @@
 
 namespace pcl::app {
 
-/** \brief The ranks, if a launcher of MPI has started this process.
+/** \brief The ranks. Call it only if a launcher of MPI has started this process.
  * \throws InputError if this program was built without MPI */
 std::unique_ptr<pcl::tiling::Team> mpiTeam();
 

@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include <pcl/tiling/point_source.h>
+
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -34,5 +36,20 @@ private:
   std::string path_;
   std::vector<Record> records_;
 };
+
+/** \brief Calls use(). \throws TilingError if it finds other values in the manifest's
+ * records than it looks for */
+template <typename Use>
+void
+useRecords(const std::string& path, const Use& use)
+{
+  try {
+    use();
+  }
+  catch (const Manifest::Record::exception& error) {
+    throw TilingError(path + ": has an unknown record (" + error.what() +
+                      "); expected a manifest of this version");
+  }
+}
 
 } // namespace pcl::tiling

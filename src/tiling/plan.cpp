@@ -65,11 +65,18 @@ void
 Survey::add(const Bytes& bytes)
 {
   SurveyHeader header;
-  std::memcpy(&header, bytes.data(), sizeof header);
-  std::vector<Cell> of_bytes(header.cells);
-  std::copy(bytes.begin() + sizeof header,
-            bytes.end(),
-            reinterpret_cast<std::uint8_t*>(of_bytes.data()));
+  if (bytes.size() >= sizeof header)
+    std::memcpy(&header, bytes.data(), sizeof header);
+  std::vector<Cell> of_bytes((bytes.size() - std::min(bytes.size(), sizeof header)) /
+                             sizeof(Cell));
+  const std::size_t size = of_bytes.size() * sizeof(Cell);
+  if (of_bytes.size() != header.cells || bytes.size() != sizeof header + size)
+    throw TilingError("a survey has " + std::to_string(bytes.size()) +
+                      " bytes; expected those of " + std::to_string(header.cells) +
+                      " cells");
+  std::copy_n(bytes.begin() + sizeof header,
+              size,
+              reinterpret_cast<std::uint8_t*>(of_bytes.data()));
   finite += header.finite;
   not_finite += header.not_finite;
   cells.add(CellGrid{static_cast<int>(header.exponent)}, of_bytes);

@@ -96,8 +96,12 @@ public:
       throw TilingError(std::string("no socket to a process: ") + std::strerror(errno));
     const pid_t parent = ::getpid();
     process_ = ::fork();
-    if (process_ < 0)
-      throw TilingError(std::string("no further process: ") + std::strerror(errno));
+    if (process_ < 0) {
+      const std::string why = std::strerror(errno);
+      for (const int end : ends)
+        ::close(end);
+      throw TilingError("no further process: " + why);
+    }
     socket_ = ends[process_ == 0];
     ::close(ends[process_ != 0]);
     if (process_ > 0)
@@ -241,7 +245,7 @@ outcomeOf(const Team::Work& work, std::size_t task)
     return {work(task), {}};
   }
   catch (const std::bad_alloc&) {
-    return {{}, "not enough memory; use smaller tiles, or fewer processes"};
+    return {{}, "not enough memory; use smaller tiles, or fewer processes or ranks"};
   }
   catch (const std::exception& error) {
     return {{}, error.what()};

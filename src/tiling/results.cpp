@@ -41,7 +41,7 @@ Results::Results(const std::string& directory,
   if (team.isFirst()) {
     own_.emplace(directory);
     manifest_.emplace(manifestPath(directory), true);
-    this->begin(begin);
+    useRecords(manifestPath(directory), [&] { this->begin(begin); });
   }
   team.meet();
   if (!team.isFirst())
@@ -283,8 +283,10 @@ Results::begin(const Record& now)
 void
 Results::readRecords()
 {
-  for (const Record& record : manifest_->records())
-    take(record);
+  useRecords(manifestPath(directory_), [&] {
+    for (const Record& record : manifest_->records())
+      take(record);
+  });
 }
 
 void

@@ -85,7 +85,8 @@ struct TiledCloud::State {
   void
   setPlan(const std::string& decided)
   {
-    optional_plan = planOf(Results::Record::parse(decided));
+    useRecords(manifestPath(directory),
+               [&] { optional_plan = planOf(Results::Record::parse(decided)); });
   }
 
   const Plan&
@@ -200,8 +201,8 @@ struct TiledCloud::State {
       write(section, {bytes, bytes + rows.size() * sizeof(Rows)});
     }
     if (next != plan().points)
-      throw TilingError(directory + ": the sources have other points than before; "
-                                    "expected sources that do not change");
+      throw TilingError("the sources have other points than before; expected sources "
+                        "that do not change");
   }
 
   SectionFile

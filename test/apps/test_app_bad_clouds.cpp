@@ -51,6 +51,7 @@ badHeaders()
       {"text",
        "Dear reader,\nthis is no cloud.\n",
        {"'Dear'", "VERSION", "PLY", ".bin"}},
+      {"ply", "ply\nformat ascii 1.0\n", {"'ply'", "a PLY file with the ending .ply"}},
       {"zeros", std::string(300, '\0'), {"header line 1"}},
       {"no_data_line", xyz + header_end, {"DATA"}},
       {"negative_size",

@@ -360,6 +360,45 @@ TEST_F(Readers, ImagesOfPclsPlyWriterAreOrganized)
     EXPECT_THROW(decodePly("grid.ply", grid + vertex), InputError);
 }
 
+TEST_F(Readers, PlyImagesHaveTheSizeThatFits)
+{
+  const auto text = [](const std::string& more, const std::string& values) {
+    return "ply\nformat ascii 1.0\nobj_info num_cols 3\nobj_info num_rows 2\n"
+           "element vertex 6\n" +
+           xyz_properties + more + "end_header\n" +
+           "0 0 0\n1 1 1\n2 2 2\n3 3 3\n4 4 4\n5 5 5\n" + values;
+  };
+  const std::string camera =
+      "element camera 1\nproperty int viewportx\nproperty int viewporty\n";
+  const std::string grid = "element range_grid 6\nproperty float confidence\n"
+                           "property list uchar float vertex_indices\n";
+  const std::string pixels = "2.5 1 5\n1 1 4\n1 1 3\n1 1 2\n1 0\n1 1 ";
+  const CloudFile picture = decodePly("p.ply", text(camera, "1280 1024\n"));
+  EXPECT_EQ(picture.blob.width, 3u);
+  EXPECT_EQ(picture.blob.height, 2u);
+  EXPECT_EQ(decodePly("c.ply", text(camera, "2 3\n")).blob.width, 2u);
+  const CloudFile both =
+      decodePly("b.ply", text(camera + grid, "1280 1024\n" + pixels + "0\n"));
+  EXPECT_EQ(both.blob.width, 3u);
+  EXPECT_EQ(floatsOf(both, "z")[0], 5.0f);
+  EXPECT_EQ(floatsOf(both, "z")[5], 0.0f);
+  const auto refusal = [&](const std::string& more, const std::string& values) {
+    try {
+      decodePly("r.ply", text(more, values));
+    }
+    catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(refusal(grid, pixels + "-1\n").find("vertex -1;"), std::string::npos);
+  EXPECT_NE(refusal(grid, pixels + "0.5\n").find("vertex 0.5;"), std::string::npos);
+  EXPECT_NE(
+      refusal("element range_grid 1\nproperty list uchar int vertex_indices\n", "1 0\n")
+          .find("range_grid has 1 pixels"),
+      std::string::npos);
+}
+
 TEST_F(Readers, CoordinatesMayBeWholeNumbers)
 {
   const CloudFile pcd =
@@ -373,7 +412,7 @@ TEST_F(Readers, CoordinatesMayBeWholeNumbers)
     EXPECT_EQ((*pointsOf(*cloud))[0].y, -2.0f);
     EXPECT_EQ(coordinatesOf(*cloud)[1], (std::array<double, 3>{4.0, 5.0, 6.0}));
   }
-  EXPECT_TRUE(hasDoubles(pcd)); // an offset keeps what float would round
+  EXPECT_TRUE(exceedFloats(pcd)); // an offset keeps what float would round
 }
 
 TEST_F(Readers, BooleansStayBooleans)

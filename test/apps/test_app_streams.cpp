@@ -105,6 +105,7 @@ TEST_F(Streams, TheEndingSaysTheFormatInAnyCase)
   expectSuccess(runApp(edges, {path("out.PLY"), path("again.pcd")}));
   EXPECT_EQ(readFile(path("again.pcd")), readFile(path("out.pcd")));
   expectRefused(runApp(edges, {in, path("out.bin")}), 2, {"KITTI", ".ply"});
+  expectRefused(runApp(edges, {in, path("out.XYZ")}), 2, {"another format", ".ply"});
 }
 
 TEST_F(Streams, ADashIsStandardInputAndOutput)

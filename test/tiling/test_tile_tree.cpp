@@ -121,6 +121,22 @@ TEST(Survey, SectionsHaveFewCellsAndTilesFewPointsAllTheSame)
   }
 }
 
+TEST(Survey, RefusesBytesOfAnotherLength)
+{
+  const auto points = unevenPoints(100, 6);
+  Survey section = Survey::ofSection();
+  section.add(points.data(), points.size(), {});
+  const std::vector<std::uint8_t> bytes = section.toBytes();
+  Survey all;
+  for (const std::size_t size :
+       {bytes.size() + 1, 2 * bytes.size(), bytes.size() - 1, std::size_t{7}}) {
+    std::vector<std::uint8_t> other = bytes;
+    other.resize(size);
+    EXPECT_THROW(all.add(other), TilingError) << size;
+  }
+  EXPECT_EQ(all.finite, 0U);
+}
+
 TEST(TileTree, SmallestCellsAreTheSameFromWhateverSizeTheyGrow)
 {
   const auto points = unevenPoints(100000, 8);

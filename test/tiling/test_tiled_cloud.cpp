@@ -3,11 +3,13 @@
 // Clouds in tiles: halos, results, runs that go on, and what is refused.
 
 #include "memory_source.h"
+#include "tiling/manifest.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -377,6 +379,25 @@ TEST_F(TiledClouds, RefuseOtherSourcesAndSettings)
             }).find("other parameters"),
             std::string::npos);
   divide();
+}
+
+TEST_F(TiledClouds, RefuseRecordsOfAnotherVersion)
+{
+  cloud.reset();
+  const std::string path = directory + "/manifest.jsonl";
+  const std::vector<Manifest::Record> records = Manifest(path, false).records();
+  for (const Manifest::Record& unknown :
+       {Manifest::Record{{"event", "result"}, {"name", "counts"}},
+        Manifest::Record{{"event", "decision"}, {"name", "tiles"}, {"value", "{"}},
+        Manifest::Record{{"event", "decision"}, {"name", "tiles"}, {"value", "{}"}}}) {
+    std::filesystem::remove(path);
+    Manifest changed(path, true);
+    for (const Manifest::Record& record : records)
+      changed.add(record);
+    changed.add(unknown);
+    EXPECT_NE(refusal([&] { divide(); }).find("unknown record"), std::string::npos)
+        << unknown;
+  }
 }
 
 TEST_F(TiledClouds, AreUsedByOneRun)

@@ -45,7 +45,8 @@ public:
     return 1;
   }
 
-  /** \brief Takes some points at a time. */
+  /** \brief Takes some points at a time, not all of a large cloud: memory grows with
+   * them. */
   using Use = std::function<void(const Position* points, std::size_t count)>;
 
   /** \brief Gives the points of a section, the same each time. Those of all sections,
