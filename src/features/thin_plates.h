@@ -12,8 +12,9 @@
 namespace pcl::detail {
 
 /** \brief For each of some points of a cloud, how far straight above or below it the
- * points of another surface are, in its local spacing; 0 if there is none, or if there
- * are less than half as many of them as around the point. \param[in] neighborhoods of
+ * points of another surface are, in its local spacing; 0 if there is none, if there
+ * are less than half as many of them as around the point, or if many are halfway, as in
+ * noise. \param[in] neighborhoods of
  * all points of the cloud among themselves \param[in] spacings one for each point
  * \param[in] chosen ascending \param[in] reach how far the other surface may be, meters
  */

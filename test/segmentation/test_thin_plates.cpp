@@ -114,6 +114,14 @@ TEST(ThinPlates, AreMostOfTheCloud)
   EXPECT_EQ(0.0, thicknessOf(*plate.cloud));
 }
 
+TEST(ThinPlates, AreNotNoiseThatIsAsThick)
+{
+  for (const double noise : {1.0, 2.0, 3.0}) {
+    Plate sheet = plate({150, 150, 40}, noise);
+    EXPECT_EQ(0.0, thicknessOf(*sheet.cloud)) << noise;
+  }
+}
+
 TEST(ThinPlates, AreTheSameInAnyOrder)
 {
   const Plate plate = ::plate({100, 90, 4}, 0.25);
