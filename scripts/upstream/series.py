@@ -45,7 +45,7 @@ SERIES = [
         *named(SEGMENTATION + "impl/{}*", "shape_field", "shape_detection", "shape_edge", "shape_back"),
         *named("src/segmentation/{}*", "cloud_reach", "compiled_estimations", "faces_of_parts",
                "field_of_points", "field_places", "field_stages", "known_parts", "means_of_parts", "shape_detection",
-               "shape_field", "unknown_points"),
+               "shape_field", "uneven_field", "unknown_points"),
         "tools/scene/*", "test/features/*",
         *named("test/segmentation/{}*", "bumpy_plane", "crease_truth", "detect", "field_of", "measured_numbers",
                "test_adaptive", "test_close", "test_coincident", "test_crease", "test_detection", "test_edge",

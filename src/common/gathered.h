@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Values and positions of some points among others.
+
 #pragma once
 
 #include <pcl/features/xyz_view.h>
@@ -23,7 +24,8 @@ gathered(const std::vector<T>& values, const std::vector<Index>& indices)
   return result;
 }
 
-/** \brief The same, and `unknown` where an index is negative. */
+/** \brief The same, and `unknown` where an index is negative: of what type it is the
+ * values alone say, so common_type_t keeps it from being deduced. */
 template <typename T, typename Index>
 std::vector<T>
 gathered(const std::vector<T>& values,

@@ -7,7 +7,6 @@
 #include "common/finite.h"
 #include "common/gathered.h"
 #include "common/parallel.h"
-#include "common/statistics.h"
 #include "edges/crease_votes.h"
 #include "edges/edge_band.h"
 #include "features/class_evidence.h"

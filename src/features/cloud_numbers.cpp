@@ -10,8 +10,6 @@
 #include <pcl/features/cloud_numbers.h>
 #include <pcl/features/impl/neighborhoods.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace pcl {

@@ -72,7 +72,8 @@ private:
     return static_cast<std::size_t>(hash >> (64 - bits_));
   }
 
-  float cells_, size_; ///< of a cell, meters
+  float cells_; ///< in the reach
+  float size_;  ///< of a cell, meters
   int bits_ = 4;
   std::vector<bool> is_marked_; ///< each slot
 };

@@ -4,6 +4,8 @@
 
 #include "ground/ground_cells.h"
 
+#include "common/gathered.h"
+
 #include <pcl/features/distinct_points.h>
 
 #include <Eigen/Geometry>
@@ -34,7 +36,7 @@ struct PointsInFrame {
   XYZView
   view() const
   {
-    return {positions.data(), 3, points.size()};
+    return detail::viewOfPositions(positions);
   }
 
   void

@@ -174,7 +174,7 @@ bendAt(const Meeting& meeting,
     ++side.points;
   });
   if (std::min(a.points, b.points) < min_side_points)
-    return {};
+    return {}; // nothing is known there: neither a convexity nor a level face
   for (Side* side : {&a, &b}) {
     side->center /= static_cast<float>(side->points);
     side->normal.normalize();
@@ -236,7 +236,7 @@ faceContacts(const InstanceInput& input,
     }
     if (median(std::move(gaps)) > 1.5f) { // one stands on or before the other
       contact.concave += contact.convex;
-      contact.convex = 0.0f;
+      contact.convex = contact.sloping = 0.0f;
     }
     result.push_back(contact);
   }

@@ -80,14 +80,8 @@ struct Relation {
 
 class Neighborhood {
 public:
-  explicit Neighborhood(const SupportPart& part, float unit)
-  : support_(part.support)
-  , some_(placesOf(part.nodes))
-  , extent_(part, some_)
-  , side_reach_(side_depth * static_cast<float>(std::sqrt(part.area)))
-  , places_(positionsOf(some_), side_reach_)
-  , nodes_(positionsOf(part.nodes), around_spacings * unit)
-  , band_(std::max(max_ripple, part.support.offset))
+  Neighborhood(const SupportPart& part, float unit)
+  : Neighborhood(part, placesOf(part.nodes), unit)
   {}
 
   Relation
@@ -112,6 +106,15 @@ public:
   }
 
 private:
+  Neighborhood(const SupportPart& part, const Nodes& some, float unit)
+  : support_(part.support)
+  , extent_(part, some)
+  , side_reach_(side_depth * static_cast<float>(std::sqrt(part.area)))
+  , places_(positionsOf(some), side_reach_)
+  , nodes_(positionsOf(part.nodes), around_spacings * unit)
+  , band_(std::max(max_ripple, part.support.offset))
+  {}
+
   bool
   isSteep(const SurfaceNode& node) const
   {
@@ -119,7 +122,6 @@ private:
   }
 
   SupportPlane support_;
-  Nodes some_; ///< of the part
   Extent extent_;
   float side_reach_;
   PointGrid places_, nodes_; ///< of some nodes of the part, and of all

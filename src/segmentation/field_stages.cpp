@@ -10,12 +10,21 @@
 namespace pcl::detail {
 
 Neighborhoods
+neighborhoodsOf(const FieldRequest& request)
+{
+  Neighborhoods neighborhoods(request.surface, request.threads);
+  if (request.makeFinder)
+    neighborhoods.setFinder(request.makeFinder({}));
+  neighborhoods.setIndex(request.index);
+  return neighborhoods;
+}
+
+Neighborhoods
 neighborhoodsOf(const FieldRequest& request, const std::vector<float>& others)
 {
-  Neighborhoods neighborhoods(
-      others.empty() ? request.surface : viewOfPositions(others), request.threads);
-  neighborhoods.setFinder(request.makeFinder ? request.makeFinder(others)
-                                             : NeighborFinder());
+  Neighborhoods neighborhoods(viewOfPositions(others), request.threads);
+  if (request.makeFinder && !others.empty())
+    neighborhoods.setFinder(request.makeFinder(others));
   neighborhoods.setIndex(request.index);
   return neighborhoods;
 }

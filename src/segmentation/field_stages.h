@@ -28,9 +28,12 @@ struct Conditions {
 };
 
 /** \brief The points of the request's surface among themselves, as it looks for
- * neighbors. \param[in] others x, y and z of each of other points, instead of these */
+ * neighbors. */
+Neighborhoods neighborhoodsOf(const FieldRequest& request);
+
+/** \brief Likewise other points. \param[in] others x, y and z of each */
 Neighborhoods neighborhoodsOf(const FieldRequest& request,
-                              const std::vector<float>& others = {});
+                              const std::vector<float>& others);
 
 /** \brief The field of a cloud. \param[in] owner of its points */
 ShapeField fieldOf(const FieldRequest& request,
@@ -38,12 +41,5 @@ ShapeField fieldOf(const FieldRequest& request,
                    const Neighborhoods& neighborhoods,
                    const Spacings& spacings = {},
                    const Conditions& conditions = {});
-
-/** \brief The field at the points of the request's surface. If the spacing changes so
- * fast that too many points stay unknown, points take values from means that even the
- * cloud out. \param[in] toEdges whether the field goes on to edges */
-ShapeField
-fieldOfPoints(const FieldRequest& request,
-              const std::function<bool(const MeasuredCloud& cloud)>& toEdges);
 
 } // namespace pcl::detail

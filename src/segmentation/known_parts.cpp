@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // The noise and the edges of a part of a cloud whose neighbors were found before.
 
+#include "common/gathered.h"
 #include "edges/edge_detection.h"
 #include "features/local_spacing.h"
 #include "features/part_noise.h"

@@ -8,8 +8,8 @@
 #include "common/number_text.h"
 #include "common/point_types.h"
 #include "geometry/voxel_means.h"
+#include "segmentation/field_of_points.h"
 #include "segmentation/field_places.h"
-#include "segmentation/field_stages.h"
 
 #include <pcl/features/distinct_points.h>
 #include <pcl/impl/instantiate.hpp>

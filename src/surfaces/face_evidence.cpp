@@ -322,6 +322,58 @@ boundedNoise(std::vector<float> noise, float spacing)
   return noise;
 }
 
+// A face that a point is off from is farther than one that it is beside.
+constexpr float off_plane = 8.0f; // of squares
+
+/** The nodes with evidence, to find the nearest. */
+class NearestFace {
+public:
+  NearestFace(const FaceLevel& level,
+              const FaceEvidence& evidence,
+              float reach,
+              const Bounds& bounds)
+  : nodes_(knownOf(level, evidence))
+  , grid_(positionsOf(nodes_), reach, bounds)
+  , reach_(reach)
+  {}
+
+  /** \return the number of the nearest node, or none */
+  std::uint32_t
+  nodeAt(const Eigen::Vector3f& point) const
+  {
+    float nearest = std::numeric_limits<float>::infinity();
+    std::uint32_t node = FacePyramid::none;
+    grid_.forEachWithin(point, reach_, [&](std::uint32_t k, float squared) {
+      const float off = nodes_[k].normal.dot(point - nodes_[k].position);
+      if (const float distance = squared + off_plane * off * off; distance < nearest) {
+        nearest = distance;
+        node = nodes_[k].number;
+      }
+    });
+    return node;
+  }
+
+private:
+  struct Node {
+    Eigen::Vector3f position, normal;
+    std::uint32_t number;
+  };
+
+  static std::vector<Node>
+  knownOf(const FaceLevel& level, const FaceEvidence& evidence)
+  {
+    std::vector<Node> nodes;
+    for (std::uint32_t i = 0; i < evidence.curved.size(); ++i)
+      if (!std::isnan(evidence.curved[i]))
+        nodes.push_back({level.nodes[i].position, level.nodes[i].normal, i});
+    return nodes;
+  }
+
+  std::vector<Node> nodes_;
+  PointGrid grid_;
+  float reach_;
+};
+
 } // namespace
 
 double
@@ -400,62 +452,6 @@ faceEvidence(const FacePyramid& pyramid,
   }
   return evidence;
 }
-
-namespace {
-
-// A face that a point is off from is farther than one that it is beside.
-constexpr float off_plane = 8.0f; // of squares
-
-/** The nodes with evidence, to find the nearest. */
-class NearestFace {
-public:
-  NearestFace(const FaceLevel& level,
-              const FaceEvidence& evidence,
-              float reach,
-              const Bounds& bounds)
-  : nodes_(knownOf(level, evidence))
-  , grid_(positionsOf(nodes_), reach, bounds)
-  , reach_(reach)
-  {}
-
-  /** \return the number of the nearest node, or none */
-  std::uint32_t
-  nodeAt(const Eigen::Vector3f& point) const
-  {
-    float nearest = std::numeric_limits<float>::infinity();
-    std::uint32_t node = FacePyramid::none;
-    grid_.forEachWithin(point, reach_, [&](std::uint32_t k, float squared) {
-      const float off = nodes_[k].normal.dot(point - nodes_[k].position);
-      if (const float distance = squared + off_plane * off * off; distance < nearest) {
-        nearest = distance;
-        node = nodes_[k].number;
-      }
-    });
-    return node;
-  }
-
-private:
-  struct Node {
-    Eigen::Vector3f position, normal;
-    std::uint32_t number;
-  };
-
-  static std::vector<Node>
-  knownOf(const FaceLevel& level, const FaceEvidence& evidence)
-  {
-    std::vector<Node> nodes;
-    for (std::uint32_t i = 0; i < evidence.curved.size(); ++i)
-      if (!std::isnan(evidence.curved[i]))
-        nodes.push_back({level.nodes[i].position, level.nodes[i].normal, i});
-    return nodes;
-  }
-
-  std::vector<Node> nodes_;
-  PointGrid grid_;
-  float reach_;
-};
-
-} // namespace
 
 double
 evidenceReach(const CloudNumbers& numbers)

@@ -7,7 +7,6 @@
 #include "common/statistics.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 

@@ -97,21 +97,84 @@ TEST(FaceContacts, AnEdgeSeenFromOutsideIsConvexOneFromInsideConcave)
   EXPECT_EQ(0.0f, concave.convex);
 }
 
-TEST(FaceContacts, NothingStandsOnWalls)
+/** A concave border. */
+class FaceSlopes : public testing::Test {
+protected:
+  FaceContact
+  contact(const Eigen::Vector3f& up, bool have_primitives = false) const
+  {
+    return contactOf(level_, wallPatch(0, half, false, 40, 20), up, have_primitives);
+  }
+
+  const Surface level_ = floorPatch(-10, 0, 0, 20, 40);
+  const Eigen::Vector3f along_ = Eigen::Vector3f::UnitY(); // both are steep then
+};
+
+TEST_F(FaceSlopes, NothingStandsBetweenWalls)
 {
-  const Surface level = floorPatch(-10, 0, 0, 20, 40);
-  const Surface wall = wallPatch(0, half, false, 40, 20);
-  const Eigen::Vector3f along = Eigen::Vector3f::UnitY(); // both are steep then
-  const FaceContact held = contactOf(level, wall, along, false);
+  const FaceContact held = contact(along_);
   EXPECT_GT(held.concave, 20.0f);
   EXPECT_GE(held.sloping, held.concave);
-  EXPECT_LT(contactOf(level, wall, Eigen::Vector3f::UnitZ(), false).sloping, 5.0f)
-      << "on a level face";
-  EXPECT_EQ(0.0f, contactOf(level, wall, Eigen::Vector3f::Zero(), false).sloping)
-      << "nobody knows which way is up";
-  EXPECT_EQ(0.0f, contactOf(level, wall, along).sloping) << "walls of two boxes";
+}
+
+TEST_F(FaceSlopes, ThingsMayStandOnALevelFace)
+{
+  EXPECT_LT(contact(Eigen::Vector3f::UnitZ()).sloping, 5.0f);
+}
+
+TEST_F(FaceSlopes, ThingsMayStandAnywhereIfUpIsUnknown)
+{
+  EXPECT_EQ(0.0f, contact(Eigen::Vector3f::Zero()).sloping);
+}
+
+TEST_F(FaceSlopes, TwoPlanesMayBeWallsOfTwoBoxes)
+{
+  EXPECT_EQ(0.0f, contact(along_, true).sloping);
+}
+
+TEST_F(FaceSlopes, AConvexEdgeIsNone)
+{
   const Surface down = wallPatch(0, -10, true, 40, 20);
-  EXPECT_LT(contactOf(level, down, along, false).sloping, 5.0f) << "a convex edge";
+  EXPECT_LT(contactOf(level_, down, along_, false).sloping, 5.0f);
+}
+
+/** A cylinder and a strip before it, and in the gap between them points of neither,
+ * which are shared out. */
+TEST_F(FaceSlopes, WhatStandsBeforeACurvedFaceIsNotHeldByIt)
+{
+  constexpr double radius = 6.0, height = 10.0, gap = 3.0;
+  Random random(32);
+  const Surface can = cylinder(800, radius, height, random);
+  const Eigen::Vector3d aside = Eigen::Vector3d(1, -1, 0).normalized();
+  const Surface strip =
+      patch({radius + gap, 0, 0}, aside, Eigen::Vector3d::UnitZ(), 10, 20);
+  const Surface between = patch({radius + 1.1, 0, 0},
+                                2 * Eigen::Vector3d::UnitX(),
+                                Eigen::Vector3d::UnitZ(),
+                                2,
+                                20);
+  const Surface all = together(together(can, strip), between);
+  detail::InstanceInput input = inputOf(all);
+  std::fill_n(input.likelihood.begin(), can.size(), 0.1f);
+  PointLabels labels = labelsOf(can, strip);
+  PointLabels grown = labels;
+  for (std::size_t i = 0; i < between.size(); ++i) {
+    labels.push_back(-1);
+    grown.push_back(static_cast<std::int32_t>(i % 2));
+  }
+  const std::vector<Face> faces = facesOf(input, labels);
+  ASSERT_EQ(PrimitiveType::Cylinder, faces.at(0).surface.type);
+  ASSERT_EQ(PrimitiveType::Plane, faces.at(1).surface.type);
+  const auto contacts = faceContacts(input,
+                                     PointGrid(input.points, 1.5f),
+                                     labels,
+                                     faces,
+                                     grown,
+                                     Eigen::Vector3f::UnitZ());
+  ASSERT_EQ(1U, contacts.size());
+  EXPECT_GT(contacts[0].concave, 5.0f);
+  EXPECT_EQ(0.0f, contacts[0].convex);
+  EXPECT_EQ(0.0f, contacts[0].sloping);
 }
 
 TEST(FaceContacts, OneLevelIsConvexAStepConcave)

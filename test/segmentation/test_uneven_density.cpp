@@ -6,7 +6,7 @@
 #include "features/even_sampling.h"
 #include "field_of.h"
 #include "geometry/voxel_means.h"
-#include "segmentation/field_stages.h"
+#include "segmentation/field_of_points.h"
 #include "support/bits.h"
 
 #include <gtest/gtest.h>
@@ -213,8 +213,7 @@ areSame(float a, float b)
   return a == b || (std::isnan(a) && std::isnan(b));
 }
 
-/** Sparse points beside the stripe see its dense points, also where only the edges of
- * points near them were looked for. */
+/** Sparse points beside the stripe see its dense points: means are too coarse there. */
 TEST(UnevenField, PointsHaveTheEdgesOfAllPointsOrThoseOfMeans)
 {
   std::mt19937 random(8);
@@ -253,19 +252,25 @@ TEST(UnevenField, PointsHaveTheEdgesOfAllPointsOrThoseOfMeans)
       detail::fieldOf(of_all, nullptr, neighborhoods, {true, &spacings});
   const ShapeField field =
       detail::fieldOfPoints(request, [](const auto& /*cloud*/) { return true; });
-  std::size_t sparse_own = 0;
+  std::size_t beside = 0;
   for (std::size_t i = 0; i < cloud->size(); ++i) {
     ASSERT_GE(stands_for[i], 0) << i;
     const auto mean = static_cast<std::size_t>(stands_for[i]);
     const bool is_own = areSame(field.normals[i], all.normals[i]);
-    const bool is_of_mean = areSame(field.normals[i], means.normals[mean]);
-    ASSERT_TRUE(is_own || is_of_mean) << i;
     ASSERT_TRUE(areSame(field.edge_likelihood[i], all.edge_likelihood[i]) ||
                 areSame(field.edge_likelihood[i], means.edge_likelihood[mean]))
-        << i;
-    sparse_own += !is_of_mean && spacings[i] > spacing ? 1 : 0;
+        << i; // the likelihood of a mean at a crease raises that of a point
+    if (means.spacings[mean] > 1.5f * spacings[i] &&
+        !std::isnan(all.edge_likelihood[i])) {
+      ASSERT_TRUE(is_own) << i;
+      const PointXYZ& p = (*cloud)[i];
+      const bool is_dense = p.z == 0.0f && p.x >= stripe_from && p.x <= stripe_to;
+      beside += is_dense ? 0 : 1;
+    }
+    else
+      ASSERT_TRUE(is_own || areSame(field.normals[i], means.normals[mean])) << i;
   }
-  EXPECT_GT(sparse_own, 0u);
+  EXPECT_GT(beside, 0u);
 }
 
 } // namespace

@@ -8,7 +8,6 @@
 #include "scene/near_points.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 namespace pcl::scene {

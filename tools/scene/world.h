@@ -7,6 +7,7 @@
 #include "scene/scene.h"
 #include "scene/vec.h"
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Normal and INAD of one query, from a list of its neighbors.
+// Normal and INAD of one query, from its neighbors; checks of these and of the input.
 
 #pragma once
 

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -32,7 +32,7 @@ asLongAsOne(float y)
   return offset(x, y);
 }
 
-TEST(GeometryCheck, EquallyLongOffsetsInAnyOrderSayTheSame)
+TEST(SpansSurface, EquallyLongOffsetsInAnyOrderSayTheSame)
 {
   // The last one is near the first one's line, but not near the second one's.
   std::vector<Offset> offsets{offset(1.0f, 0.0f),
@@ -45,7 +45,7 @@ TEST(GeometryCheck, EquallyLongOffsetsInAnyOrderSayTheSame)
   EXPECT_EQ(spans, pcl::kernels::spansSurface(offsets));
 }
 
-TEST(GeometryCheck, OffsetsSpreadOverASurfaceBesideTheLongestOnesLine)
+TEST(SpansSurface, OffsetsSpreadOverASurfaceBesideTheLongestOnesLine)
 {
   using pcl::kernels::spansSurface;
   EXPECT_FALSE(spansSurface(std::vector<Offset>{}));
