@@ -147,9 +147,9 @@ TEST_F(FaceSlopes, WhatStandsBeforeACurvedFaceIsNotHeldByIt)
   const Surface can = cylinder(800, radius, height, random);
   const Eigen::Vector3d aside = Eigen::Vector3d(1, -1, 0).normalized();
   const Surface strip =
-      patch({radius + gap, 0, 0}, aside, Eigen::Vector3d::UnitZ(), 10, 20);
-  const Surface between = patch({radius + 1.1, 0, 0},
-                                2 * Eigen::Vector3d::UnitX(),
+      patch({radius + gap, 0, 0}, Eigen::Vector3d::UnitZ(), aside, 20, 10);
+  const Surface between = patch({radius + 1.0, 0, 0},
+                                1.8 * Eigen::Vector3d::UnitX(), // 0.9 apart: they meet
                                 Eigen::Vector3d::UnitZ(),
                                 2,
                                 20);

@@ -739,25 +739,6 @@ TEST(DetectionModes, KindsOfEdgesNeedTheDefault)
   EXPECT_EQ(400U, edges.types.size());
 }
 
-TEST(Resolution, ACloudWithoutFinitePointsHasNoMeans)
-{
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-  const auto cloud = pcl::make_shared<Cloud>(50, 1, PointXYZ(nan, nan, nan));
-  for (const bool searches : {false, true}) {
-    Estimation estimation;
-    if (searches)
-      estimation.setSearchMethod(pcl::make_shared<search::KdTree<PointXYZ>>());
-    estimation.setResolution(0.005);
-    estimation.setInputCloud(cloud);
-    ShapeField field;
-    ASSERT_TRUE(estimation.compute(field));
-    EXPECT_EQ(cloud->size(), field.spacings.size());
-    EXPECT_TRUE(std::isnan(field.edge_likelihood.at(0)));
-    ASSERT_NE(nullptr, field.base);
-    EXPECT_EQ(0u, field.base->points.size);
-  }
-}
-
 TEST(Settings, EverySetterHasItsGetter)
 {
   ShapeEdgeDetection<PointXYZ> detection;

@@ -213,6 +213,16 @@ areSame(float a, float b)
   return a == b || (std::isnan(a) && std::isnan(b));
 }
 
+TEST(FieldStages, NoOtherPointsAreNotThoseOfTheSurface)
+{
+  std::mt19937 random(9);
+  const Cloud::Ptr cloud = floorWithStripe(1.0f, random);
+  detail::FieldRequest request;
+  request.surface = request.input = detail::xyzOf(*cloud);
+  EXPECT_EQ(cloud->size(), detail::neighborhoodsOf(request).input().size);
+  EXPECT_EQ(0u, detail::neighborhoodsOf(request, {}).input().size);
+}
+
 /** Sparse points beside the stripe see its dense points: means are too coarse there. */
 TEST(UnevenField, PointsHaveTheEdgesOfAllPointsOrThoseOfMeans)
 {
