@@ -136,6 +136,7 @@ private:
         NormalScatter(neighborhoods, spacings, near, inad_radius, threads_)(
             normal_radius, inad_radius);
     std::vector<std::int32_t> at;
+    at.reserve(nearest.size());
     for (const std::int32_t mean : nearest)
       at.push_back(mean < 0 ? -1
                             : static_cast<std::int32_t>(

@@ -46,23 +46,31 @@ steppedRidge(double spacing, double step)
   return cloud;
 }
 
+/** \param[in] near from the crease at x = 0, where edges may be, meters \param[in] on
+ * it, where points should be edges \param[in] share of these */
+void
+expectEdgesAlongY(const ShapeField& field, double near, double on, double share)
+{
+  std::size_t edges = 0, right = 0, crease = 0, found = 0;
+  for (std::size_t i = 0; i < field.points.size; ++i) {
+    const double x = std::abs(field.points[i][0]);
+    const bool is_edge = field.edge_likelihood[i] > 0.5f;
+    edges += is_edge ? 1 : 0;
+    right += is_edge && x < near ? 1 : 0;
+    crease += x < on ? 1 : 0;
+    found += is_edge && x < on ? 1 : 0;
+  }
+  EXPECT_GT(static_cast<double>(right), 0.98 * static_cast<double>(edges));
+  EXPECT_GT(static_cast<double>(found), share * static_cast<double>(crease));
+}
+
 TEST(SensorSteps, AreLookedAtFromFartherAway)
 {
   const auto cloud = steppedRidge(0.0005, 0.002);
   const ShapeField field = edgeFieldOf(cloud);
   EXPECT_GT(field.resolution, 0.0005);
   EXPECT_LT(field.resolution, 0.004);
-  std::size_t edges = 0, near = 0, on_ridge = 0, found = 0;
-  for (std::size_t i = 0; i < cloud->size(); ++i) {
-    const double x = std::abs((*cloud)[i].x);
-    const bool is_edge = field.edge_likelihood[i] > 0.5f;
-    edges += is_edge ? 1 : 0;
-    near += is_edge && x < 0.008 ? 1 : 0;
-    on_ridge += x < 0.001 ? 1 : 0;
-    found += is_edge && x < 0.001 ? 1 : 0;
-  }
-  EXPECT_GT(static_cast<double>(near), 0.98 * static_cast<double>(edges));
-  EXPECT_GT(static_cast<double>(found), 0.98 * static_cast<double>(on_ridge));
+  expectEdgesAlongY(field, 0.008, 0.001, 0.98);
 }
 
 /** Where two walls meet, 3.5 m before a depth camera. Its depths come in the steps of a
@@ -97,17 +105,7 @@ TEST(SensorSteps, AreSeenIfTheyAreWiderThanNeighborhoods)
   const auto cloud = corner(0.00287);
   const ShapeField field = edgeFieldOf(cloud);
   EXPECT_GT(field.resolution, 0.0061); // the distance between points
-  std::size_t edges = 0, near = 0, on_crease = 0, found = 0;
-  for (std::size_t i = 0; i < cloud->size(); ++i) {
-    const double x = std::abs((*cloud)[i].x);
-    const bool is_edge = field.edge_likelihood[i] > 0.5f;
-    edges += is_edge ? 1 : 0;
-    near += is_edge && x < 0.15 ? 1 : 0;
-    on_crease += x < 0.01 ? 1 : 0;
-    found += is_edge && x < 0.01 ? 1 : 0;
-  }
-  EXPECT_GT(static_cast<double>(near), 0.98 * static_cast<double>(edges));
-  EXPECT_GT(static_cast<double>(found), 0.9 * static_cast<double>(on_crease));
+  expectEdgesAlongY(field, 0.15, 0.01, 0.9);
 }
 
 TEST(SensorSteps, ThatAreWideAreSeenInAnyOrder)
