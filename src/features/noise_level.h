@@ -30,10 +30,10 @@ struct NoiseLevel {
  * depth cameras do. White noise averages out within few points, and where creases are
  * crowded the thickness is that of the shape; then it is the least noise for whose
  * radii normals agree on the flattest tenth of the cloud, or the one for whose radii
- * they differ least. Steps that are wider than neighborhoods are noise beyond all radii;
- * the other side of thin plates is none. See doc/method.md. \param[in] neighborhoods of
- * all points of a cloud among themselves \param[in] spacings one for each point \param[in] noise see
- * noiseOf() \param[in] threads 0 for all cores */
+ * they differ least. Steps that are wider than neighborhoods are noise beyond all
+ * radii; the other side of thin plates is none. See doc/method.md. \param[in]
+ * neighborhoods of all points of a cloud among themselves \param[in] spacings one for
+ * each point \param[in] noise see noiseOf() \param[in] threads 0 for all cores */
 PCL_SHAPE_EXPORTS NoiseLevel noiseLevelOf(const Neighborhoods& neighborhoods,
                                           const std::vector<float>& spacings,
                                           double noise,
