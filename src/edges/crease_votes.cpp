@@ -36,7 +36,7 @@ constexpr float max_plane_deviation = 1.0f / 6.0f, max_plane_noise = 2.0f;
 // That a wedge explains a patch better than a smooth surface counts by half, for
 // neighbors share points; less 2, which the choice among wedges gains by chance.
 constexpr float fit_weight = 0.5f, fit_chance = 2.0f;
-constexpr float max_fit_loss = 2.0f, max_fit_gain = 4.0f; // as much as INAD says
+constexpr float min_fit = -2.0f, max_fit = 10.0f; // with these, as much as INAD says
 // Radians. A surface that curves with twice the fit's radius looks like less.
 constexpr float min_angle = 0.5f;
 constexpr float vote_spacings = 0.6f; // the votes of a crease's band are on one line
@@ -67,17 +67,17 @@ public:
       return {};
     const float spacing = edges_.spacings[candidate];
     float weight = std::min(max_evidence, evidence);
-    if (whiteness_ > 0.0f)
-      weight +=
-          whiteness_ *
-          std::clamp(fit_weight * (wedgeOverQuadric(patch_, *crease) - fit_chance),
-                     -max_fit_loss,
-                     max_fit_gain);
+    float fit = 0.0f;
+    if (whiteness_ > 0.0f) {
+      fit = std::clamp(wedgeOverQuadric(patch_, *crease), min_fit, max_fit);
+      weight += whiteness_ * fit_weight * (fit - fit_chance);
+    }
     return {positionOf(input_.points, candidate) + spacing * crease->foot,
             crease->direction,
             crease->turn,
             std::max(0.0f, weight),
-            spacing};
+            spacing,
+            fit};
   }
 
 private:
@@ -152,7 +152,9 @@ agreementAround(const Vote& vote, const std::vector<Vote>& votes, const PointGri
         sum += votes[k].position - vote.position;
         count += 1.0f;
         result.evidence += votes[k].evidence;
+        result.fit += votes[k].fit;
       });
+  result.fit /= std::max(count, 1.0f);
   const Vector3f mean = vote.position + sum / std::max(count, 1.0f);
   result.point = {{mean.x(), mean.y(), mean.z()},
                   {vote.direction.x(), vote.direction.y(), vote.direction.z()},

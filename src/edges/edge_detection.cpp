@@ -7,6 +7,7 @@
 #include "common/finite.h"
 #include "common/gathered.h"
 #include "common/parallel.h"
+#include "edges/crease_continuation.h"
 #include "edges/crease_votes.h"
 #include "edges/edge_band.h"
 #include "features/class_evidence.h"
@@ -38,16 +39,6 @@ constexpr double next_voxel = 0.7; // spacings
 // From the mean of a voxel to the 12th on a plane that fills its voxels.
 constexpr double means_distance = 1.9; // voxels
 
-/** How much the fits of two planes count. At the limit of the noise that is measured,
- * it is not known how much of a fit's deviation the noise explains. */
-float
-whitenessOf(const NoiseLevel& level, double noise)
-{
-  constexpr double known = 0.25, unknown = 0.3;
-  const double trust = std::clamp((unknown - noise) / (unknown - known), 0.0, 1.0);
-  return static_cast<float>((1.0 - level.correlation) * trust);
-}
-
 /** Sets normals, and gives the evidence at each point. */
 std::vector<float>
 evidenceOf(const FieldInput& input, const ShapeModel& model, ShapeField& field)
@@ -70,6 +61,15 @@ neededEvidence(float whiteness, double noise_level)
 {
   return (needed_evidence - needed_less_if_fits_count * whiteness) *
          (1.0f + needed_per_noise * static_cast<float>(noise_level));
+}
+
+/** What is enough where a crease is expected, if the fits of two planes say that it is
+ * no smooth surface. The noise that neighbors share lies in lines, too. */
+float
+faintEvidence(float needed, float whiteness)
+{
+  constexpr float of_needed = 1.0f / 3.0f; // three to one, the most that Canny has
+  return (1.0f - (1.0f - of_needed) * whiteness) * needed;
 }
 
 std::vector<CreasePoint>
@@ -227,7 +227,7 @@ findEdges(const FieldInput& input,
           const ShapeModel& model,
           ShapeField& field)
 {
-  const float whiteness = whitenessOf(measured.noise, field.noise);
+  const float whiteness = whitenessOf(measured.noise.correlation, field.noise);
   const PointGrid grid = gridOf(input, measured);
   std::vector<Agreement> agreements =
       agreementsOf(input, measured, grid, whiteness, model, field);
@@ -235,6 +235,12 @@ findEdges(const FieldInput& input,
     weakenWhatDoesNotPersist(
         creasesOfNextLevel(input, measured, model, field.noise), measured, agreements);
   const float needed = neededEvidence(whiteness, field.noise_level);
+  continueCreases(needed,
+                  faintEvidence(needed, whiteness),
+                  measured.spacing,
+                  measured.bounds,
+                  input.threads,
+                  agreements);
   markBands(agreements, needed, grid, field);
   field.creases = creasesAmong(agreements, needed);
 }
@@ -253,6 +259,14 @@ nextLevel(const CloudNumbers& numbers)
   level.numbers.low = numbers.low;
   level.numbers.high = numbers.high;
   return level;
+}
+
+float
+whitenessOf(double correlation, double noise)
+{
+  constexpr double known = 0.25, unknown = 0.3;
+  const double trust = std::clamp((unknown - noise) / (unknown - known), 0.0, 1.0);
+  return static_cast<float>((1.0 - correlation) * trust);
 }
 
 float

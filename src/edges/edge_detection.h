@@ -52,6 +52,11 @@ struct NextLevel {
 /** \param[in] numbers of the cloud */
 NextLevel nextLevel(const CloudNumbers& numbers);
 
+/** \brief How much the fits of two planes count, and whether creases are followed: 0
+ * where neighbors share noise, to 1. At the limit of the noise that is measured, it is
+ * not known how much of a fit's deviation the noise explains. */
+float whitenessOf(double correlation, double noise);
+
 /** \brief How far from a crease the next level must have one, in the larger one of the
  * local spacing and the cloud's. */
 float persistenceSpacings();

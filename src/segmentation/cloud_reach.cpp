@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // How far the default method looks from a point: sums over its stages.
 
+#include "edges/crease_continuation.h"
 #include "edges/crease_votes.h"
 #include "edges/edge_band.h"
 #include "edges/edge_detection.h"
@@ -97,6 +98,16 @@ persistenceReach(const CloudNumbers& numbers, const ShapeModel& edge_model)
          agreementReach(level.numbers, edge_model) + std::sqrt(3.0) * level.size;
 }
 
+/** From a place to the crease that it continues. */
+double
+continuationReach(const CloudNumbers& numbers)
+{
+  if (whitenessOf(numbers.noise_correlation, numbers.noise) == 0.0f)
+    return 0.0;
+  return segmentation::continuationSpacings() * rounding *
+         mostSpacing(numbers.distance);
+}
+
 } // namespace
 
 CloudReach
@@ -110,7 +121,8 @@ reachOf(const CloudNumbers& numbers, const ShapeModel& edge_model)
   const double normal = std::max(radii.normal_radius * most, reach.spacing);
   reach.normals = normal;
   const double agreement = std::max(agreementReach(numbers, edge_model),
-                                    persistenceReach(numbers, edge_model));
+                                    persistenceReach(numbers, edge_model)) +
+                           continuationReach(numbers);
   reach.edges = segmentation::edgeBand(numbers.noise_level) * most + agreement;
   reach.types = std::max({reach.edges,
                           cornerSpacings(numbers.noise_level) * most + agreement,
