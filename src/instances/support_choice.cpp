@@ -15,19 +15,29 @@ namespace {
 using Eigen::Vector3f;
 using Nodes = std::vector<SurfaceNode>;
 
-constexpr double min_share = 0.25; // of the largest part: supports are large
+// Of the largest part: supports are large. A table that stands high above a floor may
+// be smaller, beside what is seen of the floor.
+constexpr double min_share = 0.25, min_share_of_high = 0.1;
 // Of what is around. Six tables of a Kinect and one of a RealSense have .75 to .99 on
 // top and .01 to .25 behind, noise and rims: few things in the middle are enough, and a
 // table with more behind it must have a thin rim.
 constexpr double min_on_top = 0.2, max_behind = 0.2;
 // Of its own area: rims of tables had .04 to .1, the sides of boxes .2 to .6.
 constexpr double max_sides = 0.25;
+// Likewise, without its rim. A leg of a table has .01, the short side of a box that is
+// four times as long as wide has .06; below a book there is the table that it lies on.
+constexpr double max_lower = 0.04;
+// Likewise, of what is near it: a cup on a table of 50 x 50 cm has .0075.
+constexpr double min_things = 0.005;
 constexpr float same_level = 0.94f; // cosine of 20 degrees
 
+/** Walls around it, as those of a shelf, are before it and not on top. */
 bool
-hasThingsOnTop(const Surroundings& around)
+hasThingsOnTop(const SupportPart& part, const Surroundings& around)
 {
-  return around.on_top >= min_on_top * (around.before + around.behind);
+  const double others =
+      around.on_top >= min_things * part.area ? around.on_top : around.before;
+  return around.on_top >= min_on_top * (others + around.behind);
 }
 
 bool
@@ -41,11 +51,14 @@ hasNothingBehind(const Surroundings& around)
 bool
 carries(const SupportPart& part, const PartSize& largest, const Surroundings& around)
 {
+  const bool is_large = isLarge(part, largest, min_share);
   if (!(around.before + around.behind > 0.0))
-    return part.area > around.others;
+    return is_large && part.area > around.others;
   const bool has_rim = around.sides <= max_sides * part.area;
-  if (hasThingsOnTop(around))
-    return hasNothingBehind(around) || has_rim;
+  const bool is_high =
+      around.on_top >= min_things * part.area && around.lower <= max_lower * part.area;
+  if (hasThingsOnTop(part, around))
+    return (is_large || is_high) && (hasNothingBehind(around) || has_rim);
   return hasNothingBehind(around) && part.area >= min_share * largest.area;
 }
 
@@ -114,7 +127,7 @@ carriersAmong(const std::vector<SupportPart>& parts,
     });
   };
   for (std::size_t k = 0; k < parts.size(); ++k)
-    if (isLarge(parts[k], largest, min_share) &&
+    if (isLarge(parts[k], largest, min_share_of_high) &&
         carries(parts[k], largest, scene.around(k)))
       carriers.push_back(k);
   for (std::size_t k = 0; k < parts.size(); ++k)
