@@ -46,20 +46,30 @@ hasNothingBehind(const Surroundings& around)
   return around.behind <= max_behind * (around.before + around.behind);
 }
 
+bool
+hasRim(const SupportPart& part, const Surroundings& around)
+{
+  return around.sides <= max_sides * part.area;
+}
+
 /** Whether things lie before it and nothing behind, or things stand on it and it has a
  * rim. */
 bool
 carries(const SupportPart& part, const PartSize& largest, const Surroundings& around)
 {
-  const bool is_large = isLarge(part, largest, min_share);
   if (!(around.before + around.behind > 0.0))
-    return is_large && part.area > around.others;
-  const bool has_rim = around.sides <= max_sides * part.area;
-  const bool is_high =
-      around.on_top >= min_things * part.area && around.lower <= max_lower * part.area;
+    return part.area > around.others;
   if (hasThingsOnTop(part, around))
-    return (is_large || is_high) && (hasNothingBehind(around) || has_rim);
+    return hasNothingBehind(around) || hasRim(part, around);
   return hasNothingBehind(around) && part.area >= min_share * largest.area;
+}
+
+/** Whether things stand on it, and nothing is seen that it may lie on. */
+bool
+standsHigh(const SupportPart& part, const Surroundings& around)
+{
+  return around.on_top >= min_things * part.area && hasThingsOnTop(part, around) &&
+         hasRim(part, around) && around.lower <= max_lower * part.area;
 }
 
 /** Whether things lie before it and nothing behind. Around the lid of a box seen from
@@ -120,19 +130,28 @@ carriersAmong(const std::vector<SupportPart>& parts,
   Scene scene(parts, nodes, unit, threads);
   const PartSize largest = largestOf(parts);
   std::vector<std::size_t> carriers;
-  const auto isOneBelow = [&](std::size_t part) {
-    return std::any_of(carriers.begin(), carriers.end(), [&](std::size_t carrier) {
-      return carrier != part &&
-             isBelow(parts[part].support.plane, parts[carrier].support.plane);
-    });
+  const auto isCarrier = [&](std::size_t part) {
+    return std::find(carriers.begin(), carriers.end(), part) != carriers.end();
+  };
+  const auto isAny = [&](std::size_t part, const auto& isRelated) {
+    return !isCarrier(part) &&
+           std::any_of(carriers.begin(), carriers.end(), [&](std::size_t carrier) {
+             return isRelated(parts[part].support.plane, parts[carrier].support.plane);
+           });
+  };
+  const auto isAbove = [](const auto& plane, const auto& other) {
+    return isBelow(other, plane);
   };
   for (std::size_t k = 0; k < parts.size(); ++k)
-    if (isLarge(parts[k], largest, min_share_of_high) &&
+    if (isLarge(parts[k], largest, min_share) &&
         carries(parts[k], largest, scene.around(k)))
       carriers.push_back(k);
   for (std::size_t k = 0; k < parts.size(); ++k)
-    if (std::find(carriers.begin(), carriers.end(), k) == carriers.end() &&
-        isOneBelow(k) && isFoot(scene.around(k)))
+    if (isLarge(parts[k], largest, min_share_of_high) && isAny(k, isAbove) &&
+        standsHigh(parts[k], scene.around(k)))
+      carriers.push_back(k);
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    if (isAny(k, isBelow) && isFoot(scene.around(k)))
       carriers.push_back(k);
   return carriers;
 }
