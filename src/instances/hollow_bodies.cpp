@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Cups and bowls: the inside, seen over the rim, belongs to the outside.
+// Cups and bowls: the inside, seen over the rim, and its floor belong to the outside.
 
 #include "instances/hollow_bodies.h"
 
 #include "common/statistics.h"
 #include "instances/body_sample.h"
+#include "instances/extent.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -24,7 +25,7 @@ constexpr std::size_t min_wall_points = 30;
 // The mean cosine between the normals of a half cylinder's inside and the directions to
 // its middle is about 0.6, of a plane 0.
 constexpr float min_concavity = 0.25f;
-constexpr float min_share = 0.8f; // of the points that face the axis, or away from it
+constexpr float min_share = 0.8f; // of the points that are so, as some are noise
 // Normals of a quarter of a circle spread that much across their mean, of a plane not.
 constexpr float min_spread = 0.05f;
 constexpr float max_miss = 0.35f; // of the radius: how far normals pass by the axis
@@ -139,16 +140,52 @@ misfit(const Walls& inside, const Walls& outside, const Vector3f& up)
   return fits ? miss : no_fit;
 }
 
+std::vector<BodySample>
+samplesOf(const InstanceInput& input, const Vector3f& up, const Labels& labels)
+{
+  const auto largest = std::max_element(labels.begin(), labels.end());
+  const std::int32_t last = largest == labels.end() ? -1 : *largest;
+  return bodySamples(input, up, labels, static_cast<std::size_t>(last + 1));
+}
+
+/** Places in an image towards a direction, which is a unit vector. */
+std::vector<Vector3f>
+seenTowards(const Vector3f& direction,
+            const Vector3f& view_point,
+            const std::vector<Vector3f>& points)
+{
+  std::vector<Vector3f> seen;
+  for (const Vector3f& point : points)
+    if (const float depth = direction.dot(point - view_point); depth > 0.0f)
+      seen.emplace_back((point - view_point) / depth - direction);
+  return seen;
+}
+
+/** Whether one sees a body around most of a floor. */
+bool
+surrounds(const BodySample& body, const BodySample& floor, const Vector3f& view_point)
+{
+  const Vector3f direction = (floor.middle - view_point).normalized();
+  const auto around = seenTowards(direction, view_point, body.points);
+  const auto inner = seenTowards(direction, view_point, floor.points);
+  if (around.size() < min_wall_points || inner.empty())
+    return false;
+  const Extent extent(direction, {around.front().data(), 3, around.size()});
+  if (!extent.isInside(Vector3f::Zero())) // the middle: most bodies are elsewhere
+    return false;
+  const auto inside = std::count_if(inner.begin(), inner.end(), [&](const auto& place) {
+    return extent.isInside(place);
+  });
+  return static_cast<float>(inside) >= min_share * static_cast<float>(inner.size());
+}
+
 } // namespace
 
 void
 joinInsides(const InstanceInput& input, const Vector3f& up, Labels& labels)
 {
-  std::size_t count = 0;
-  for (const std::int32_t label : labels)
-    count = std::max(count, static_cast<std::size_t>(label + 1));
   std::vector<Walls> walls;
-  for (const BodySample& body : bodySamples(input, up, labels, count))
+  for (const BodySample& body : samplesOf(input, up, labels))
     walls.push_back(wallsOf(body, up));
   std::vector<std::int32_t> joined(walls.size());
   for (std::size_t k = 0; k < walls.size(); ++k) {
@@ -169,6 +206,24 @@ joinInsides(const InstanceInput& input, const Vector3f& up, Labels& labels)
   for (std::int32_t& label : labels)
     if (label >= 0)
       label = joined[static_cast<std::size_t>(label)];
+}
+
+void
+joinFloors(const InstanceInput& input,
+           const Vector3f& up,
+           const Labels& patches,
+           Labels& labels)
+{
+  const std::vector<BodySample> floors = samplesOf(input, up, patches);
+  const std::vector<BodySample> bodies = samplesOf(input, up, labels);
+  std::vector<std::int32_t> body_of(floors.size(), -1);
+  for (std::size_t f = 0; f < floors.size(); ++f)
+    for (std::size_t k = 0; k < bodies.size() && body_of[f] < 0; ++k)
+      if (surrounds(bodies[k], floors[f], input.view_point))
+        body_of[f] = static_cast<std::int32_t>(k);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] < 0 && patches[i] >= 0)
+      labels[i] = body_of[static_cast<std::size_t>(patches[i])];
 }
 
 } // namespace pcl::segmentation

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Cups and bowls: the inside, seen over the rim, belongs to the outside.
+// Cups and bowls: the inside, seen over the rim, and its floor belong to the outside.
 
 #pragma once
 
@@ -21,5 +21,14 @@ namespace pcl::segmentation {
 void joinInsides(const detail::InstanceInput& input,
                  const Eigen::Vector3f& up,
                  Labels& labels);
+
+/** \brief Give the floors of hollow bodies, which are hardly higher than what these
+ * stand on, the labels of the bodies that one sees around them.
+ * \param[in] patches of supports, apart from these: which one each point is of; -1 none
+ */
+void joinFloors(const detail::InstanceInput& input,
+                const Eigen::Vector3f& up,
+                const Labels& patches,
+                Labels& labels);
 
 } // namespace pcl::segmentation

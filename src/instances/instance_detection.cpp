@@ -11,7 +11,7 @@
 #include "instances/label_growth.h"
 #include "instances/open_boxes.h"
 #include "instances/smooth_pieces.h"
-#include "instances/support_planes.h"
+#include "instances/support_faces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,8 +126,10 @@ findObjects(const InstanceInput& input, const InstanceLimits& limits)
       planes.empty() ? Eigen::Vector3f::Zero() : planes.front().plane.normal;
   const std::vector<FaceContact> contacts =
       faceContacts(input, grid, faces, properties, grown, up);
-  const std::vector<char> supports = supportsAmong(
-      input, faces, properties, patchesOf(planes, input, faces), contacts);
+  const std::vector<char> patches = patchesOf(planes, input, faces);
+  const Labels lone_patches = lonePatches(patches, planes, faces, contacts, grown);
+  const std::vector<char> supports =
+      supportsAmong(input, faces, properties, patches, contacts);
   Labels groups = groupFaces(properties, supports, contacts);
   joinHiddenParts(input, faces, properties, groups);
   for (std::int32_t& label : grown)
@@ -136,6 +138,7 @@ findObjects(const InstanceInput& input, const InstanceLimits& limits)
   if (!planes.empty()) {
     joinOpenBoxes(input, up, faces, contacts, groups, grown);
     joinInsides(input, up, grown);
+    joinFloors(input, up, lone_patches, grown);
   }
   for (const Support& plane : planes)
     for (const std::uint32_t i : plane.smeared)

@@ -15,25 +15,41 @@ namespace {
 using Eigen::Vector3f;
 using Nodes = std::vector<SurfaceNode>;
 
-constexpr double min_share = 0.25; // of the largest part: supports are large
+// Of the largest part: supports are large. A table that stands high above a floor may
+// be smaller, beside what is seen of the floor.
+constexpr double min_share = 0.25, min_share_of_high = 0.1;
 // Of what is around. Six tables of a Kinect and one of a RealSense have .75 to .99 on
 // top and .01 to .25 behind, noise and rims: few things in the middle are enough, and a
 // table with more behind it must have a thin rim.
 constexpr double min_on_top = 0.2, max_behind = 0.2;
 // Of its own area: rims of tables had .04 to .1, the sides of boxes .2 to .6.
 constexpr double max_sides = 0.25;
+// Likewise, without its rim. A leg of a table has .01, the short side of a box that is
+// four times as long as wide has .06; below a book there is the table that it lies on.
+constexpr double max_lower = 0.04;
+// Likewise, of what is near it: a cup on a table of 50 x 50 cm has .0075.
+constexpr double min_things = 0.005;
 constexpr float same_level = 0.94f; // cosine of 20 degrees
 
+/** Walls around it, as those of a shelf, are before it and not on top. */
 bool
-hasThingsOnTop(const Surroundings& around)
+hasThingsOnTop(const SupportPart& part, const Surroundings& around)
 {
-  return around.on_top >= min_on_top * (around.before + around.behind);
+  const double others =
+      around.on_top >= min_things * part.area ? around.on_top : around.before;
+  return around.on_top >= min_on_top * (others + around.behind);
 }
 
 bool
 hasNothingBehind(const Surroundings& around)
 {
   return around.behind <= max_behind * (around.before + around.behind);
+}
+
+bool
+hasRim(const SupportPart& part, const Surroundings& around)
+{
+  return around.sides <= max_sides * part.area;
 }
 
 /** Whether things lie before it and nothing behind, or things stand on it and it has a
@@ -43,10 +59,17 @@ carries(const SupportPart& part, const PartSize& largest, const Surroundings& ar
 {
   if (!(around.before + around.behind > 0.0))
     return part.area > around.others;
-  const bool has_rim = around.sides <= max_sides * part.area;
-  if (hasThingsOnTop(around))
-    return hasNothingBehind(around) || has_rim;
+  if (hasThingsOnTop(part, around))
+    return hasNothingBehind(around) || hasRim(part, around);
   return hasNothingBehind(around) && part.area >= min_share * largest.area;
+}
+
+/** Whether things stand on it, and nothing is seen that it may lie on. */
+bool
+standsHigh(const SupportPart& part, const Surroundings& around)
+{
+  return around.on_top >= min_things * part.area && hasThingsOnTop(part, around) &&
+         hasRim(part, around) && around.lower <= max_lower * part.area;
 }
 
 /** Whether things lie before it and nothing behind. Around the lid of a box seen from
@@ -107,19 +130,28 @@ carriersAmong(const std::vector<SupportPart>& parts,
   Scene scene(parts, nodes, unit, threads);
   const PartSize largest = largestOf(parts);
   std::vector<std::size_t> carriers;
-  const auto isOneBelow = [&](std::size_t part) {
-    return std::any_of(carriers.begin(), carriers.end(), [&](std::size_t carrier) {
-      return carrier != part &&
-             isBelow(parts[part].support.plane, parts[carrier].support.plane);
-    });
+  const auto isCarrier = [&](std::size_t part) {
+    return std::find(carriers.begin(), carriers.end(), part) != carriers.end();
+  };
+  const auto isAny = [&](std::size_t part, const auto& isRelated) {
+    return !isCarrier(part) &&
+           std::any_of(carriers.begin(), carriers.end(), [&](std::size_t carrier) {
+             return isRelated(parts[part].support.plane, parts[carrier].support.plane);
+           });
+  };
+  const auto isAbove = [](const auto& plane, const auto& other) {
+    return isBelow(other, plane);
   };
   for (std::size_t k = 0; k < parts.size(); ++k)
     if (isLarge(parts[k], largest, min_share) &&
         carries(parts[k], largest, scene.around(k)))
       carriers.push_back(k);
   for (std::size_t k = 0; k < parts.size(); ++k)
-    if (std::find(carriers.begin(), carriers.end(), k) == carriers.end() &&
-        isOneBelow(k) && isFoot(scene.around(k)))
+    if (isLarge(parts[k], largest, min_share_of_high) && isAny(k, isAbove) &&
+        standsHigh(parts[k], scene.around(k)))
+      carriers.push_back(k);
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    if (isAny(k, isBelow) && isFoot(scene.around(k)))
       carriers.push_back(k);
   return carriers;
 }

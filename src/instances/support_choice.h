@@ -11,7 +11,8 @@
 
 namespace pcl::segmentation {
 
-/** \brief The parts that are supports: first those that are large, then lower levels.
+/** \brief The parts that are supports: first those that are large, then
+ * smaller ones high above these, then lower levels.
  * \param[in] nodes all of the cloud \param[in] unit the median spacing, meters */
 std::vector<std::size_t> carriersAmong(const std::vector<SupportPart>& parts,
                                        const std::vector<SurfaceNode>& nodes,

@@ -21,11 +21,9 @@ using detail::InstanceInput;
 using Eigen::Vector3f;
 using Nodes = std::vector<SurfaceNode>;
 
-constexpr float max_bend = 8.0f;     // of a plane at the corners of an image
 constexpr float same_normal = 0.94f; // cosine of 20 degrees
 // From the support, half of a stereo camera's window: not the floor of a bowl.
 constexpr float smear_spacings = 3.0f;
-constexpr double patch_share = 0.8; // of a face's points, as some are at its borders
 
 /** Raised by what touches it, as by a stereo camera, which finds one depth for a
  * window: lower than what is told from a support, and nearly parallel to it. */
@@ -87,37 +85,6 @@ supportPlanes(const InstanceInput& input,
   for (const std::size_t k : carriersAmong(parts, nodes, unit, input.threads))
     supports.push_back(supportOf(parts[k], input, unit, is_free));
   return supports;
-}
-
-std::vector<char>
-patchesOf(const std::vector<Support>& supports,
-          const InstanceInput& input,
-          const Labels& faces)
-{
-  const std::int32_t last =
-      faces.empty() ? -1 : *std::max_element(faces.begin(), faces.end());
-  const auto count = static_cast<std::size_t>(last + 1);
-  std::vector<std::size_t> points(count, 0);
-  std::vector<char> is_patch(count, 0);
-  for (const std::int32_t face : faces)
-    if (face >= 0)
-      ++points[static_cast<std::size_t>(face)];
-  for (const Support& support : supports) {
-    std::vector<std::size_t> low(count, 0);
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      if (faces[i] < 0)
-        continue;
-      const float height =
-          support.plane.normal.dot(positionOf(input.points, i) - support.plane.center) /
-          input.spacings[i];
-      if (height < std::max(max_ripple, support.offset) && height > -max_bend)
-        ++low[static_cast<std::size_t>(faces[i])];
-    }
-    for (std::size_t f = 0; f < count; ++f)
-      if (static_cast<double>(low[f]) >= patch_share * static_cast<double>(points[f]))
-        is_patch[f] = 1;
-  }
-  return is_patch;
 }
 
 } // namespace pcl::segmentation

@@ -29,10 +29,4 @@ std::vector<Support> supportPlanes(const detail::InstanceInput& input,
                                    const PointGrid& grid,
                                    const std::vector<char>& members);
 
-/** \brief Which faces are patches of a support: no higher than its ripple, and not far
- * behind it, as where a lens bends it. \param[in] faces of each point, -1 none */
-std::vector<char> patchesOf(const std::vector<Support>& supports,
-                            const detail::InstanceInput& input,
-                            const Labels& faces);
-
 } // namespace pcl::segmentation

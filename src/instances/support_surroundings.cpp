@@ -6,9 +6,9 @@
 
 #include "common/parallel.h"
 #include "geometry/point_grid.h"
+#include "instances/extent.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -21,60 +21,11 @@ using Nodes = std::vector<SurfaceNode>;
 constexpr float max_cosine = 0.7f; // of 45 degrees: a side is steep
 // Of the width of a part. The rim of a table is far thinner, a box as deep at least.
 constexpr float side_depth = 0.25f;
-// Of 16 directions along the plane, in which there are nodes of the part. Beside a
-// straight border there are 8, beside a round one fewer; 9 or 10 with ripple.
-constexpr std::size_t directions = 16;
-constexpr int min_directions_inside = 11;
-
-/** Where a part of a plane is, by some of its nodes. */
-class Extent {
-public:
-  Extent(const SupportPart& part, const Nodes& places)
-  : x_(part.support.plane.normal.unitOrthogonal())
-  , y_(part.support.plane.normal.cross(x_))
-  {
-    for (const SurfaceNode& place : places)
-      places_.push_back(along(place.position));
-  }
-
-  /** Whether the part is on most sides of a place. */
-  bool
-  isInside(const Vector3f& position) const
-  {
-    const Eigen::Vector2f from = along(position);
-    std::array<char, directions> seen{};
-    int count = 0;
-    return std::any_of(places_.begin(), places_.end(), [&](const auto& place) {
-      char& is_seen = seen[directionOf(place - from)];
-      count += is_seen ? 0 : 1;
-      is_seen = 1;
-      return count >= min_directions_inside;
-    });
-  }
-
-private:
-  Eigen::Vector2f
-  along(const Vector3f& position) const
-  {
-    return {x_.dot(position), y_.dot(position)};
-  }
-
-  static std::size_t
-  directionOf(const Eigen::Vector2f& offset)
-  {
-    constexpr auto pi = static_cast<float>(M_PI);
-    const float turns = (std::atan2(offset.y(), offset.x()) + pi) / (2.0f * pi);
-    const auto last = static_cast<float>(directions - 1);
-    return static_cast<std::size_t>(std::clamp(turns * directions, 0.0f, last));
-  }
-
-  Vector3f x_, y_;
-  std::vector<Eigen::Vector2f> places_; ///< along the plane
-};
+constexpr float rim_depth = 0.125f; // of its width, likewise
 
 /** What a node is to a part of a plane. */
 struct Relation {
-  bool is_on = false, is_side = false;
+  bool is_on = false, is_side = false, is_lower = false;
   bool is_before = false, is_on_top = false, is_behind = false; ///< and near it
 };
 
@@ -92,13 +43,15 @@ public:
     const float height = heightOf(node, support_.plane);
     if (relation.is_on || std::abs(height) < band_)
       return relation;
-    const bool is_low = height < 0.0f;
-    const bool may_be_side =
-        is_low && isSteep(node) && isNear(node.position, places_, side_reach_);
+    const bool is_low = height < 0.0f, is_steep = isSteep(node);
+    const bool may_be_beside = is_low && isNear(node.position, places_, side_reach_);
     const bool is_near = isNear(node.position, nodes_, around_spacings * node.spacing);
     // What is low and inside is noise: nobody sees through a support.
-    const bool is_inside = (may_be_side || is_near) && extent_.isInside(node.position);
-    relation.is_side = may_be_side && !is_inside;
+    const bool is_inside =
+        (may_be_beside || is_near) && extent_.isInside(node.position);
+    const bool is_beside = may_be_beside && !is_inside;
+    relation.is_side = is_beside && is_steep;
+    relation.is_lower = is_beside && (!is_steep || -height * node.spacing > rim_depth_);
     relation.is_before = is_near && height > 0.0f;
     relation.is_on_top = relation.is_before && is_inside;
     relation.is_behind = is_near && is_low && !is_inside;
@@ -108,8 +61,9 @@ public:
 private:
   Neighborhood(const SupportPart& part, const Nodes& some, float unit)
   : support_(part.support)
-  , extent_(part, some)
+  , extent_(part.support.plane.normal, positionsOf(some))
   , side_reach_(side_depth * static_cast<float>(std::sqrt(part.area)))
+  , rim_depth_(rim_depth * static_cast<float>(std::sqrt(part.area)))
   , places_(positionsOf(some), side_reach_)
   , nodes_(positionsOf(part.nodes), around_spacings * unit)
   , band_(std::max(max_ripple, part.support.offset))
@@ -123,8 +77,8 @@ private:
 
   SupportPlane support_;
   Extent extent_;
-  float side_reach_;
-  PointGrid places_, nodes_; ///< of some nodes of the part, and of all
+  float side_reach_, rim_depth_; ///< meters
+  PointGrid places_, nodes_;     ///< of some nodes of the part, and of all
   float band_;
 };
 
@@ -147,6 +101,7 @@ surroundingsOf(const SupportPart& part,
     const double area = areaOf(nodes[k], unit);
     around.others += relation.is_on ? 0.0 : area;
     around.sides += relation.is_side ? area : 0.0;
+    around.lower += relation.is_lower ? area : 0.0;
     around.before += relation.is_before ? area : 0.0;
     around.on_top += relation.is_on_top ? area : 0.0;
     around.behind += relation.is_behind ? area : 0.0;

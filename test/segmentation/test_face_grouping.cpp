@@ -3,6 +3,7 @@
 // Faces grouped to bodies, and supports, from given contacts.
 
 #include "instances/face_grouping.h"
+#include "instances/support_faces.h"
 #include "small_surfaces.h"
 
 #include <gtest/gtest.h>

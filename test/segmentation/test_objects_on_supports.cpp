@@ -27,6 +27,7 @@ constexpr double none = std::numeric_limits<double>::infinity();
 enum Label { table = 1, cup = 2, box = 3, second_box = 4, floor_below = 11, rim = 12 };
 
 constexpr double radius = 0.045, wall = 0.004, height = 0.09; // of the cup
+constexpr double bottom = 0.005; // its floor, if it has one
 
 /** A box on the table, without a lid if it has compartments. */
 struct Box {
@@ -113,15 +114,17 @@ struct Scene {
 
 /** A table with a cup and boxes on it, as a depth camera above sees them.
  * \param[in] ripple of the depth, meters, over 40 mm
- * \param[in] slab the table, if it ends in the view */
+ * \param[in] slab the table, if it ends in the view
+ * \param[in] from_above whether the floor of the cup is seen */
 Scene
 tableScene(double ripple,
            double spacing,
            const std::vector<Box>& boxes,
            std::mt19937& random,
-           const std::optional<Slab>& slab = std::nullopt)
+           const std::optional<Slab>& slab = std::nullopt,
+           bool from_above = false)
 {
-  const Vector3d from(0.0, -0.45, 0.5);
+  const Vector3d from(0.0, from_above ? -0.25 : -0.45, from_above ? 0.65 : 0.5);
   const Vector3d forward = (Vector3d(0.05, 0.0, 0.03) - from).normalized();
   const Vector3d right = forward.cross(Vector3d::UnitZ()).normalized();
   const Vector3d up = right.cross(forward);
@@ -140,7 +143,7 @@ tableScene(double ripple,
       const double at_rim = (height - from.z()) / ray.z();
       if ((from + at_rim * ray).head<2>().norm() < radius - wall) {
         hits[1] = none;
-        hits[0] = std::max(hits[0], 0.0);
+        hits[0] = from_above ? (bottom - from.z()) / ray.z() : hits[0];
       }
       else
         hits[2] = none;
@@ -228,6 +231,15 @@ TEST_P(ObjectsOnSupports, TheTableIsNoneAndTheCupIsOne)
   EXPECT_LT(tableShare(scene, objects), 0.02);
   EXPECT_GT(bestOverlap(scene, objects, cup), 0.85);
   EXPECT_GT(bestOverlap(scene, objects, box), 0.85);
+}
+
+TEST(Supports, TheFloorOfACupIsNone)
+{
+  std::mt19937 random(9);
+  const Scene scene = tableScene(0.0, 0.0015, {boxWith(0)}, random, std::nullopt, true);
+  const std::vector<ShapeInstance> objects = objectsOf(scene);
+  EXPECT_LT(tableShare(scene, objects), 0.02);
+  EXPECT_GT(bestOverlap(scene, objects, cup), 0.85);
 }
 
 /** A table above a floor that is far larger; its rim is seen. */

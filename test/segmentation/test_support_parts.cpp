@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Flat parts that may be supports, in clutter and behind gaps.
 
+#include "instances/support_choice.h"
 #include "instances/support_parts.h"
 #include "instances/support_planes.h"
 #include "small_surfaces.h"
@@ -19,15 +20,21 @@ using namespace pcl::segmentation;
 using Eigen::Vector3f;
 using Nodes = std::vector<SurfaceNode>;
 
-/** \brief A level patch of so many nodes to a side; the spacing is 1. */
+/** \brief A patch of so many nodes to a side; the spacing is 1. */
 void
-addPatch(const Vector3f& corner, int columns, int rows, Nodes& nodes)
+addPatch(const Vector3f& corner,
+         int columns,
+         int rows,
+         Nodes& nodes,
+         const Vector3f& right = Vector3f::UnitX(),
+         const Vector3f& up = Vector3f::UnitY())
 {
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
-      const Vector3f offset(static_cast<float>(column), static_cast<float>(row), 0.0f);
+      const Vector3f offset =
+          static_cast<float>(column) * right + static_cast<float>(row) * up;
       nodes.push_back({corner + node_spacings * offset,
-                       Vector3f::UnitZ(),
+                       right.cross(up),
                        1.0f,
                        0.0f,
                        static_cast<std::uint32_t>(nodes.size())});
@@ -93,6 +100,57 @@ TEST(SupportParts, LargestAreaAndMostPointsMayBeOfTwoParts)
   EXPECT_TRUE(isLarge(far, largest, 0.25));
   near.points = 200.0;
   EXPECT_FALSE(isLarge(near, largest, 0.25));
+}
+
+/** \brief How many supports there are at a height. */
+std::size_t
+supportsAt(float height, const Nodes& nodes)
+{
+  const std::vector<SupportPart> parts = supportParts(nodes, min_offset, 1.0f);
+  std::size_t count = 0;
+  for (const std::size_t k : carriersAmong(parts, nodes, 1.0f, 1))
+    if (std::abs(parts[k].support.plane.center.z() - height) < 0.1f)
+      ++count;
+  return count;
+}
+
+/** \brief A floor and above it a level patch, a seventh as large, with something on it.
+ */
+Nodes
+patchAbove(float height)
+{
+  Nodes nodes;
+  addPatch({0, 0, 0}, 110, 100, nodes);
+  addPatch({50, 50, height}, 40, 40, nodes);
+  addPatch({75, 75, height + 4.0f}, 7, 7, nodes);
+  return nodes;
+}
+
+TEST(SupportChoice, ASmallTableStandsHighAndABookDoesNot)
+{
+  EXPECT_EQ(1u, supportsAt(60.0f, patchAbove(60.0f)));
+  EXPECT_EQ(0u, supportsAt(5.0f, patchAbove(5.0f)));
+  EXPECT_EQ(1u, supportsAt(0.0f, patchAbove(60.0f)));
+}
+
+TEST(SupportChoice, ASmallBoxHasSides)
+{
+  Nodes nodes = patchAbove(60.0f);
+  addPatch({50, 50, 2.0f}, 40, 36, nodes, Vector3f::UnitX(), Vector3f::UnitZ());
+  EXPECT_EQ(0u, supportsAt(60.0f, nodes));
+}
+
+TEST(SupportChoice, WallsAroundABoardAreNoThingsOnIt)
+{
+  Nodes nodes;
+  addPatch({0, 0, 0}, 60, 40, nodes);
+  addPatch({42, 27, 4}, 7, 7, nodes);
+  const Vector3f x = Vector3f::UnitX(), y = Vector3f::UnitY(), z = Vector3f::UnitZ();
+  addPatch({0, 60, 3}, 60, 40, nodes, x, z); // its back, and sides
+  addPatch({0, 0, 3}, 40, 40, nodes, y, z);
+  addPatch({90, 0, 3}, 40, 40, nodes, y, z);
+  addPatch({0, 0, -6}, 60, 3, nodes, x, z); // its rim
+  EXPECT_EQ(1u, supportsAt(0.0f, nodes));
 }
 
 /** \brief A level floor, 100 wide, with a bump of a cosine's shape in the middle. */

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Which faces are supports, or patches of them.
+
+#pragma once
+
+#include "instances/face_contacts.h"
+#include "instances/support_planes.h"
+
+#include <vector>
+
+namespace pcl::segmentation {
+
+/** \brief Which faces are patches of a support: no higher than its ripple, and not far
+ * behind it, as where a lens bends it. \param[in] faces of each point, -1 none */
+std::vector<char> patchesOf(const std::vector<Support>& supports,
+                            const detail::InstanceInput& input,
+                            const Labels& faces);
+
+/** \brief Which patch each point is of, of those that do not touch the support's own
+ * plane; -1 of none. \param[in] grown the faces with the points between them shared out
+ */
+Labels lonePatches(const std::vector<char>& patches,
+                   const std::vector<Support>& supports,
+                   const Labels& faces,
+                   const std::vector<FaceContact>& contacts,
+                   const Labels& grown);
+
+/** \brief Which faces belong to a support: those that are known; planar ones, not much
+ * smaller than the largest such face, with others on them; and pieces that lie in the
+ * same plane. */
+std::vector<char> supportsAmong(const detail::InstanceInput& input,
+                                const Labels& labels,
+                                const std::vector<Face>& faces,
+                                const std::vector<char>& known,
+                                const std::vector<FaceContact>& contacts);
+
+} // namespace pcl::segmentation
