@@ -59,7 +59,8 @@ protected:
   static void
   expectSame(const CloudFile& ours, const CloudFile& theirs)
   {
-    ASSERT_EQ(ours.size(), theirs.size());
+    ASSERT_EQ(ours.blob.width, theirs.blob.width);
+    ASSERT_EQ(ours.blob.height, theirs.blob.height);
     for (std::size_t f = 0; f < theirs.blob.fields.size(); ++f) {
       const pcl::PCLPointField& field = theirs.blob.fields[f];
       // In its place, unless padding is before it: names may be there twice.
@@ -525,7 +526,7 @@ TEST_F(Readers, FilesOfPclsOwnRepositories)
     const std::optional<CloudFile> theirs = readByPcl(path);
     if (!theirs)
       continue;
-    ASSERT_NO_THROW(expectSame(readAnyCloud(path), *theirs));
+    EXPECT_NO_THROW(expectSame(readAnyCloud(path), *theirs));
     ++read;
   }
   EXPECT_GT(read, 0u);

@@ -175,10 +175,13 @@ TEST_F(Streams, LargeDoublesLoseAnOffsetAndKeepTheirValues)
   const auto expected = labelsOf(readAnyCloud(path("near_out.pcd")), "edge");
   EXPECT_EQ(labelsOf(out, "edge"), expected);
   EXPECT_GT(std::count(expected.begin(), expected.end(), 1u), 0);
-  ASSERT_EQ(
-      runApp(edges, {path("far.ply"), path("g.pcd"), "-offset", "500000,5400000,300"})
-          .status,
-      0);
+  const Outcome given =
+      runApp(edges, {path("far.ply"), path("g.pcd"), "-offset", "500000,5400000,300"});
+  ASSERT_EQ(given.status, 0) << given.err;
+  EXPECT_EQ(given.err.find("warning"), std::string::npos) << given.err;
+  const Outcome useless =
+      runApp(edges, {path("far.ply"), path("u.pcd"), "-offset", "1,2,3"});
+  EXPECT_NE(useless.err.find("steps of 0.5,"), std::string::npos) << useless.err;
   EXPECT_EQ(labelsOf(readAnyCloud(path("g.pcd")), "edge"), expected);
   expectRefused(
       runApp(edges, {path("far.ply"), path("g.pcd"), "-offset", "1,2"}), 2, {"X,Y,Z"});
