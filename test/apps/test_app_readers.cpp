@@ -136,11 +136,26 @@ TEST_F(Readers, WordsOfAPcdHeaderInAnyCase)
                 "WIDTH 2\r\nPOINTS 2\r\nDATA ascii\r\n0.25 1 2\r\n3 -4 5.5\r\n"));
 }
 
+TEST_F(Readers, MarksBeforeTheTextAreLeftOut)
+{
+  const std::string mark = "\xef\xbb\xbf";
+  expectTwoPoints(
+      decodePcd("marked.pcd", mark + pcdHead("F F F") + "DATA ascii\n" + two_rows));
+  for (const char* const name : {"marked.ply", "marked"})
+    expectTwoPoints(decodeAnyCloud(name,
+                                   mark + "ply\nformat ascii 1.0\nelement vertex 2\n" +
+                                       xyz_properties + "end_header\n" + two_rows));
+}
+
 TEST_F(Readers, OldPcdHeaders)
 {
   expectTwoPoints(sameAsPcl(
       "old.pcd",
       "# .PCD v.5\nVERSION .5\nCOLUMNS x y z\nPOINTS 2\nDATA ascii\n" + two_rows));
+  expectTwoPoints(sameAsPcl("width_as_float.pcd",
+                            "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH "
+                            "2.0\nHEIGHT 1\nPOINTS 2.0\nDATA ascii\n" +
+                                two_rows));
   expectTwoPoints(decodePcd(
       "width.pcd",
       "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 1\nDATA ascii\n" +
