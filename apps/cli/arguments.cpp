@@ -146,9 +146,13 @@ Arguments::integer(const std::string& name, std::uint64_t min, std::uint64_t max
 void
 Arguments::exclude(const std::string& one, const std::string& other) const
 {
+  const auto withValue = [&](const std::string& option) {
+    const std::string& value = options_.at(option);
+    return "-" + option + (value.empty() ? "" : " '" + value + "'");
+  };
   if (has(one) && has(other))
-    throw UsageError("-" + one + " '" + options_.at(one) + "' and -" + other + " '" +
-                     options_.at(other) + "': expected only one of the two");
+    throw UsageError(withValue(one) + " and " + withValue(other) +
+                     ": expected only one of the two");
 }
 
 bool

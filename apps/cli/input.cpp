@@ -12,7 +12,9 @@
 
 #include <charconv>
 #include <cstdio>
+#include <cstring>
 #include <iterator>
+#include <type_traits>
 
 namespace pcl::app {
 
@@ -52,11 +54,30 @@ toText(const std::array<double, 3>& vector)
   return text;
 }
 
+/** A coordinate of a point as it is before it becomes a float. */
+double
+beforeFloat(const CloudFile& cloud,
+            std::size_t point,
+            const pcl::PCLPointField& field,
+            double offset)
+{
+  return visitType(field.datatype, [&](auto value) {
+    std::memcpy(&value, cloud.at(point, field), sizeof(value));
+    constexpr bool is_float = std::is_same_v<decltype(value), float>;
+    return static_cast<double>(value) - (is_float ? 0.0 : offset);
+  });
+}
+
 void
 warnOfRounding(const Arguments& arguments, const CloudFile& cloud)
 {
-  const pcl::DoubleXYZ points = coordinatesOf(cloud);
-  const double step = pcl::destructiveFloatSpacing(points);
+  const auto &x = *findField(cloud, "x"), &y = *findField(cloud, "y"),
+             &z = *findField(cloud, "z");
+  const double step = pcl::destructiveFloatSpacing(cloud.size(), [&](std::size_t i) {
+    return std::array<double, 3>{beforeFloat(cloud, i, x, cloud.offset[0]),
+                                 beforeFloat(cloud, i, y, cloud.offset[1]),
+                                 beforeFloat(cloud, i, z, cloud.offset[2])};
+  });
   if (step == 0.0)
     return;
   char text[128]; // two numbers of up to 12 characters
@@ -65,7 +86,7 @@ warnOfRounding(const Arguments& arguments, const CloudFile& cloud)
       sizeof(text),
       "float holds them in steps of %.3g, while the points are about %.3g apart",
       step,
-      pcl::coordinateScale(points).spacing);
+      pcl::coordinateScale(coordinatesOf(cloud)).spacing);
   logLine(arguments.app() + ": " + cloud.path +
           ": warning: the coordinates are too large for their type: " + text +
           "; expected coordinates in double, or with an offset subtracted before they "

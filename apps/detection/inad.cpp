@@ -16,12 +16,45 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace pcl::app {
 namespace {
 
 const std::vector<std::string> scales{
     "fixed", "depth", "density"}; // RadiusMode's order
+
+using Points = pcl::PointCloud<pcl::PointXYZ>;
+
+/** Each place of a cloud once, however many points are there. */
+class PlacesOf {
+public:
+  explicit PlacesOf(const Points::ConstPtr& points)
+  : distinct_(pcl::distinctPoints(pcl::detail::xyzOf(*points)))
+  , places_(distinct_.hasRepeats() ? pcl::make_shared<Points>(*points, distinct_.first)
+                                   : points)
+  {}
+
+  const Points::ConstPtr&
+  cloud() const
+  {
+    return places_;
+  }
+
+  /** What the places have, for each point. */
+  template <typename T>
+  typename pcl::PointCloud<T>::ConstPtr
+  toPoints(const typename pcl::PointCloud<T>::ConstPtr& of_places) const
+  {
+    return distinct_.hasRepeats()
+               ? pcl::make_shared<pcl::PointCloud<T>>(*of_places, distinct_.place)
+               : of_places;
+  }
+
+private:
+  pcl::DistinctPoints distinct_;
+  Points::ConstPtr places_;
+};
 
 /** \throws InputError if k is above the number of finite points */
 void
@@ -155,22 +188,17 @@ addNormals(CloudFile& file,
            const INADParameters& parameters,
            unsigned threads)
 {
-  const pcl::DistinctPoints distinct = pcl::distinctPoints(pcl::detail::xyzOf(*points));
-  auto places = points;
-  if (distinct.hasRepeats())
-    places = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*points, distinct.first);
+  const PlacesOf places(points);
   pcl::PointCloud<pcl::Normal>::Ptr normals;
   withPclErrors(file.path, [&] {
-    normals = estimateNormals(
-        places,
-        pcl::detail::withNoiseOfCloud(parameters, pcl::detail::xyzOf(*places), threads),
-        threads);
-    return normals->size() == places->size();
+    normals =
+        estimateNormals(places.cloud(),
+                        pcl::detail::withNoiseOfCloud(
+                            parameters, pcl::detail::xyzOf(*places.cloud()), threads),
+                        threads);
+    return normals->size() == places.cloud()->size();
   });
-  setNormals(file,
-             distinct.hasRepeats()
-                 ? pcl::PointCloud<pcl::Normal>(*normals, distinct.place)
-                 : *normals);
+  setNormals(file, *places.toPoints<pcl::Normal>(normals));
 }
 
 InadCloud
@@ -181,28 +209,39 @@ estimateInad(CloudFile& file,
 {
   const unsigned threads = arguments.threads();
   const auto points = pointsOf(file);
-  const INADParameters parameters =
-      pcl::detail::withNoiseOfCloud(asked, pcl::detail::xyzOf(*points), threads);
+  const bool has_normals = arguments.has("use_normals");
+  // Points at one place may have different normals.
+  const std::optional<PlacesOf> places =
+      has_normals ? std::nullopt : std::make_optional<PlacesOf>(points);
+  InadCloud cloud{has_normals ? Points::ConstPtr(points) : places->cloud(), {}, {}};
+  INADParameters parameters =
+      pcl::detail::withNoiseOfCloud(asked, pcl::detail::xyzOf(*cloud.points), threads);
   requireEnoughPoints(parameters, file, *points);
   reportPoints(*points, report);
   reportParameters(parameters, report);
   report.setCount("parameters", "threads", threads);
-  report.setFlag("parameters", "use_normals", arguments.has("use_normals"));
+  report.setFlag("parameters", "use_normals", has_normals);
 
-  InadCloud cloud{points, nullptr, nullptr};
-  if (arguments.has("use_normals"))
+  const std::size_t size = cloud.points->size();
+  parameters.k = std::min(parameters.k, static_cast<int>(countFinite(*cloud.points)));
+  if (has_normals)
     cloud.normals = normalsOf(file);
   else
     withPclErrors(file.path, [&] {
-      cloud.normals = report.time(
-          "normals", [&] { return estimateNormals(points, parameters, threads); });
-      return cloud.normals->size() == file.size();
+      cloud.normals = report.time("normals", [&] {
+        return estimateNormals(cloud.points, parameters, threads);
+      });
+      return cloud.normals->size() == size;
     });
   withPclErrors(file.path, [&] {
     cloud.inad =
         report.time("inad", [&] { return estimateAngles(cloud, parameters, threads); });
-    return cloud.inad->size() == file.size();
+    return cloud.inad->size() == size;
   });
+  if (places)
+    cloud = {points,
+             places->toPoints<pcl::Normal>(cloud.normals),
+             places->toPoints<pcl::INAD>(cloud.inad)};
   reportUnknown(file.path, *points, *cloud.inad, parameters, threads, report);
   if (arguments.has("normals"))
     setNormals(file, *cloud.normals);

@@ -28,18 +28,10 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-/** A count of a header, perhaps with a plus sign. */
-std::optional<std::uint64_t>
-parseWhole(std::string_view word)
-{
-  return parseValue<std::uint64_t>(
-      word.size() > 1 && word.front() == '+' ? word.substr(1) : word);
-}
-
 std::optional<std::uint8_t>
 datatypeOf(std::string_view type, std::string_view size)
 {
-  const auto bytes = parseWhole(size);
+  const auto bytes = parseFileValue<std::uint64_t>(size);
   if (!bytes || *bytes > sizeof(double) || type.size() != 1)
     return std::nullopt;
   const int datatype = pcl::getFieldType(static_cast<int>(*bytes), type.front());
@@ -83,7 +75,7 @@ HeaderLines::HeaderLines(const std::string& path, std::string_view file) : path_
 {
   if (file.empty())
     fail(path, "the file is empty", "a PCD file");
-  std::string_view rest = file;
+  std::string_view rest = withoutByteOrderMark(file);
   for (std::size_t number = 1; !rest.empty() && !find("DATA"); ++number)
     add(takeLine(rest), number);
   if (!find("DATA"))
@@ -111,7 +103,9 @@ HeaderLines::add(std::string_view line, std::size_t number)
     fail(path_,
          where + "begins with " + inQuotes(words.front()),
          "a PCD file, which begins with VERSION or FIELDS, a PLY file with the ending "
-         ".ply, or KITTI's with the ending .bin or -floats");
+         ".ply, or KITTI's with the ending .bin or -floats; convert other formats, "
+         "such as "
+         "LAS, E57 or XYZ, to one of these");
   if (!is_keyword)
     fail(path_,
          where + "begins with " + inQuotes(words.front()),
@@ -139,7 +133,7 @@ std::uint64_t
 HeaderLines::integer(const std::string& keyword, std::uint64_t max) const
 {
   const std::string_view word = words(keyword, 1).front();
-  const auto value = parseWhole(word);
+  const auto value = parseFileValue<std::uint64_t>(word);
   if (!value || *value == 0 || *value > max)
     fail(path_,
          keyword + " is " + inQuotes(word),
@@ -172,7 +166,7 @@ readFields(const HeaderLines& lines, CloudFile& cloud)
                inQuotes(types[i]),
            "SIZE 1, 2, 4 or 8 with TYPE I or U, SIZE 4 or 8 with TYPE F, SIZE 1 with "
            "TYPE B");
-    const auto count = parseWhole(counts[i]);
+    const auto count = parseFileValue<std::uint64_t>(counts[i]);
     if (!count || *count == 0 || *count > max_count)
       fail(cloud.path,
            field + " has COUNT " + inQuotes(counts[i]),

@@ -241,6 +241,7 @@ readHeader(const std::string& path, std::string_view& file, bool is_in_memory)
   header.is_in_memory = is_in_memory;
   CloudFile& cloud = header.cloud;
   cloud.path = path;
+  file = withoutByteOrderMark(file);
   if (splitWords(takeLine(file)) != Words{"ply"})
     fail(cloud.path, "the first line is not 'ply'", "a PLY file");
   for (Words words; words.empty() || words.front() != "end_header";) {

@@ -71,6 +71,13 @@ parseMicrosoftValue(std::string_view word)
 }
 
 std::string_view
+withoutByteOrderMark(std::string_view text)
+{
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  return text.substr(0, mark.size()) == mark ? text.substr(mark.size()) : text;
+}
+
+std::string_view
 takeLine(std::string_view& text)
 {
   const std::size_t end = std::min(text.find('\n'), text.size());

@@ -82,6 +82,9 @@ std::vector<std::string_view> splitWords(std::string_view line);
 /** \brief The same for rows of points: none of a line that begins with #. */
 std::vector<std::string_view> splitPoint(std::string_view line);
 
+/** \brief The text after the mark that some editors put before UTF-8. */
+std::string_view withoutByteOrderMark(std::string_view text);
+
 /** \brief Take the first line, without its end, off the text. */
 std::string_view takeLine(std::string_view& text);
 

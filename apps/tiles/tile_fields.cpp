@@ -193,7 +193,7 @@ private:
     if (wanted_.needsEdges())
       addEdges(places, rows, faces);
     if (wanted_.inad_radius > 0.0)
-      addInad(floatsOf(points, cloud_.offset()), rows);
+      addInad(placesOf(points, cloud_.offset(), 0.0), rows);
     return rows;
   }
 
@@ -311,8 +311,9 @@ private:
   }
 
   void
-  addInad(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& points, Rows& rows) const
+  addInad(const TilePlaces& of_points, Rows& rows) const
   {
+    const auto& points = of_points.places;
     pcl::NormalEstimationSweep<pcl::PointXYZ, pcl::Normal> normal_estimation(threads_);
     normal_estimation.setInputCloud(points);
     normal_estimation.setRadiusSearch(wanted_.inad_radius);
@@ -328,8 +329,8 @@ private:
       estimation.compute(inad);
       return inad.size() == points->size();
     });
-    rows.add([&](std::size_t i) { return inad[i].mu; });
-    rows.add([&](std::size_t i) { return inad[i].sigma; });
+    rows.add([&](std::size_t i) { return inad[of_points.placeOf(i)].mu; });
+    rows.add([&](std::size_t i) { return inad[of_points.placeOf(i)].sigma; });
   }
 
   const TiledCloud& cloud_;

@@ -59,7 +59,8 @@ protected:
   static void
   expectSame(const CloudFile& ours, const CloudFile& theirs)
   {
-    ASSERT_EQ(ours.size(), theirs.size());
+    ASSERT_EQ(ours.blob.width, theirs.blob.width);
+    ASSERT_EQ(ours.blob.height, theirs.blob.height);
     for (std::size_t f = 0; f < theirs.blob.fields.size(); ++f) {
       const pcl::PCLPointField& field = theirs.blob.fields[f];
       // In its place, unless padding is before it: names may be there twice.
@@ -135,11 +136,26 @@ TEST_F(Readers, WordsOfAPcdHeaderInAnyCase)
                 "WIDTH 2\r\nPOINTS 2\r\nDATA ascii\r\n0.25 1 2\r\n3 -4 5.5\r\n"));
 }
 
+TEST_F(Readers, MarksBeforeTheTextAreLeftOut)
+{
+  const std::string mark = "\xef\xbb\xbf";
+  expectTwoPoints(
+      decodePcd("marked.pcd", mark + pcdHead("F F F") + "DATA ascii\n" + two_rows));
+  for (const char* const name : {"marked.ply", "marked"})
+    expectTwoPoints(decodeAnyCloud(name,
+                                   mark + "ply\nformat ascii 1.0\nelement vertex 2\n" +
+                                       xyz_properties + "end_header\n" + two_rows));
+}
+
 TEST_F(Readers, OldPcdHeaders)
 {
   expectTwoPoints(sameAsPcl(
       "old.pcd",
       "# .PCD v.5\nVERSION .5\nCOLUMNS x y z\nPOINTS 2\nDATA ascii\n" + two_rows));
+  expectTwoPoints(sameAsPcl("width_as_float.pcd",
+                            "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH "
+                            "2.0\nHEIGHT 1\nPOINTS 2.0\nDATA ascii\n" +
+                                two_rows));
   expectTwoPoints(decodePcd(
       "width.pcd",
       "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 1\nDATA ascii\n" +
@@ -525,7 +541,7 @@ TEST_F(Readers, FilesOfPclsOwnRepositories)
     const std::optional<CloudFile> theirs = readByPcl(path);
     if (!theirs)
       continue;
-    ASSERT_NO_THROW(expectSame(readAnyCloud(path), *theirs));
+    EXPECT_NO_THROW(expectSame(readAnyCloud(path), *theirs));
     ++read;
   }
   EXPECT_GT(read, 0u);

@@ -175,13 +175,40 @@ TEST_F(Streams, LargeDoublesLoseAnOffsetAndKeepTheirValues)
   const auto expected = labelsOf(readAnyCloud(path("near_out.pcd")), "edge");
   EXPECT_EQ(labelsOf(out, "edge"), expected);
   EXPECT_GT(std::count(expected.begin(), expected.end(), 1u), 0);
-  ASSERT_EQ(
-      runApp(edges, {path("far.ply"), path("g.pcd"), "-offset", "500000,5400000,300"})
-          .status,
-      0);
+  const Outcome given =
+      runApp(edges, {path("far.ply"), path("g.pcd"), "-offset", "500000,5400000,300"});
+  ASSERT_EQ(given.status, 0) << given.err;
+  EXPECT_EQ(given.err.find("warning"), std::string::npos) << given.err;
+  const Outcome useless =
+      runApp(edges, {path("far.ply"), path("u.pcd"), "-offset", "1,2,3"});
+  EXPECT_NE(useless.err.find("steps of 0.5,"), std::string::npos) << useless.err;
   EXPECT_EQ(labelsOf(readAnyCloud(path("g.pcd")), "edge"), expected);
   expectRefused(
       runApp(edges, {path("far.ply"), path("g.pcd"), "-offset", "1,2"}), 2, {"X,Y,Z"});
+}
+
+TEST_F(Streams, RepeatedPointsHaveTheAngleOfTheirPlace)
+{
+  const Words rows = foldRows(20);
+  Words repeated = rows;
+  repeated.insert(repeated.end(), rows.begin(), rows.end());
+  repeated.insert(repeated.end(), rows.size(), "0 0 0"); // a driver's fillers
+  file("once.pcd", asciiCloud("x y z", "F F F", rows));
+  file("twice.pcd", asciiCloud("x y z", "F F F", repeated));
+  for (const Words& size : {Words{"-radius", "0.02"}, Words{"-k", "12"}}) {
+    const auto anglesOf = [&](const std::string& name) {
+      Words words{path(name), path("out.pcd")};
+      words.insert(words.end(), size.begin(), size.end());
+      expectSuccessOrWarnings(runApp("pcl_inad_estimation", words));
+      return floatsOf(readAnyCloud(path("out.pcd")), "mu");
+    };
+    const std::vector<float> once = anglesOf("once.pcd"), all = anglesOf("twice.pcd");
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      EXPECT_EQ(all[i], once[i]) << size[0] << ' ' << i;
+      EXPECT_EQ(all[rows.size() + i], once[i]) << size[0] << ' ' << i;
+    }
+    EXPECT_TRUE(std::isnan(all.back()) || size[0] == "-k");
+  }
 }
 
 TEST_F(Streams, CoordinatesThatFloatDestroyedGiveAWarning)

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
 
 // The width of rows makes no difference to results, but 100 times to the time that they
@@ -60,6 +61,20 @@ TEST(RowWidth, IsTheDistanceToTheNearestPoints)
         widthFor(NeighborhoodSize::ofNearest(static_cast<std::size_t>(k)), grid);
     EXPECT_NEAR(found, distanceToNearest(k), 0.35 * distanceToNearest(k)) << k;
   }
+}
+
+/** \brief Drivers write 0,0,0 for rays that met nothing. */
+TEST(RowWidth, CountsAPlaceOnce)
+{
+  auto grid = gridImage(0);
+  const double without = widthFor(NeighborhoodSize::ofNearest(64), grid);
+  std::mt19937 random(1);
+  for (std::size_t i = 0; i < grid.size(); i += 3)
+    if (random() % 4 != 0)
+      std::fill_n(grid.begin() + static_cast<std::ptrdiff_t>(i), 3, 0.0f);
+  const double with = widthFor(NeighborhoodSize::ofNearest(64), grid);
+  EXPECT_GT(with, without);
+  EXPECT_LT(with, 3.0 * without); // points four times as sparse are twice as far apart
 }
 
 TEST(RowWidth, IsForAClusterOfPointsAtLeast)

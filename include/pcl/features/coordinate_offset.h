@@ -126,42 +126,58 @@ coordinateOffset(const DoubleXYZ& points)
 
 /** \brief The distance between neighboring floats at the largest coordinate of points
  * that were floats, if it has destroyed their neighborhoods: if it is a quarter or more
- * of the distance from a point to the nearest other place, in the median. Else 0. */
-inline double
-destructiveFloatSpacing(const DoubleXYZ& points)
+ * of the distance from a point to the nearest other place, in the median. Else 0.
+ * \param[in] size how many points there are
+ * \param[in] pointAt the coordinates of a point, a std::array of three doubles
+ */
+template <typename PointAt>
+double
+destructiveFloatSpacing(std::size_t size, const PointAt& pointAt)
 {
+  const auto everyFinite = [&](std::size_t stride) {
+    DoubleXYZ some;
+    for (std::size_t i = 0; i < size; i += stride)
+      if (const std::array<double, 3> p = pointAt(i);
+          std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]))
+        some.push_back(p);
+    return some;
+  };
   constexpr std::size_t scale_samples = 4096; // enough for an order of magnitude
-  DoubleXYZ some;
-  for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / scale_samples)
-    some.push_back(points[i]);
-  const CoordinateScale scale = coordinateScale(some, points.size());
+  const CoordinateScale scale =
+      coordinateScale(everyFinite(1 + size / scale_samples), size);
   const double step = scale.floatSpacing();
   // The estimate of the spacing is too large where points are in clusters or on few
   // lines, but not ten thousand times: look where there is any doubt.
   constexpr double surely_held = 1e-4;
   if (scale.largest == 0.0 || step < surely_held * scale.spacing)
     return 0.0;
-  constexpr std::size_t samples = 15; // a median of an order of magnitude needs no more
-  const std::size_t stride = std::max<std::size_t>(1, points.size() / samples);
-  std::vector<double> nearest;
-  for (std::size_t i = 0; i < points.size(); i += stride) {
-    double best = std::numeric_limits<double>::infinity();
-    for (const std::array<double, 3>& p : points) {
-      const double x = p[0] - points[i][0], y = p[1] - points[i][1],
-                   z = p[2] - points[i][2];
-      const double squared = x * x + y * y + z * z;
-      if (squared > 0.0 && squared < best)
-        best = squared;
-    }
-    if (std::isfinite(best))
-      nearest.push_back(std::sqrt(best));
-  }
-  if (nearest.empty())
-    return 0.0;
-  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
-  std::nth_element(nearest.begin(), middle, nearest.end());
+  constexpr std::size_t median_samples = 15; // for an order of magnitude
   constexpr double destroyed = 0.25;
-  return step >= destroyed * *middle ? step : 0.0;
+  const double reach = step / destroyed;
+  DoubleXYZ samples = everyFinite(std::max<std::size_t>(1, size / median_samples));
+  const std::size_t count = samples.size();
+  for (std::size_t i = 0; i < size && 2 * samples.size() >= count; ++i) {
+    const std::array<double, 3> p = pointAt(i);
+    const auto isNear = [&](const std::array<double, 3>& sample) {
+      const double x = p[0] - sample[0];
+      if (!(std::abs(x) <= reach))
+        return false;
+      const double y = p[1] - sample[1], z = p[2] - sample[2];
+      const double squared = x * x + y * y + z * z;
+      return squared > 0.0 && squared <= reach * reach;
+    };
+    samples.erase(std::remove_if(samples.begin(), samples.end(), isNear),
+                  samples.end());
+  }
+  return 2 * samples.size() < count ? step : 0.0;
+}
+
+/** \brief The same of points in a list. */
+inline double
+destructiveFloatSpacing(const DoubleXYZ& points)
+{
+  return destructiveFloatSpacing(points.size(),
+                                 [&](std::size_t i) { return points[i]; });
 }
 
 } // namespace pcl

@@ -30,7 +30,29 @@ struct SomePoints {
       }
     }
   }
+
+  /** Leave out the others at the place of this one, such as fillers of a driver. */
+  void
+  leaveOneAt(std::size_t at)
+  {
+    const float place[] = {x[at], y[at], z[at]};
+    std::size_t kept = 0;
+    bool has_one = false;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const bool is_there = x[i] == place[0] && y[i] == place[1] && z[i] == place[2];
+      if (is_there && has_one)
+        continue;
+      has_one = has_one || is_there;
+      x[kept] = x[i], y[kept] = y[i], z[kept] = z[i];
+      ++kept;
+    }
+    for (auto* values : {&x, &y, &z})
+      values->resize(kept);
+  }
 };
+
+/** \brief Instead of the squared distance 0: of no neighbor. */
+constexpr float at_same_place = std::numeric_limits<float>::infinity();
 
 /** \brief The k-th smallest of the distances from one of the points to others, those at
  * the same place left out. Infinite if there are fewer. */
@@ -48,7 +70,7 @@ distanceToNearest(const SomePoints& points,
   for (std::size_t i = 0; i < size; ++i) {
     const float dx = points.x[i] - x, dy = points.y[i] - y, dz = points.z[i] - z;
     const float d2 = (dx * dx + dy * dy) + dz * dz;
-    squares[i] = d2 > 0.0f ? d2 : std::numeric_limits<float>::infinity();
+    squares[i] = d2 > 0.0f ? d2 : at_same_place;
   }
   if (16 * k < size) { // faster for few
     std::vector<float> nearest(k);
@@ -72,7 +94,7 @@ typicalDistance(const XYZView& surface, std::size_t k)
   constexpr std::size_t samples = 15, max_others = 4096;
   const std::size_t stride = (surface.size + max_others - 1) / max_others;
   const std::size_t nearest = (k + stride - 1) / stride;
-  const SomePoints points(surface, stride);
+  SomePoints points(surface, stride);
   std::vector<float> typical, squares;
   for (std::size_t s = 0; s < std::min(samples, points.x.size()); ++s) {
     // Spread by the golden ratio, not evenly: that might be along one column of an
@@ -84,6 +106,8 @@ typicalDistance(const XYZView& surface, std::size_t k)
     const float distance = distanceToNearest(points, from, nearest, squares);
     if (std::isfinite(distance))
       typical.push_back(distance);
+    if (std::count(squares.begin(), squares.end(), at_same_place) > 1)
+      points.leaveOneAt(from);
   }
   if (typical.empty())
     return 0.0;
