@@ -14,7 +14,7 @@ processor, so that other programs on the machine count little.
 
 memory    runs one process, and the same options in memory: on one strip, or with
           -whole N on a landscape of about N points
-scaling   runs one and two processes with the same tiles. What the first process does
+scaling   runs one and two processes with the same tiles, by turns. What the first process does
           while there are two is serial; with this share, and the rest divided evenly, n
           processes are as much faster as the table says
 identity  five sizes of tiles, three orders of the files and 1, 2 and 4 processes, with
@@ -34,6 +34,7 @@ import pathlib
 import random
 import shutil
 import signal
+import statistics
 import struct
 import subprocess
 import sys
@@ -180,16 +181,27 @@ def print_memory(scene):
           "clock's time).\n")
 
 
+TURNS = 3  # of one and two processes: on a busy machine one may be off by a fifth
+
+
 def print_scaling(scene):
-    one, report = scene.tiles(1, scene.arguments.tile)
-    two, _ = scene.tiles(2, scene.arguments.tile)
+    ones, twos = [], []
+    for _ in range(TURNS):
+        one, report = scene.tiles(1, scene.arguments.tile)
+        ones.append(one)
+        twos.append(scene.tiles(2, scene.arguments.tile)[0])
+    alone = statistics.median(one.cpu for one in ones)
+    first = statistics.median(two.first for two in twos)
+    others = statistics.median(two.others for two in twos)
     title = scene.title(f", {report['counts']['tiles']} tiles")
-    print(f"{title}: {one.cpu:.1f} s with one process ({shares(report)} of the clock's "
-          f"time),\n{two.cpu:.1f} s with two, of which the first process alone takes "
-          f"{two.first:.2f} s.\n")
+    print(f"{title}: {alone:.1f} s with one process ({shares(report)} of the clock's "
+          f"time),\n{others:.1f} s that two share, and {first:.2f} s of the first process "
+          f"alone, the middle ones of {TURNS} turns:\n"
+          f"{', '.join(f'{one.cpu:.1f}' for one in ones)} s, and "
+          f"{', '.join(f'{two.others:.1f} + {two.first:.2f}' for two in twos)} s.\n")
     print("| processes | times as fast as one |\n|---|---|")
     for count in (2, 4, 8, 16):
-        print(f"| {count} | {one.cpu / (two.first + two.others / count):.2f} |")
+        print(f"| {count} | {alone / (first + others / count):.2f} |")
     print()
 
 
