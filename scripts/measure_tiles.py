@@ -308,7 +308,7 @@ def killed(words, seconds, kills_all, choice):
     if was_running:
         workers = [child for child, name in [(process.pid, words[0]),
                                              *processes_below(process.pid)]
-                   if "mpirun" not in str(name)]
+                   if "mpirun" not in str(name)] or [process.pid]  # no rank yet
         for worker in workers if kills_all else [choice.choice(workers)]:
             try:
                 os.kill(worker, signal.SIGKILL)
