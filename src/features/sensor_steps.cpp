@@ -132,7 +132,7 @@ private:
   unsigned threads_;
 };
 
-/** Of a quarter of the cloud's area at least (of parts without noise it was at most a
+/** On steps is a quarter of the area at least (of parts without noise it was at most a
  * seventh), and half of that where means bend. Of it two thirds at most are thick: on
  * steps these are their ends, on thin walls it is all. */
 bool

@@ -21,8 +21,8 @@ using AreasOfMeans = std::array<StepAreas, 2>;
 /** \brief About how many points of a cloud are looked at. */
 constexpr std::size_t step_points = 300; // a quarter of them is known to 3 %
 
-/** \brief How far stepAreas() looks from a point, meters. \param[in] spacing of the
- * cloud, in which its local spacings count like others */
+/** \brief How far means are looked at from a point, meters. \param[in] spacing of the
+ * cloud, meters */
 double stepReach(double spacing);
 
 /** \brief The areas around some points of a cloud, or of a part of it.
