@@ -261,26 +261,23 @@ def print_identity(scene):
     if scene.arguments.scene == "landscape":
         trouble(scene.files)
     expected = expected_points(scene)
-    same = compared = 0
-    tiles, orders, counts = set(), set(), set()
     everything = list(combinations(scene.files))
     chosen = scene.arguments.only or range(scene.arguments.runs)
-    for share, order, count in (everything[i] for i in chosen):
+    print(f"{scene.title(' with NaN, equal and far ones')}:\n\n"
+          f"| `-only` | tiles | order of files | {scene.workers} | bytes |\n"
+          "|---|---|---|---|---|", flush=True)
+    same = 0
+    for number in chosen:
+        share, order, count = everything[number]
         _, report = scene.tiles(count, f"{share * scene.edge:.2f}", order)
-        tiles.add(report["counts"]["tiles"])
-        orders.add(tuple(order))
-        counts.add(count)
         found = all(split(scene.directory / "out" / name)[1] == points
                     for name, points in expected.items())
-        compared, same = compared + 1, same + found
-        if not found:
-            print(f"other bytes: tiles of {share * scene.edge:.2f} m, {count} of "
-                  f"{[f.name for f in order]}", file=sys.stderr)
-    print(f"{scene.title(' with NaN, equal and far ones')}: {same} of {compared} runs\n"
-          f"({len(tiles)} numbers of tiles, {min(tiles)} to {max(tiles)}; {len(orders)} "
-          f"orders of {len(scene.files)} files; {', '.join(map(str, sorted(counts)))} "
-          f"{scene.workers}) have the bytes of the whole cloud.\n")
-    return same == compared
+        same += found
+        print(f"| {number} | {report['counts']['tiles']} of {share * scene.edge:.2f} m | "
+              f"{' '.join(str(scene.files.index(f)) for f in order)} | {count} | "
+              f"{'the same' if found else '**others**'} |", flush=True)
+    print(f"\n{same} of {len(chosen)} runs have the bytes of the whole cloud.\n")
+    return same == len(chosen)
 
 
 def processes_below(pid):
