@@ -187,7 +187,8 @@ noiseOf(const MeasuredCloud& cloud, std::size_t tile, const TilePoints& points)
                               cloud.numbers,
                               cloud.places,
                               cloud.threads);
-  return bytesOf(measures.variations, measures.angles);
+  return bytesOf(
+      measures.variations, measures.angles, measures.steps, measures.thicknesses);
 }
 
 /** Sets the numbers that follow from distances. */
@@ -206,7 +207,7 @@ measureNoise(MeasuredCloud& cloud)
     forEachTile(cloud.tiles, [&](std::size_t tile) {
       pcl::NoiseMeasures of_tile;
       ByteReader(cloud.tiles.resultOf("noise", tile))
-          .take(of_tile.variations, of_tile.angles);
+          .take(of_tile.variations, of_tile.angles, of_tile.steps, of_tile.thicknesses);
       all.add(of_tile);
     });
     pcl::CloudNumbers found = cloud.numbers;

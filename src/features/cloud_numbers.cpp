@@ -31,6 +31,13 @@ NoiseMeasures::add(const NoiseMeasures& other)
   append(other.variations, variations);
   for (std::size_t level = 0; level < angles.size(); ++level)
     append(other.angles[level], angles[level]);
+  for (std::size_t means = 0; means < steps.size(); ++means) {
+    steps[means].all += other.steps[means].all;
+    steps[means].bent += other.steps[means].bent;
+    steps[means].on_steps += other.steps[means].on_steps;
+    steps[means].thick += other.steps[means].thick;
+  }
+  append(other.thicknesses, thicknesses);
 }
 
 void
@@ -39,7 +46,7 @@ setNoise(const NoiseMeasures& of_all_parts, CloudNumbers& numbers)
   numbers.noise = of_all_parts.variations.empty()
                       ? 0.0
                       : noiseOfVariations(of_all_parts.variations);
-  const NoiseLevel level = noiseLevelOf(numbers.noise, of_all_parts.angles);
+  const NoiseLevel level = noiseLevelOf(numbers.noise, of_all_parts);
   numbers.noise_level = level.level;
   numbers.noise_correlation = level.correlation;
 }

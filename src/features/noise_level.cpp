@@ -4,6 +4,7 @@
 
 #include "features/noise_level.h"
 
+#include "common/gathered.h"
 #include "common/statistics.h"
 #include "features/normal_scatter.h"
 #include "features/sensor_steps.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace pcl::detail {
 namespace {
@@ -179,6 +181,25 @@ withinPlates(const NoiseLevel& level, double thickness)
   return {std::clamp(level.level, 0.0, std::max(0.0, most)), 0.0};
 }
 
+/** \param[in] angles finite ones at a level \param[in] areOnSteps whether points are on
+ * wide steps \param[in] thickness of plates, 0 for none; each is asked only if it
+ * matters */
+template <typename Angles, typename AreOnSteps, typename Thickness>
+NoiseLevel
+levelOf(double noise,
+        const Angles& angles,
+        const AreOnSteps& areOnSteps,
+        const Thickness& thickness)
+{
+  const std::vector<float> first = angles(0);
+  if (!first.empty() && median(first) <= stable && areOnSteps())
+    return {max_noise, 1.0};
+  const NoiseLevel level = levelOf(
+      noise, [&](std::size_t at) { return flattestOf(at == 0 ? first : angles(at)); });
+  const double of_plates = level.level > 0.0 ? thickness() : 0.0;
+  return of_plates > 0.0 ? withinPlates(level, of_plates) : level;
+}
+
 } // namespace
 
 NoiseLevel
@@ -192,20 +213,20 @@ noiseLevelOf(const Neighborhoods& neighborhoods,
                               somePoints(neighborhoods.input(), some),
                               most_radius,
                               threads);
-  const auto angles = [&](std::size_t level) {
-    return finiteOf(anglesAt(levels[level], scatter));
+  const XYZView& points = neighborhoods.input();
+  const auto are_on_steps = [&] {
+    return areOnWideSteps(stepAreas(somePoints(points, step_points),
+                                    neighborhoods,
+                                    spacings,
+                                    static_cast<double>(medianSpacing(spacings)),
+                                    points,
+                                    threads));
   };
-  const std::vector<float> first = angles(0);
-  if (!first.empty() && median(first) <= stable &&
-      areOnWideSteps(neighborhoods, spacings, threads))
-    return {max_noise, 1.0};
-  const auto flattest = [&](std::size_t level) {
-    return flattestOf(level == 0 ? first : angles(level));
-  };
-  const NoiseLevel level = levelOf(noise, flattest);
-  const double thickness =
-      level.level > 0.0 ? plateThickness(neighborhoods, spacings, threads) : 0.0;
-  return thickness > 0.0 ? withinPlates(level, thickness) : level;
+  return levelOf(
+      noise,
+      [&](std::size_t level) { return finiteOf(anglesAt(levels[level], scatter)); },
+      are_on_steps,
+      [&] { return plateThickness(neighborhoods, spacings, threads); });
 }
 
 double
@@ -229,35 +250,66 @@ shareUnknown(const Neighborhoods& neighborhoods,
 }
 
 pcl::Indices
-anglePoints(const XYZView& points, std::uint64_t of_points)
+levelPoints(const XYZView& points, std::uint64_t of_points)
 {
   return somePoints(points, some, of_points);
 }
 
-NormalAngles
-normalAngles(const pcl::Indices& chosen,
-             const Neighborhoods& neighborhoods,
-             const std::vector<float>& spacings,
-             unsigned threads)
+NoiseMeasures
+levelMeasures(const pcl::Indices& chosen,
+              const Neighborhoods& neighborhoods,
+              const std::vector<float>& spacings,
+              const CloudNumbers& numbers,
+              std::uint64_t places,
+              unsigned threads)
 {
+  const auto some_of_them = [&](std::size_t count) {
+    const pcl::Indices fewer = somePoints(neighborhoods.input(), count, places);
+    pcl::Indices both;
+    std::set_intersection(fewer.begin(),
+                          fewer.end(),
+                          chosen.begin(),
+                          chosen.end(),
+                          std::back_inserter(both));
+    return both;
+  };
+  NoiseMeasures measures;
   const NormalScatter scatter(neighborhoods, spacings, chosen, most_radius, threads);
-  NormalAngles angles;
   for (std::size_t level = 0; level < levels.size(); ++level)
-    angles[level] = finiteOf(anglesAt(levels[level], scatter));
-  return angles;
+    measures.angles[level] = finiteOf(anglesAt(levels[level], scatter));
+  std::vector<float> corners(numbers.low.begin(), numbers.low.end());
+  corners.insert(corners.end(), numbers.high.begin(), numbers.high.end());
+  measures.steps = stepAreas(some_of_them(step_points),
+                             neighborhoods,
+                             spacings,
+                             static_cast<double>(numbers.spacing),
+                             viewOfPositions(corners),
+                             threads);
+  measures.thicknesses = thicknessesAt(some_of_them(plate_points),
+                                       neighborhoods,
+                                       spacings,
+                                       plate_spacings * numbers.spacing,
+                                       threads);
+  return measures;
 }
 
 double
-angleReach()
+noiseReach(const CloudNumbers& numbers)
 {
-  return inad_radius + inad_radius_noise * levels.back() + normal_radius +
-         normal_radius_noise * levels.back();
+  constexpr double angles =
+      most_radius + normal_radius + normal_radius_noise * levels.back();
+  return std::max(angles * mostSpacing(numbers.distance),
+                  stepReach(static_cast<double>(numbers.spacing)));
 }
 
 NoiseLevel
-noiseLevelOf(double noise, const NormalAngles& angles)
+noiseLevelOf(double noise, const NoiseMeasures& measures)
 {
-  return levelOf(noise, [&](std::size_t level) { return flattestOf(angles[level]); });
+  return levelOf(
+      noise,
+      [&](std::size_t level) { return measures.angles[level]; },
+      [&] { return areOnWideSteps(measures.steps); },
+      [&] { return plateThickness(measures.thicknesses); });
 }
 
 INADParameters

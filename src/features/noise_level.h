@@ -6,7 +6,8 @@
 
 #include "features/local_spacing.h"
 
-#include <array>
+#include <cstdint>
+#include <vector>
 
 namespace pcl::detail {
 
@@ -47,25 +48,27 @@ double shareUnknown(const Neighborhoods& neighborhoods,
                     double noise_level,
                     unsigned threads);
 
-/** \brief What noiseLevelOf() measures of a part of a cloud: at each of its levels the
- * angles between the normals around some points, radians. */
-using NormalAngles = std::array<std::vector<float>, 8>;
+/** \brief The points that noiseLevelOf() looks at, of a cloud of so many points. */
+pcl::Indices levelPoints(const XYZView& points, std::uint64_t of_points);
 
-/** \brief The points that it looks at, of a cloud of so many points. */
-pcl::Indices anglePoints(const XYZView& points, std::uint64_t of_points);
+/** \brief What it measures of a part of a cloud: all but variations.
+ * \param[in] chosen those of levelPoints() that are to be measured, ascending
+ * \param[in] neighborhoods of all points of the part among themselves
+ * \param[in] spacings one for each point
+ * \param[in] numbers of the cloud, with distance, spacing and box
+ * \param[in] places how many points the cloud has */
+NoiseMeasures levelMeasures(const pcl::Indices& chosen,
+                            const Neighborhoods& neighborhoods,
+                            const std::vector<float>& spacings,
+                            const CloudNumbers& numbers,
+                            std::uint64_t places,
+                            unsigned threads);
 
-/** \param[in] chosen some of the part's points */
-NormalAngles normalAngles(const pcl::Indices& chosen,
-                          const Neighborhoods& neighborhoods,
-                          const std::vector<float>& spacings,
-                          unsigned threads);
+/** \brief How far it looks from a point, meters. */
+double noiseReach(const CloudNumbers& numbers);
 
-/** \brief How far it looks from a point, in the largest local spacing. */
-double angleReach();
-
-/** \brief noiseLevelOf() of a cloud whose parts have these angles, which show neither
- * wide steps nor thin plates. */
-NoiseLevel noiseLevelOf(double noise, const NormalAngles& angles);
+/** \brief noiseLevelOf() of a cloud, from measures of all of its parts. */
+NoiseLevel noiseLevelOf(double noise, const NoiseMeasures& measures);
 
 /** \brief Parameters for the noise of this cloud. */
 PCL_SHAPE_EXPORTS INADParameters withNoiseOfCloud(const INADParameters& parameters,

@@ -44,24 +44,30 @@ noiseOfPart(const XYZView& places,
   const auto near = [&](const pcl::Indices& chosen, double reach, int cells) {
     return PointsNear(places,
                       measuredOf(chosen, is_measured),
-                      spacings.reach + reach * mostSpacing(numbers.distance),
+                      spacings.reach + reach,
                       cells,
                       threads);
   };
   NoiseMeasures measures;
-  // Many points with few around each, then few with many.
-  const PointsNear flat =
-      near(noisePoints(places, places_of_cloud), variationReach(), 1);
+  // Few points with many around each, then many with few.
+  const PointsNear wide =
+      near(levelPoints(places, places_of_cloud), noiseReach(numbers), 3);
+  if (!wide.some().empty()) {
+    const Neighborhoods neighborhoods(wide.view(), threads);
+    measures = levelMeasures(wide.some(),
+                             neighborhoods,
+                             spacings.of(wide, neighborhoods),
+                             numbers,
+                             places_of_cloud,
+                             threads);
+  }
+  const PointsNear flat = near(noisePoints(places, places_of_cloud),
+                               variationReach() * mostSpacing(numbers.distance),
+                               1);
   if (!flat.some().empty()) {
     const Neighborhoods neighborhoods(flat.view(), threads);
     measures.variations =
         variationsAt(flat.some(), neighborhoods, spacings.of(flat, neighborhoods));
-  }
-  const PointsNear wide = near(anglePoints(places, places_of_cloud), angleReach(), 3);
-  if (!wide.some().empty()) {
-    const Neighborhoods neighborhoods(wide.view(), threads);
-    measures.angles = normalAngles(
-        wide.some(), neighborhoods, spacings.of(wide, neighborhoods), threads);
   }
   return measures;
 }

@@ -5,9 +5,8 @@
 #include "features/sensor_steps.h"
 
 #include "common/gathered.h"
-#include "common/statistics.h"
 #include "features/normal_scatter.h"
-#include "features/some_points.h"
+#include "features/points_near.h"
 #include "features/thin_plates.h"
 #include "geometry/voxel_means.h"
 
@@ -21,11 +20,10 @@ namespace {
 
 using namespace segmentation;
 
-constexpr std::size_t some = 300; // a quarter of them is known to 3 %
 // The means of the next resolution, and of coarser ones for wider steps: a Kinect's at
 // 9 meters, the widest of a common sensor, are eight spacings wide.
 constexpr double voxel = 0.8; // spacings
-constexpr double growths[] = {1.0, 2.0};
+constexpr std::array<double, 2> growths{1.0, 2.0};
 constexpr double means_spacing = 1.9; // voxels: to the 12th mean on a plane
 // Of the least neighborhoods of the edge model, spacings.
 constexpr double normal_radius = 1.2, inad_radius = 1.0;
@@ -40,61 +38,51 @@ constexpr float parallel = 0.5f; // of that angle: of a shape the points' is lar
 /** Some points of a cloud, and what tells a step from a shape there. */
 class Samples {
 public:
-  Samples(const Neighborhoods& neighborhoods,
+  Samples(const pcl::Indices& chosen,
+          const Neighborhoods& neighborhoods,
           const std::vector<float>& spacings,
+          double spacing,
           unsigned threads)
-  : neighborhoods_(neighborhoods)
-  , points_(neighborhoods.input())
+  : chosen_(chosen)
+  , neighborhoods_(neighborhoods)
   , spacings_(spacings)
-  , spacing_(static_cast<double>(medianSpacing(spacings)))
-  , chosen_(somePoints(points_, some))
-  , places_(positionsAt(points_, chosen_))
+  , spacing_(spacing)
+  , places_(positionsAt(neighborhoods.input(), chosen))
   , threads_(threads)
   {}
 
-  double
-  spacing() const
-  {
-    return spacing_;
-  }
-
-  /** Whether the cloud is on steps, as means show it. On steps is a quarter of its area
-   * at least (of parts without noise it was at most a seventh), and half of that where
-   * means bend. Of it two thirds at most are thick: on steps these are their ends, on
-   * thin walls it is all. \param[in] size of the means' voxels, meters */
-  bool
-  areOnSteps(const std::vector<float>& means, double size) const
+  /** As means show them. \param[in] size of the means' voxels, meters */
+  StepAreas
+  areas(const std::vector<float>& means, double size) const
   {
     const double radius = means_spacing * size;
     const std::vector<float> of_means = anglesOfMeans(means, radius);
     const std::vector<float> of_points =
         NormalScatter(neighborhoods_, spacings_, chosen_, radius / spacing_, threads_)(
             normal_radius, radius / spacing_);
-    std::int64_t all = 0, bends = 0;
+    StepAreas areas;
     pcl::Indices on_steps;
     for (std::size_t k = 0; k < chosen_.size(); ++k) {
       if (!std::isfinite(of_means[k]) || !std::isfinite(of_points[k]))
         continue;
-      all += areaOf(chosen_[k]);
+      areas.all += areaOf(chosen_[k]);
       if (of_means[k] <= bent)
         continue;
-      bends += areaOf(chosen_[k]);
+      areas.bent += areaOf(chosen_[k]);
       if (of_points[k] < parallel * of_means[k])
         on_steps.push_back(chosen_[k]);
     }
-    const std::int64_t on = areaOf(on_steps);
-    if (on == 0 || 4 * on < all || 2 * on < bends)
-      return false;
     const std::vector<float> thicknesses =
         thicknessesAt(on_steps,
                       neighborhoods_,
                       spacings_,
                       static_cast<float>(normal_reach * radius),
                       threads_);
-    std::int64_t thick = 0;
-    for (std::size_t k = 0; k < on_steps.size(); ++k)
-      thick += thicknesses[k] > 0.0f ? areaOf(on_steps[k]) : 0;
-    return 3 * thick <= 2 * on;
+    for (std::size_t k = 0; k < on_steps.size(); ++k) {
+      areas.on_steps += areaOf(on_steps[k]);
+      areas.thick += thicknesses[k] > 0.0f ? areaOf(on_steps[k]) : 0;
+    }
+    return areas;
   }
 
 private:
@@ -107,15 +95,6 @@ private:
     const double spacings =
         static_cast<double>(spacings_[static_cast<std::size_t>(point)]) / spacing_;
     return std::llround(parts * spacings * spacings);
-  }
-
-  std::int64_t
-  areaOf(const pcl::Indices& points) const
-  {
-    std::int64_t area = 0;
-    for (const pcl::index_t i : points)
-      area += areaOf(i);
-    return area;
   }
 
   /** Between the normals of means around the mean that is nearest to each sample; NaN
@@ -145,35 +124,64 @@ private:
     return gathered(angles, at, std::numeric_limits<float>::quiet_NaN());
   }
 
+  const pcl::Indices& chosen_;
   const Neighborhoods& neighborhoods_;
-  XYZView points_;
   const std::vector<float>& spacings_;
-  double spacing_;      ///< of the cloud, meters
-  pcl::Indices chosen_; ///< ascending
+  double spacing_; ///< of the cloud, meters
   std::vector<float> places_;
   unsigned threads_;
 };
 
+/** On steps is a quarter of the area at least (of parts without noise it was at most a
+ * seventh), and half of that where means bend. Of it two thirds at most are thick: on
+ * steps these are their ends, on thin walls it is all. */
+bool
+areSteps(const StepAreas& areas)
+{
+  return areas.on_steps > 0 && 4 * areas.on_steps >= areas.all &&
+         2 * areas.on_steps >= areas.bent && 3 * areas.thick <= 2 * areas.on_steps;
+}
+
 } // namespace
 
-bool
-areOnWideSteps(const Neighborhoods& neighborhoods,
-               const std::vector<float>& spacings,
-               unsigned threads)
+double
+stepReach(double spacing)
 {
-  const Samples samples(neighborhoods, spacings, threads);
+  const double size = voxel * growths.back() * spacing;
+  // To a mean, to those around it, and to what their normals are of. Each is of finer
+  // means, of which some may have been rounded into its voxel.
+  const double means = (1.0 + inad_radius + normal_radius) * means_spacing * size;
+  return means + std::sqrt(3.0) * (size + voxel * spacing);
+}
+
+AreasOfMeans
+stepAreas(const pcl::Indices& chosen,
+          const Neighborhoods& neighborhoods,
+          const std::vector<float>& spacings,
+          double spacing,
+          const XYZView& box,
+          unsigned threads)
+{
+  const Samples samples(chosen, neighborhoods, spacings, spacing, threads);
+  constexpr int cells = 3;
+  const PointsNear near(
+      neighborhoods.input(), chosen, stepReach(spacing), cells, threads);
+  AreasOfMeans areas;
   std::vector<float> means;
-  for (const double growth : growths) {
-    const double size = voxel * growth * samples.spacing();
-    const XYZView finer = means.empty() ? neighborhoods.input()
-                                        : XYZView{means.data(), 3, means.size() / 3};
-    if (!problemOfResolution(size, finer).empty())
-      return false;
-    means = voxelMeans(finer, size, threads);
-    if (samples.areOnSteps(means, size))
-      return true;
+  for (std::size_t k = 0; k < growths.size(); ++k) {
+    const double size = voxel * growths[k] * spacing;
+    if (!problemOfResolution(size, box).empty())
+      break;
+    means = voxelMeans(k == 0 ? near.view() : viewOfPositions(means), size, threads);
+    areas[k] = samples.areas(means, size);
   }
-  return false;
+  return areas;
+}
+
+bool
+areOnWideSteps(const AreasOfMeans& areas)
+{
+  return std::any_of(areas.begin(), areas.end(), areSteps);
 }
 
 } // namespace pcl::detail

@@ -14,7 +14,8 @@ namespace pcl::detail {
 /** \brief About as many finite points as are asked for, chosen by where they are. */
 pcl::Indices somePoints(const XYZView& points, std::size_t count);
 
-/** \brief Those of a part of a cloud. \param[in] count how many of the whole \param[in]
+/** \brief Those of a part of a cloud; with a larger count the same ones, and more.
+ * \param[in] count how many of the whole \param[in]
  * of_points how many points the whole has */
 pcl::Indices
 somePoints(const XYZView& points, std::size_t count, std::uint64_t of_points);

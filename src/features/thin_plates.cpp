@@ -22,7 +22,6 @@ namespace {
 using namespace segmentation;
 using Eigen::Vector3f;
 
-constexpr std::size_t some = 100;     // two thirds of them are known to 5 %
 constexpr double normal_radius = 1.2; // spacings, the least of the edge model
 // Of the column above and below a point, and of what belongs to its side in the noise
 // that is measured at most, spacings.
@@ -71,6 +70,8 @@ thicknessesAt(const pcl::Indices& chosen,
               float reach,
               unsigned threads)
 {
+  if (chosen.empty())
+    return {};
   const std::vector<float> normals = normalsWithCurvature(
       neighborhoods.among(chosen), times(normal_radius, gathered(spacings, chosen)));
   constexpr int cells = 1;
@@ -90,19 +91,26 @@ thicknessesAt(const pcl::Indices& chosen,
 }
 
 double
+plateThickness(std::vector<float> thicknesses)
+{
+  const std::size_t points = thicknesses.size();
+  thicknesses.erase(std::remove(thicknesses.begin(), thicknesses.end(), 0.0f),
+                    thicknesses.end());
+  return 3 * thicknesses.size() > 2 * points
+             ? static_cast<double>(median(std::move(thicknesses)))
+             : 0.0;
+}
+
+double
 plateThickness(const Neighborhoods& neighborhoods,
                const std::vector<float>& spacings,
                unsigned threads)
 {
-  const pcl::Indices chosen = somePoints(neighborhoods.input(), some);
-  // Farther away the other side is in few neighborhoods.
-  const float reach = 3.0f * medianSpacing(spacings);
-  std::vector<float> thick =
-      thicknessesAt(chosen, neighborhoods, spacings, reach, threads);
-  thick.erase(std::remove(thick.begin(), thick.end(), 0.0f), thick.end());
-  return 3 * thick.size() > 2 * chosen.size()
-             ? static_cast<double>(median(std::move(thick)))
-             : 0.0;
+  return plateThickness(thicknessesAt(somePoints(neighborhoods.input(), plate_points),
+                                      neighborhoods,
+                                      spacings,
+                                      plate_spacings * medianSpacing(spacings),
+                                      threads));
 }
 
 } // namespace pcl::detail

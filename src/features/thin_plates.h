@@ -7,6 +7,7 @@
 #include <pcl/types.h>
 #include <pcl/features/impl/neighborhoods.hpp>
 
+#include <cstddef>
 #include <vector>
 
 namespace pcl::detail {
@@ -24,9 +25,18 @@ std::vector<float> thicknessesAt(const pcl::Indices& chosen,
                                  float reach,
                                  unsigned threads);
 
+/** \brief About how many points of a cloud tell whether it is of thin plates, and how
+ * far their other side may be. */
+constexpr std::size_t plate_points = 100; // two thirds of them are known to 5 %
+constexpr float plate_spacings = 3.0f;    // farther away it is in few neighborhoods
+
 /** \brief The thickness of a cloud of thin plates, in local spacings (about two mean
  * distances of points each): the middle one, if two thirds of some points have another
- * side within three of them; else 0. */
+ * side; else 0. \param[in] thicknesses at these points */
+double plateThickness(std::vector<float> thicknesses);
+
+/** \brief That of a cloud. \param[in] neighborhoods of all points among themselves
+ * \param[in] spacings one for each point */
 PCL_SHAPE_EXPORTS double plateThickness(const Neighborhoods& neighborhoods,
                                         const std::vector<float>& spacings,
                                         unsigned threads);

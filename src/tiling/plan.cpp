@@ -110,7 +110,7 @@ planOf(const Survey& survey,
             survey.not_finite,
             survey.cells.typicalDistance()};
   plan.points.resize(plan.tree.size());
-  for (const auto& [key, count] : survey.cells.counts().sorted())
+  for (const auto& [key, count] : survey.cells.counts().cells())
     plan.points[plan.tree.tileOf(key)] += count;
   return plan;
 }

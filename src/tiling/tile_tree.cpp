@@ -205,13 +205,20 @@ CellCounts::grow()
 }
 
 std::vector<Cell>
-CellCounts::sorted() const
+CellCounts::cells() const
 {
   std::vector<Cell> cells;
   cells.reserve(size_);
   for (const Cell& cell : slots_)
     if (cell.count > 0)
       cells.push_back(cell);
+  return cells;
+}
+
+std::vector<Cell>
+CellCounts::sorted() const
+{
+  std::vector<Cell> cells = this->cells();
   std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
     return a.key < b.key;
   });
@@ -235,21 +242,31 @@ DensityCells::DensityCells(std::size_t max_cells, int exponent)
 , grid_{exponent}
 {}
 
+template <typename KeyAt, typename CountAt>
 void
-DensityCells::add(const float* points, std::size_t count)
+DensityCells::addEach(std::size_t count, const KeyAt& keyAt, const CountAt& countAt)
 {
   // Some at a time, whose cells are fetched at once: the table is larger than a cache.
   std::array<CellKey, 32> keys;
   for (std::size_t begin = 0; begin < count; begin += keys.size()) {
     const std::size_t size = std::min(keys.size(), count - begin);
     for (std::size_t i = 0; i < size; ++i) {
-      keys[i] = grid_.keyOf(points + 3 * (begin + i));
+      keys[i] = keyAt(begin + i);
       counts_.prepare(keys[i]);
     }
     for (std::size_t i = 0; i < size; ++i)
-      counts_.add(keys[i], 1);
+      counts_.add(keys[i], countAt(begin + i));
     bound();
   }
+}
+
+void
+DensityCells::add(const float* points, std::size_t count)
+{
+  addEach(
+      count,
+      [&](std::size_t i) { return grid_.keyOf(points + 3 * i); },
+      [](std::size_t) { return std::uint64_t{1}; });
 }
 
 bool
@@ -265,10 +282,10 @@ DensityCells::add(const CellGrid& grid, const std::vector<Cell>& cells)
     counts_ = counts_.coarser(grid.exponent - grid_.exponent);
     grid_ = grid;
   }
-  for (const Cell& cell : cells) {
-    counts_.add(grid_.keyOf(grid, cell.key), cell.count);
-    bound();
-  }
+  addEach(
+      cells.size(),
+      [&](std::size_t i) { return grid_.keyOf(grid, cells[i].key); },
+      [&](std::size_t i) { return cells[i].count; });
 }
 
 void
@@ -291,7 +308,7 @@ DensityCells::typicalDistance() const
   if (counts_.size() < 2)
     return 0.0;
   CellCounts counts = counts_;
-  Cells cells = counts.sorted();
+  Cells cells = counts.cells();
   const std::uint64_t all = countOf(cells.begin(), cells.end());
   CellGrid grid = grid_;
   const auto isCoarse = [&] {
@@ -299,7 +316,7 @@ DensityCells::typicalDistance() const
   };
   for (; !isCoarse(); ++grid.exponent)
     counts = counts.coarser(1);
-  cells = counts.sorted();
+  cells = counts.cells();
   std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
     return a.count < b.count;
   });
@@ -314,7 +331,7 @@ DensityCells::typicalDistance() const
 TileTree::TileTree(const DensityCells& cells, std::uint64_t max_points, double max_edge)
 : grid_(cells.grid())
 {
-  Cells list = cells.counts().sorted();
+  Cells list = cells.counts().cells();
   if (list.empty()) {
     nodes_.emplace_back();
     return;

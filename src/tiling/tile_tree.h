@@ -48,6 +48,9 @@ public:
     return size_;
   }
 
+  /** \brief The cells, in some order. */
+  std::vector<Cell> cells() const;
+
   /** \brief The cells, in the order of their keys. */
   std::vector<Cell> sorted() const;
 
@@ -99,6 +102,8 @@ public:
   double typicalDistance() const;
 
 private:
+  template <typename KeyAt, typename CountAt>
+  void addEach(std::size_t count, const KeyAt& keyAt, const CountAt& countAt);
   void bound();
 
   std::size_t max_cells_;

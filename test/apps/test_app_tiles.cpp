@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace {
 
@@ -264,30 +265,47 @@ TEST_F(Tiles, HaveTheFlatWindowsOfTheWholeCloud)
 
 TEST_F(Tiles, SayWhichResolutionStepsNeedAndHaveItsBits)
 {
-  const std::string file = whole(stepsCloud());
-  const std::string expected =
-      detected(file, {"-edges", "-types", "-json", path("whole.json")});
-  const double resolution =
-      nlohmann::json::parse(readFile(path("whole.json")))["parameters"]["resolution"];
-  EXPECT_GT(resolution, 0.01);
-  std::ostringstream option;
-  option << resolution;
-  expectRefused(tiles({file}, {"-edges", "-types"}),
-                1,
-                {"neighbors share noise", "-resolution " + option.str()});
-  const Words wanted{"-edges",
-                     "-types",
-                     "-resolution",
-                     option.str(),
-                     "-tile",
-                     "0.8",
-                     "-json",
-                     path("json")};
-  expectSuccess(tiles({file}, wanted));
+  for (const auto& [cloud, tile] :
+       {std::pair(stepsCloud(), "0.8"), std::pair(widerStepsCloud(), "0.9")}) {
+    const std::string file = whole(cloud);
+    const std::string expected =
+        detected(file, {"-edges", "-types", "-json", path("whole.json")});
+    const double resolution =
+        nlohmann::json::parse(readFile(path("whole.json")))["parameters"]["resolution"];
+    EXPECT_GT(resolution, 0.0);
+    std::ostringstream option;
+    option << resolution;
+    expectRefused(tiles({file}, {"-edges", "-types", "-tile", tile}),
+                  1,
+                  {"neighbors share noise", "-resolution " + option.str()});
+    const Words wanted{"-edges",
+                       "-types",
+                       "-resolution",
+                       option.str(),
+                       "-tile",
+                       tile,
+                       "-json",
+                       path("json")};
+    expectSuccess(tiles({file}, wanted));
+    EXPECT_EQ(differences(readFile(path("out/cloud.pcd")), expected), 0U);
+    EXPECT_GT(count("tiles"), 3U);
+    const Bits edges = bitsOf(pcl::app::decodePcd("whole", expected), "edge");
+    EXPECT_GT(std::count(edges.begin(), edges.end(), 1U), 200);
+  }
+}
+
+TEST_F(Tiles, HaveTheEdgesOfThinPlates)
+{
+  const std::string file = whole(plateCloud());
+  const Words wanted{"-edges", "-types", "-normals"};
+  const std::string expected = detected(file, wanted);
+  const Bits edges = bitsOf(pcl::app::decodePcd("whole", expected), "edge");
+  EXPECT_GT(std::count(edges.begin(), edges.end(), 1U), 1000);
+  Words options = wanted;
+  options.insert(options.end(), {"-tile", "0.11", "-json", path("json")});
+  expectSuccess(tiles({file}, options));
   EXPECT_EQ(differences(readFile(path("out/cloud.pcd")), expected), 0U);
   EXPECT_GT(count("tiles"), 4U);
-  const Bits edges = bitsOf(pcl::app::decodePcd("whole", expected), "edge");
-  EXPECT_GT(std::count(edges.begin(), edges.end(), 1U), 200);
 }
 
 template <typename T>

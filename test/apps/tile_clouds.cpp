@@ -4,6 +4,7 @@
 
 #include "tile_clouds.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -183,6 +184,36 @@ stepsCloud()
       cloud.push_back({x, y, step * std::round(height / step)});
     }
   return cloud;
+}
+
+TilePointCloud
+widerStepsCloud()
+{
+  constexpr double focal_length = 575.0, distance = 3.5; // pixels, meters
+  constexpr double disparity_step = 0.00287;             // 35 mm there
+  constexpr int half = 110;                              // pixels
+  Random random(14);
+  TilePointCloud cloud;
+  for (int row = -half; row < half; ++row)
+    for (int column = -half; column < half; ++column) {
+      const double x = column / focal_length, y = row / focal_length;
+      const double range =
+          std::min(distance / (1.0 - 0.6 * x), distance / (1.0 + 1.2 * x));
+      const double steps = 1.0 / (range * disparity_step) + random(-0.2, 0.2);
+      const double z = 1.0 / (disparity_step * std::round(steps));
+      cloud.push_back({x * z, y * z, z});
+    }
+  return cloud;
+}
+
+TilePointCloud
+plateCloud()
+{
+  constexpr double length = 0.3, width = 0.2, thickness = 0.009;
+  std::vector<Patch> patches{{{0, 0, 0}, {length, 0, 0}, {0, width, 0}}};
+  addBox({0, 0, 0}, {length, width, thickness}, patches);
+  constexpr std::size_t points = 24000; // 2.3 mm apart
+  return sampled(patches, points, 0.0003);
 }
 
 TilePointCloud

@@ -30,6 +30,13 @@ TilePointCloud pathCloud(std::size_t points);
 /** \brief A ridge whose heights have steps of 4 cm, points 1 cm apart. */
 TilePointCloud stepsCloud();
 
+/** \brief Where two walls meet, 3.5 m before a Kinect: its steps are six pixels wide.
+ */
+TilePointCloud widerStepsCloud();
+
+/** \brief Both sides of sheet metal, four distances between points thick. */
+TilePointCloud plateCloud();
+
 /** \brief A table of 1.2 x 0.4 m, points 2.5 mm apart, seen by a stereo camera: heights
  * of 2 mm change over 45 to 70 mm. Only large windows say that it is flat. */
 TilePointCloud wavyTableCloud();

@@ -127,6 +127,9 @@ TEST_F(KnownDistances, GiveTheNoiseThatIsMeasuredWithoutThem)
     SCOPED_TRACE(threads);
     const NoiseMeasures found = measureNoise(part, numbers, cloud->size(), threads);
     EXPECT_TRUE(sameBits(found.variations, expected.variations));
+    EXPECT_TRUE(sameBits(found.thicknesses, expected.thicknesses));
+    EXPECT_GT(found.steps[1].all, 0);
+    EXPECT_EQ(found.steps[1].all, expected.steps[1].all);
     for (std::size_t level = 0; level < expected.angles.size(); ++level)
       EXPECT_TRUE(sameBits(found.angles[level], expected.angles[level])) << level;
   }

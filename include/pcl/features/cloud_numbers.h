@@ -32,11 +32,22 @@ struct CloudNumbers {
   std::array<float, 3> high{};    ///< of the same box
 };
 
+/** \brief Areas around some points, as means of one size show them: thousandths of a
+ * square of the cloud's spacing. */
+struct StepAreas {
+  std::int64_t all = 0;
+  std::int64_t bent = 0;     ///< where normals of means differ
+  std::int64_t on_steps = 0; ///< where those of points do not
+  std::int64_t thick = 0;    ///< of these where another surface is behind
+};
+
 /** \brief What parts of a cloud add to its noise; the order of parts does not matter.
  */
 struct NoiseMeasures {
   std::vector<float> variations;            ///< of the surface around some points
   std::array<std::vector<float>, 8> angles; ///< between normals, for several radii
+  std::array<StepAreas, 2> steps;           ///< by means of two sizes
+  std::vector<float> thicknesses; ///< of plates at some points, spacings; 0 none
 
   /** \brief Add those of another part. \param[in] other is kept */
   PCL_SHAPE_EXPORTS void add(const NoiseMeasures& other);
