@@ -305,8 +305,12 @@ def killed(words, seconds, kills_all, choice):
     if was_running:
         workers = [child for child, name in [(process.pid, words[0]),
                                              *processes_below(process.pid)]
-                   if "mpirun" not in str(name)] or [process.pid]  # no rank yet
-        for worker in workers if kills_all else [choice.choice(workers)]:
+                   if "mpirun" not in str(name)]
+        if not workers:  # no rank yet: with mpirun goes what it starts meanwhile
+            os.killpg(process.pid, signal.SIGKILL)
+        elif not kills_all:
+            workers = [choice.choice(workers)]
+        for worker in workers:
             try:
                 os.kill(worker, signal.SIGKILL)
             except ProcessLookupError:

@@ -15,12 +15,12 @@ namespace {
 
 using Eigen::Vector3f;
 
-// Spacings: as wide as the band of a crease. Results depend on no more than three
-// steps.
-constexpr float step_spacings = 2.0f;
-constexpr int max_steps = 2;
+constexpr float step_spacings = 2.0f; // as wide as the band of a crease
+constexpr int max_steps = 2;        // bounds what a place depends on; more gave little
 constexpr float min_cosine = 0.87f; // 30 degrees, as directions of faint places vary
-constexpr float max_turn = 0.5f;    // radians by which the angles of both may differ
+// A likelihood above .5, and no more than where a crease is clear.
+constexpr float just_enough = 1.001f;
+constexpr float max_turn = 0.5f; // radians by which the angles of both may differ
 
 Vector3f
 vectorOf(const std::array<float, 3>& values)
@@ -29,7 +29,7 @@ vectorOf(const std::array<float, 3>& values)
 }
 
 bool
-isFartherAlong(const CreasePoint& place, const CreasePoint& crease)
+continues(const CreasePoint& place, const CreasePoint& crease)
 {
   const Vector3f direction = vectorOf(crease.direction);
   const Vector3f way = vectorOf(place.position) - vectorOf(crease.position);
@@ -39,24 +39,23 @@ isFartherAlong(const CreasePoint& place, const CreasePoint& crease)
          std::abs(place.angle - crease.angle) <= max_turn;
 }
 
-/** Those places that continue one of the creases. */
+/** For each of the places whether it continues one of the creases. */
 std::vector<char>
-placesAlong(const std::vector<CreasePoint>& creases,
-            const std::vector<Agreement>& agreements,
-            const std::vector<std::uint32_t>& places,
-            const PointGrid& grid,
-            unsigned threads)
+whichContinue(const std::vector<CreasePoint>& creases,
+              const std::vector<Agreement>& agreements,
+              const std::vector<std::uint32_t>& places,
+              const PointGrid& grid,
+              unsigned threads)
 {
-  std::vector<char> along(places.size());
+  std::vector<char> which(places.size());
   kernels::parallelForEach(places.size(), threads, [&](std::size_t k) {
     const CreasePoint& place = agreements[places[k]].point;
-    along[k] = grid.anyWithin(vectorOf(place.position),
-                              step_spacings * place.spacing,
-                              [&](std::uint32_t i, const Vector3f&) {
-                                return isFartherAlong(place, creases[i]);
-                              });
+    which[k] = grid.anyWithin(
+        vectorOf(place.position),
+        step_spacings * place.spacing,
+        [&](std::uint32_t i, const Vector3f&) { return continues(place, creases[i]); });
   });
-  return along;
+  return which;
 }
 
 } // namespace
@@ -78,17 +77,17 @@ continueCreases(float needed,
       places.push_back(i);
   for (int step = 0; step < max_steps && !creases.empty() && !places.empty(); ++step) {
     const PointGrid grid(positionsOf(creases), step_spacings * spacing, bounds);
-    const std::vector<char> along =
-        placesAlong(creases, agreements, places, grid, threads);
+    const std::vector<char> which =
+        whichContinue(creases, agreements, places, grid, threads);
     creases.clear();
     std::vector<std::uint32_t> left;
     for (std::size_t k = 0; k < places.size(); ++k) {
-      if (!along[k]) {
+      if (!which[k]) {
         left.push_back(places[k]);
         continue;
       }
       creases.push_back(agreements[places[k]].point);
-      agreements[places[k]].evidence += needed;
+      agreements[places[k]].evidence = just_enough * needed;
     }
     places = std::move(left);
   }

@@ -11,10 +11,13 @@
 namespace pcl::segmentation {
 
 /** \brief Give faint places that continue a crease in its direction what they lack: two
- * thresholds, as in Canny, A Computational Approach to Edge Detection (1986).
+ * thresholds, as in Canny, A Computational Approach to Edge Detection (1986). See
+ * doc/method.md for what continues a crease.
  * \param[in] needed the evidence of a clear place
- * \param[in] faint that of a faint one: if it is no less, there is none
- * \param[in] spacing the median of the cloud's, meters \param[in] bounds the cloud's */
+ * \param[in] faint the least of a faint one; with as much as needed nothing is followed
+ * \param[in] spacing the median of the cloud's, meters \param[in] bounds the cloud's
+ * \param[in,out] agreements those that continue a crease get just more than is needed
+ */
 void continueCreases(float needed,
                      float faint,
                      float spacing,

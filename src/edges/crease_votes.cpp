@@ -36,7 +36,8 @@ constexpr float max_plane_deviation = 1.0f / 6.0f, max_plane_noise = 2.0f;
 // That a wedge explains a patch better than a smooth surface counts by half, for
 // neighbors share points; less 2, which the choice among wedges gains by chance.
 constexpr float fit_weight = 0.5f, fit_chance = 2.0f;
-constexpr float min_fit = -2.0f, max_fit = 10.0f; // with these, as much as INAD says
+// So a fit adds -2 to 4, at most as much as INAD says.
+constexpr float min_fit = -2.0f, max_fit = 10.0f;
 // Radians. A surface that curves with twice the fit's radius looks like less.
 constexpr float min_angle = 0.5f;
 constexpr float vote_spacings = 0.6f; // the votes of a crease's band are on one line

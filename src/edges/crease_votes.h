@@ -22,15 +22,15 @@ struct Vote {
   float angle = 0.0f;        ///< by which the surface turns, 0 to pi
   float evidence = 0.0f;     ///< of the candidate
   float spacing = 0.0f;      ///< meters
-  float fit =
-      0.0f; ///< ln(likelihood of two planes / of a smooth surface), if it counts
+  /** ln(likelihood of two planes / of a smooth surface), -2 to 10; 0 if not asked. */
+  float fit = 0.0f;
 };
 
 /** \brief A place that votes agree on: their mean, and the sum of their evidence. */
 struct Agreement {
   CreasePoint point;
   float evidence = 0.0f;
-  float fit = 0.0f; ///< the mean
+  float fit = 0.0f; ///< the mean of the votes'
 };
 
 /** \brief The radius in spacings within which a candidate fits two planes. */

@@ -153,7 +153,7 @@ whiteLevel(double noise, float first, float second, const Scatter& scatter)
 /** \param[in] scatter how far normals differ at a level, radians */
 template <typename Scatter>
 NoiseLevel
-levelOf(double noise, const Scatter& scatter)
+levelOfScatter(double noise, const Scatter& scatter)
 {
   const float first = scatter(0);
   if (isOnSteps(first, scatter))
@@ -194,7 +194,7 @@ levelOf(double noise,
   const std::vector<float> first = angles(0);
   if (!first.empty() && median(first) <= stable && areOnSteps())
     return {max_noise, 1.0};
-  const NoiseLevel level = levelOf(
+  const NoiseLevel level = levelOfScatter(
       noise, [&](std::size_t at) { return flattestOf(at == 0 ? first : angles(at)); });
   const double of_plates = level.level > 0.0 ? thickness() : 0.0;
   return of_plates > 0.0 ? withinPlates(level, of_plates) : level;
@@ -294,7 +294,7 @@ levelMeasures(const pcl::Indices& chosen,
 }
 
 double
-noiseReach(const CloudNumbers& numbers)
+noiseLevelReach(const CloudNumbers& numbers)
 {
   constexpr double angles =
       most_radius + normal_radius + normal_radius_noise * levels.back();

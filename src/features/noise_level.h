@@ -64,8 +64,9 @@ NoiseMeasures levelMeasures(const pcl::Indices& chosen,
                             std::uint64_t places,
                             unsigned threads);
 
-/** \brief How far it looks from a point, meters. */
-double noiseReach(const CloudNumbers& numbers);
+/** \brief How far levelMeasures() look from a point, meters. \param[in] numbers with
+ * distance and spacing */
+double noiseLevelReach(const CloudNumbers& numbers);
 
 /** \brief noiseLevelOf() of a cloud, from measures of all of its parts. */
 NoiseLevel noiseLevelOf(double noise, const NoiseMeasures& measures);

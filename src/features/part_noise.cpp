@@ -51,7 +51,7 @@ noiseOfPart(const XYZView& places,
   NoiseMeasures measures;
   // Few points with many around each, then many with few.
   const PointsNear wide =
-      near(levelPoints(places, places_of_cloud), noiseReach(numbers), 3);
+      near(levelPoints(places, places_of_cloud), noiseLevelReach(numbers), 3);
   if (!wide.some().empty()) {
     const Neighborhoods neighborhoods(wide.view(), threads);
     measures = levelMeasures(wide.some(),

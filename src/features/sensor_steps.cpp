@@ -23,7 +23,7 @@ using namespace segmentation;
 // The means of the next resolution, and of coarser ones for wider steps: a Kinect's at
 // 9 meters, the widest of a common sensor, are eight spacings wide.
 constexpr double voxel = 0.8; // spacings
-constexpr std::array<double, 2> growths{1.0, 2.0};
+constexpr std::array<double, std::tuple_size_v<AreasOfMeans>> growths{1.0, 2.0};
 constexpr double means_spacing = 1.9; // voxels: to the 12th mean on a plane
 // Of the least neighborhoods of the edge model, spacings.
 constexpr double normal_radius = 1.2, inad_radius = 1.0;

@@ -16,7 +16,7 @@
 namespace pcl::detail {
 
 /** \brief What the means of two sizes show. */
-using AreasOfMeans = std::array<StepAreas, 2>;
+using AreasOfMeans = decltype(NoiseMeasures::steps);
 
 /** \brief About how many points of a cloud are looked at. */
 constexpr std::size_t step_points = 300; // a quarter of them is known to 3 %

@@ -117,8 +117,8 @@ reachOf(const CloudNumbers& numbers, const ShapeModel& edge_model)
   const INADParameters radii = withNoise(edge_model.parameters(), numbers.noise_level);
   CloudReach reach;
   reach.spacing = rounding * spacingReach(numbers.distance);
-  reach.noise =
-      reach.spacing + std::max(variationReach() * most, rounding * noiseReach(numbers));
+  reach.noise = reach.spacing +
+                std::max(variationReach() * most, rounding * noiseLevelReach(numbers));
   const double normal = std::max(radii.normal_radius * most, reach.spacing);
   reach.normals = normal;
   const double agreement = std::max(agreementReach(numbers, edge_model),

@@ -30,7 +30,8 @@ TilePointCloud pathCloud(std::size_t points);
 /** \brief A ridge whose heights have steps of 4 cm, points 1 cm apart. */
 TilePointCloud stepsCloud();
 
-/** \brief Where two walls meet, 3.5 m before a Kinect: its steps are six pixels wide.
+/** \brief Where two walls meet, 3.5 m before a Kinect: its steps are five and ten
+ * pixels wide.
  */
 TilePointCloud widerStepsCloud();
 

@@ -4,6 +4,10 @@
 
 #include "detection_scenes.h"
 #include "edges/crease_continuation.h"
+#include "measured_numbers.h"
+
+#include <pcl/segmentation/cloud_reach.h>
+#include <pcl/segmentation/shape_field_estimation.h>
 
 #include <gtest/gtest.h>
 
@@ -67,13 +71,20 @@ TEST(CreaseContinuation, KeepsToTheCreasesLineDirectionAndAngle)
   across.point.direction = {0.0f, 1.0f, 0.0f};
   flat.point.angle = 0.4f;
   smooth.fit = -0.1f;
-  EXPECT_EQ((std::vector<bool>{true, true, false, false, false, false}),
-            continued({place(11.0f, 0.0f),
-                       place(5.0f, -1.0f, 0.5f),
-                       place(5.0f, 1.0f, 0.7f),
-                       across,
-                       flat,
-                       smooth}));
+  const Agreement clear = place(11.0f, 0.0f), aside = place(5.0f, 1.0f, 0.7f);
+  EXPECT_EQ((std::vector<bool>{true, true}),
+            continued({clear, place(5.0f, -1.0f, 0.5f)}));
+  for (const Agreement& other : {aside, across, flat, smooth})
+    EXPECT_EQ((std::vector<bool>{true, false}), continued({clear, other}));
+}
+
+TEST(CreaseContinuation, IsNeverClearerThanACrease)
+{
+  const segmentation::Bounds bounds{{-9.0f, -9.0f, -9.0f}, {9.0f, 9.0f, 9.0f}};
+  std::vector<Agreement> places{place(10.1f, 0.0f), place(9.9f, 1.0f)};
+  segmentation::continueCreases(needed, faint, 1.0f, bounds, 1, places);
+  EXPECT_GT(places[1].evidence, needed);
+  EXPECT_LT(places[1].evidence, places[0].evidence);
 }
 
 TEST(CreaseContinuation, NeedsAClearPlace)
@@ -122,7 +133,7 @@ TEST(CreaseContinuation, FollowsARidgeWhoseAngleFalls)
 {
   for (const double noise : {0.0, 0.15}) {
     SCOPED_TRACE("noise " + std::to_string(noise));
-    double near = 0, found = 0, apart = 0, called = 0;
+    double near = 0, found = 0, apart = 0, called = 0, smooth = 0, false_alarms = 0;
     for (const unsigned seed : {1U, 2U, 3U, 4U}) {
       const FallingRidge ridge(noise, seed);
       const std::vector<float> edges = edgesOf(ridge.cloud);
@@ -132,6 +143,10 @@ TEST(CreaseContinuation, FollowsARidgeWhoseAngleFalls)
           near += 1;
           found += is_edge ? 1 : 0;
         }
+        if (ridge.aside[i] < 1.0 && ridge.angles[i] < 0.35) {
+          smooth += 1;
+          false_alarms += is_edge ? 1 : 0;
+        }
         if (ridge.aside[i] > 5.0) {
           apart += 1;
           called += is_edge ? 1 : 0;
@@ -140,7 +155,55 @@ TEST(CreaseContinuation, FollowsARidgeWhoseAngleFalls)
     }
     EXPECT_GT(found / near, 0.8);
     EXPECT_LT(called / apart, 0.001);
+    EXPECT_LT(false_alarms / smooth, 0.05);
   }
+}
+
+ShapeField
+edgeFieldOf(const Cloud::Ptr& cloud, const CloudNumbers* numbers)
+{
+  ShapeFieldEstimation<PointXYZ> estimation;
+  estimation.setInputCloud(cloud);
+  estimation.setEdgesOnly(true);
+  if (numbers)
+    estimation.setCloudNumbers(*numbers);
+  ShapeField field;
+  EXPECT_TRUE(estimation.compute(field));
+  return field;
+}
+
+TEST(CreaseContinuation, IsTheSameInPartsWithTheirHalo)
+{
+  const Cloud::Ptr cloud = FallingRidge(0.15, 1).cloud;
+  const CloudNumbers numbers = measuredNumbers(*cloud);
+  const auto halo =
+      static_cast<float>(reachOf(numbers, ShapeModel::defaultEdges()).edges);
+  const ShapeField whole = edgeFieldOf(cloud, nullptr);
+  const auto just_enough = [](float likelihood) {
+    return likelihood > 0.5f && likelihood < 0.5005f;
+  };
+  constexpr float width = 0.005f; // of strips across the ridge, meters
+  std::size_t compared = 0, followed = 0;
+  for (float low = 0.05f; low < 0.15f; low += width) {
+    const auto near = make_shared<Cloud>();
+    std::vector<float> expected;
+    for (std::size_t i = 0; i < cloud->size(); ++i)
+      if ((*cloud)[i].x > low - halo && (*cloud)[i].x < low + width + halo) {
+        near->push_back((*cloud)[i]);
+        expected.push_back(whole.edge_likelihood[i]);
+      }
+    ASSERT_LT(near->size(), cloud->size());
+    const ShapeField part = edgeFieldOf(near, &numbers);
+    for (std::size_t k = 0; k < near->size(); ++k) {
+      if ((*near)[k].x < low || (*near)[k].x > low + width)
+        continue;
+      ASSERT_EQ(expected[k], part.edge_likelihood[k]);
+      ++compared;
+      followed += just_enough(expected[k]) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(compared, 2500U);
+  EXPECT_GT(followed, 10U);
 }
 
 } // namespace

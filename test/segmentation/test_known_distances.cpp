@@ -121,6 +121,7 @@ TEST_F(KnownDistances, GiveTheNoiseThatIsMeasuredWithoutThem)
   const NoiseMeasures expected = PartOfCloud(part.places, part.is_measured, 1)
                                      .measureNoise(numbers, cloud->size());
   EXPECT_GT(expected.variations.size(), 1000U);
+  EXPECT_FALSE(expected.thicknesses.empty());
   for (const std::vector<float>& of_level : expected.angles)
     EXPECT_GT(of_level.size(), 50U);
   for (const unsigned threads : numbers_of_threads) {
@@ -128,8 +129,13 @@ TEST_F(KnownDistances, GiveTheNoiseThatIsMeasuredWithoutThem)
     const NoiseMeasures found = measureNoise(part, numbers, cloud->size(), threads);
     EXPECT_TRUE(sameBits(found.variations, expected.variations));
     EXPECT_TRUE(sameBits(found.thicknesses, expected.thicknesses));
-    EXPECT_GT(found.steps[1].all, 0);
-    EXPECT_EQ(found.steps[1].all, expected.steps[1].all);
+    EXPECT_GT(found.steps[0].all + found.steps[1].all, 0);
+    for (std::size_t size = 0; size < expected.steps.size(); ++size) {
+      EXPECT_EQ(found.steps[size].all, expected.steps[size].all);
+      EXPECT_EQ(found.steps[size].bent, expected.steps[size].bent);
+      EXPECT_EQ(found.steps[size].on_steps, expected.steps[size].on_steps);
+      EXPECT_EQ(found.steps[size].thick, expected.steps[size].thick);
+    }
     for (std::size_t level = 0; level < expected.angles.size(); ++level)
       EXPECT_TRUE(sameBits(found.angles[level], expected.angles[level])) << level;
   }
