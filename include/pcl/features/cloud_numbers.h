@@ -35,7 +35,7 @@ struct CloudNumbers {
 /** \brief Areas around some points, as means of one size show them: thousandths of a
  * square of the cloud's spacing. */
 struct StepAreas {
-  std::int64_t all = 0;
+  std::int64_t all = 0;      ///< around all of the points
   std::int64_t bent = 0;     ///< where normals of means differ
   std::int64_t on_steps = 0; ///< where those of points do not
   std::int64_t thick = 0;    ///< of these where another surface is behind
