@@ -37,8 +37,13 @@ def peer_score(peer, scan):
     with tempfile.TemporaryDirectory() as directory:
         cloud, ground = (pathlib.Path(directory) / name for name in ("scan.bin", "ground.bin"))
         cloud.write_bytes(points.astype("<f4").tobytes())
-        subprocess.run([peer, cloud, ground], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        return score(scan["ground"], numpy.frombuffer(ground.read_bytes(), numpy.uint8))
+        ran = subprocess.run([peer, cloud, ground], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        if ran.returncode:
+            sys.exit(f"{peer}: exit status {ran.returncode}\n{ran.stderr.decode(errors='replace')}")
+        found = numpy.frombuffer(ground.read_bytes(), numpy.uint8)
+    if len(found) != len(points):
+        sys.exit(f"{peer}: wrote {len(found)} bytes for {len(points)} points: expected one a point")
+    return score(scan["ground"], found)
 
 
 def scores(apps, options, seed, peer):

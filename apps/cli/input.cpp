@@ -87,10 +87,16 @@ warnOfRounding(const Arguments& arguments, const CloudFile& cloud)
       "float holds them in steps of %.3g, while the points are about %.3g apart",
       step,
       pcl::coordinateScale(coordinatesOf(cloud)).spacing);
-  logLine(arguments.app() + ": " + cloud.path +
-          ": warning: the coordinates are too large for their type: " + text +
-          "; expected coordinates in double, or with an offset subtracted before they "
-          "became floats");
+  // Doubles come here with -offset alone.
+  const bool exceed_floats = exceedFloats(cloud);
+  const std::string problem = exceed_floats
+                                  ? "with -offset '" + arguments.text("offset") +
+                                        "' the coordinates are too large for float: "
+                                  : "the coordinates are too large for their type: ";
+  logLine(arguments.app() + ": " + cloud.path + ": warning: " + problem + text +
+          (exceed_floats ? "; expected an offset near the middle of the cloud"
+                         : "; expected coordinates in double, or with an offset "
+                           "subtracted before they became floats"));
 }
 
 } // namespace

@@ -56,16 +56,21 @@ private:
   Points::ConstPtr places_;
 };
 
-/** \throws InputError if k is above the number of finite points */
+/** \param[in] points those that count, which may be one for each place
+ * \throws InputError if k is above the number of those that are finite */
 void
 requireEnoughPoints(const INADParameters& parameters,
                     const CloudFile& cloud,
-                    const pcl::PointCloud<pcl::PointXYZ>& points)
+                    const Points& all,
+                    const Points& points)
 {
-  const std::size_t finite = countFinite(points);
-  if (parameters.k > 0 && static_cast<std::size_t>(parameters.k) > finite)
+  const std::size_t finite = countFinite(all), count = countFinite(points);
+  if (parameters.k > 0 && static_cast<std::size_t>(parameters.k) > count)
     throw InputError(cloud.path + ": -k '" + std::to_string(parameters.k) +
-                     "': expected 1 to the number of its finite points, " +
+                     "': expected 1 to the number of its " +
+                     (count < finite
+                          ? "distinct points, " + std::to_string(count) + " of "
+                          : "finite points, ") +
                      std::to_string(finite));
 }
 
@@ -214,16 +219,15 @@ estimateInad(CloudFile& file,
   const std::optional<PlacesOf> places =
       has_normals ? std::nullopt : std::make_optional<PlacesOf>(points);
   InadCloud cloud{has_normals ? Points::ConstPtr(points) : places->cloud(), {}, {}};
-  INADParameters parameters =
+  const INADParameters parameters =
       pcl::detail::withNoiseOfCloud(asked, pcl::detail::xyzOf(*cloud.points), threads);
-  requireEnoughPoints(parameters, file, *points);
+  requireEnoughPoints(parameters, file, *points, *cloud.points);
   reportPoints(*points, report);
   reportParameters(parameters, report);
   report.setCount("parameters", "threads", threads);
   report.setFlag("parameters", "use_normals", has_normals);
 
   const std::size_t size = cloud.points->size();
-  parameters.k = std::min(parameters.k, static_cast<int>(countFinite(*cloud.points)));
   if (has_normals)
     cloud.normals = normalsOf(file);
   else

@@ -28,10 +28,19 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
+/** As values of points, but no fraction is cut off. */
+std::optional<std::uint64_t>
+wholeNumber(std::string_view word)
+{
+  const auto number = parseFileValue<double>(word);
+  return number && *number == std::trunc(*number) ? parseFileValue<std::uint64_t>(word)
+                                                  : std::nullopt;
+}
+
 std::optional<std::uint8_t>
 datatypeOf(std::string_view type, std::string_view size)
 {
-  const auto bytes = parseFileValue<std::uint64_t>(size);
+  const auto bytes = wholeNumber(size);
   if (!bytes || *bytes > sizeof(double) || type.size() != 1)
     return std::nullopt;
   const int datatype = pcl::getFieldType(static_cast<int>(*bytes), type.front());
@@ -104,8 +113,7 @@ HeaderLines::add(std::string_view line, std::size_t number)
          where + "begins with " + inQuotes(words.front()),
          "a PCD file, which begins with VERSION or FIELDS, a PLY file with the ending "
          ".ply, or KITTI's with the ending .bin or -floats; convert other formats, "
-         "such as "
-         "LAS, E57 or XYZ, to one of these");
+         "such as LAS, E57 or XYZ, to one of these");
   if (!is_keyword)
     fail(path_,
          where + "begins with " + inQuotes(words.front()),
@@ -133,7 +141,7 @@ std::uint64_t
 HeaderLines::integer(const std::string& keyword, std::uint64_t max) const
 {
   const std::string_view word = words(keyword, 1).front();
-  const auto value = parseFileValue<std::uint64_t>(word);
+  const auto value = wholeNumber(word);
   if (!value || *value == 0 || *value > max)
     fail(path_,
          keyword + " is " + inQuotes(word),
@@ -166,7 +174,7 @@ readFields(const HeaderLines& lines, CloudFile& cloud)
                inQuotes(types[i]),
            "SIZE 1, 2, 4 or 8 with TYPE I or U, SIZE 4 or 8 with TYPE F, SIZE 1 with "
            "TYPE B");
-    const auto count = parseFileValue<std::uint64_t>(counts[i]);
+    const auto count = wholeNumber(counts[i]);
     if (!count || *count == 0 || *count > max_count)
       fail(cloud.path,
            field + " has COUNT " + inQuotes(counts[i]),

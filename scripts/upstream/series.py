@@ -56,7 +56,7 @@ SERIES = [
         "src/instances/*", SEGMENTATION + "*instance*", SEGMENTATION + "impl/*instance*", "src/segmentation/*instance*",
         *named("test/segmentation/*{}*", "instance", "objects", "_face", "primitive", "small_surfaces", "support",
                "parts_of_clouds", "surface_graph", "surface_p", "point_grid", "cell_order",
-               "hidden_parts", "lines_of_sight", "post_scene"),
+               "hidden_parts", "hollow_bodies", "lines_of_sight", "post_scene"),
         "tools/upstream/shape_instance_segmentation.cpp", "doc/tutorials/content/shape_instances.rst"]),
 ]
 

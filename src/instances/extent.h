@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Whether a place is inside of something, seen along its normal.
+// Whether a place is inside of others, in a plane or in an image.
 
 #pragma once
 
@@ -16,9 +16,12 @@
 
 namespace pcl::segmentation {
 
-/** \brief What some places surround. */
+/** \brief What some places surround, seen along a direction: where they are in 11 of 16
+ * directions or more. */
 class Extent {
 public:
+  /** \param[in] normal of the plane or image that the places are in, a unit vector
+   * \param[in] places what surrounds */
   Extent(const Eigen::Vector3f& normal, const XYZView& places)
   : x_(normal.unitOrthogonal())
   , y_(normal.cross(x_))
@@ -27,7 +30,7 @@ public:
       places_.push_back(along(positionOf(places, k)));
   }
 
-  /** \brief Whether there are places on most sides of a position. */
+  /** \brief Whether there are places in 11 of the 16 directions from a position. */
   bool
   isInside(const Eigen::Vector3f& position) const
   {
@@ -64,7 +67,7 @@ private:
   }
 
   Eigen::Vector3f x_, y_;
-  std::vector<Eigen::Vector2f> places_; ///< along the plane
+  std::vector<Eigen::Vector2f> places_; ///< across the normal
 };
 
 } // namespace pcl::segmentation

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl::segmentation {
 namespace {
@@ -21,11 +22,13 @@ using detail::InstanceInput;
 using Eigen::Matrix3f;
 using Eigen::Vector3f;
 
-constexpr std::size_t min_wall_points = 30;
+constexpr std::size_t min_points = 30; // of walls, or of a body in an image
 // The mean cosine between the normals of a half cylinder's inside and the directions to
 // its middle is about 0.6, of a plane 0.
 constexpr float min_concavity = 0.25f;
-constexpr float min_share = 0.8f; // of the points that are so, as some are noise
+// Of the points: those that face away from the axis, or towards it, or that a body is
+// seen around. Some are noise.
+constexpr float min_share = 0.8f;
 // Normals of a quarter of a circle spread that much across their mean, of a plane not.
 constexpr float min_spread = 0.05f;
 constexpr float max_miss = 0.35f; // of the radius: how far normals pass by the axis
@@ -63,7 +66,7 @@ wallsOf(const BodySample& body, const Vector3f& up)
 bool
 isConcave(const Walls& walls, const Vector3f& up)
 {
-  if (walls.points.size() < min_wall_points)
+  if (walls.points.size() < min_points)
     return false;
   float sum = 0.0f;
   for (std::size_t k = 0; k < walls.points.size(); ++k) {
@@ -116,7 +119,7 @@ float
 misfit(const Walls& inside, const Walls& outside, const Vector3f& up)
 {
   constexpr float no_fit = std::numeric_limits<float>::infinity();
-  if (outside.points.size() < min_wall_points)
+  if (outside.points.size() < min_points)
     return no_fit;
   const float height = std::max(outside.high - outside.low, inside.high - inside.low);
   const float below = outside.high - inside.high;
@@ -161,22 +164,55 @@ seenTowards(const Vector3f& direction,
   return seen;
 }
 
-/** Whether one sees a body around most of a floor. */
+/** Whether one sees a body around most of a floor; their places in an image towards a
+ * direction, that of the floor's middle. */
 bool
-surrounds(const BodySample& body, const BodySample& floor, const Vector3f& view_point)
+surrounds(const std::vector<Vector3f>& body,
+          const std::vector<Vector3f>& floor,
+          const Vector3f& direction)
 {
-  const Vector3f direction = (floor.middle - view_point).normalized();
-  const auto around = seenTowards(direction, view_point, body.points);
-  const auto inner = seenTowards(direction, view_point, floor.points);
-  if (around.size() < min_wall_points || inner.empty())
+  if (body.size() < min_points)
     return false;
-  const Extent extent(direction, {around.front().data(), 3, around.size()});
+  const Extent extent(direction, {body.front().data(), 3, body.size()});
   if (!extent.isInside(Vector3f::Zero())) // the middle: most bodies are elsewhere
     return false;
-  const auto inside = std::count_if(inner.begin(), inner.end(), [&](const auto& place) {
+  const auto inside = std::count_if(floor.begin(), floor.end(), [&](const auto& place) {
     return extent.isInside(place);
   });
-  return static_cast<float>(inside) >= min_share * static_cast<float>(inner.size());
+  return static_cast<float>(inside) >= min_share * static_cast<float>(floor.size());
+}
+
+float
+medianLength(const std::vector<Vector3f>& vectors)
+{
+  std::vector<float> lengths;
+  for (const Vector3f& vector : vectors)
+    lengths.push_back(vector.norm());
+  return median(std::move(lengths));
+}
+
+/** The innermost body that one sees around most of a floor; -1 if there is none. */
+std::int32_t
+bodyAround(const BodySample& floor,
+           const std::vector<BodySample>& bodies,
+           const Vector3f& view_point)
+{
+  const Vector3f direction = (floor.middle - view_point).normalized();
+  const auto floor_places = seenTowards(direction, view_point, floor.points);
+  std::int32_t innermost = -1;
+  if (floor_places.empty())
+    return innermost;
+  float nearest = std::numeric_limits<float>::infinity();
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const auto places = seenTowards(direction, view_point, bodies[k].points);
+    if (!surrounds(places, floor_places, direction))
+      continue;
+    if (const float distance = medianLength(places); distance < nearest) {
+      nearest = distance;
+      innermost = static_cast<std::int32_t>(k);
+    }
+  }
+  return innermost;
 }
 
 } // namespace
@@ -211,19 +247,19 @@ joinInsides(const InstanceInput& input, const Vector3f& up, Labels& labels)
 void
 joinFloors(const InstanceInput& input,
            const Vector3f& up,
-           const Labels& patches,
+           const Labels& patch_of,
            Labels& labels)
 {
-  const std::vector<BodySample> floors = samplesOf(input, up, patches);
+  const std::vector<BodySample> floors = samplesOf(input, up, patch_of);
+  if (floors.empty())
+    return;
   const std::vector<BodySample> bodies = samplesOf(input, up, labels);
-  std::vector<std::int32_t> body_of(floors.size(), -1);
-  for (std::size_t f = 0; f < floors.size(); ++f)
-    for (std::size_t k = 0; k < bodies.size() && body_of[f] < 0; ++k)
-      if (surrounds(bodies[k], floors[f], input.view_point))
-        body_of[f] = static_cast<std::int32_t>(k);
+  std::vector<std::int32_t> body_of;
+  for (const BodySample& floor : floors)
+    body_of.push_back(bodyAround(floor, bodies, input.view_point));
   for (std::size_t i = 0; i < labels.size(); ++i)
-    if (labels[i] < 0 && patches[i] >= 0)
-      labels[i] = body_of[static_cast<std::size_t>(patches[i])];
+    if (labels[i] < 0 && patch_of[i] >= 0)
+      labels[i] = body_of[static_cast<std::size_t>(patch_of[i])];
 }
 
 } // namespace pcl::segmentation

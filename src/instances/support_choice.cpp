@@ -31,7 +31,8 @@ constexpr double max_lower = 0.04;
 constexpr double min_things = 0.005;
 constexpr float same_level = 0.94f; // cosine of 20 degrees
 
-/** Walls around it, as those of a shelf, are before it and not on top. */
+/** Walls around it, as those of a shelf, are before it and not on top: they say nothing
+ * where things are. Below min_things there may be none, and walls count. */
 bool
 hasThingsOnTop(const SupportPart& part, const Surroundings& around)
 {
@@ -130,15 +131,6 @@ carriersAmong(const std::vector<SupportPart>& parts,
   Scene scene(parts, nodes, unit, threads);
   const PartSize largest = largestOf(parts);
   std::vector<std::size_t> carriers;
-  const auto isCarrier = [&](std::size_t part) {
-    return std::find(carriers.begin(), carriers.end(), part) != carriers.end();
-  };
-  const auto isAny = [&](std::size_t part, const auto& isRelated) {
-    return !isCarrier(part) &&
-           std::any_of(carriers.begin(), carriers.end(), [&](std::size_t carrier) {
-             return isRelated(parts[part].support.plane, parts[carrier].support.plane);
-           });
-  };
   const auto isAbove = [](const auto& plane, const auto& other) {
     return isBelow(other, plane);
   };
@@ -146,13 +138,23 @@ carriersAmong(const std::vector<SupportPart>& parts,
     if (isLarge(parts[k], largest, min_share) &&
         carries(parts[k], largest, scene.around(k)))
       carriers.push_back(k);
-  for (std::size_t k = 0; k < parts.size(); ++k)
-    if (isLarge(parts[k], largest, min_share_of_high) && isAny(k, isAbove) &&
-        standsHigh(parts[k], scene.around(k)))
-      carriers.push_back(k);
-  for (std::size_t k = 0; k < parts.size(); ++k)
-    if (isAny(k, isBelow) && isFoot(scene.around(k)))
-      carriers.push_back(k);
+  const auto addOthers = [&](const auto& isRelated, const auto& isCarrier) {
+    const std::vector<std::size_t> known = carriers;
+    const auto isRelatedToKnown = [&](std::size_t part) {
+      return std::any_of(known.begin(), known.end(), [&](std::size_t carrier) {
+        return isRelated(parts[part].support.plane, parts[carrier].support.plane);
+      });
+    };
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      if (std::find(known.begin(), known.end(), k) == known.end() &&
+          isRelatedToKnown(k) && isCarrier(k))
+        carriers.push_back(k);
+  };
+  addOthers(isAbove, [&](std::size_t k) {
+    return isLarge(parts[k], largest, min_share_of_high) &&
+           standsHigh(parts[k], scene.around(k));
+  });
+  addOthers(isBelow, [&](std::size_t k) { return isFoot(scene.around(k)); });
   return carriers;
 }
 

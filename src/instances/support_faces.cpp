@@ -48,11 +48,11 @@ carries(std::size_t face,
 }
 
 Plane<double>
-planeOf(const InstanceInput& input, const Labels& labels, std::int32_t label)
+planeOf(const InstanceInput& input, const Labels& face_of, std::int32_t label)
 {
   return fitPlane<double>([&](const auto& visit) {
-    for (std::size_t i = 0; i < labels.size(); ++i)
-      if (labels[i] == label)
+    for (std::size_t i = 0; i < face_of.size(); ++i)
+      if (face_of[i] == label)
         visit(positionOf(input.points, i).cast<double>());
   });
 }
@@ -61,17 +61,17 @@ planeOf(const InstanceInput& input, const Labels& labels, std::int32_t label)
 std::vector<std::size_t>
 pointsIn(const Plane<double>& plane,
          const InstanceInput& input,
-         const Labels& labels,
+         const Labels& face_of,
          std::size_t faces)
 {
   const double limit = offsetLimit(input);
   std::vector<std::size_t> counts(faces, 0);
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (labels[i] < 0)
+  for (std::size_t i = 0; i < face_of.size(); ++i) {
+    if (face_of[i] < 0)
       continue;
     const double offset = plane.distance(positionOf(input.points, i).cast<double>());
     if (offset < limit * input.spacings[i])
-      ++counts[static_cast<std::size_t>(labels[i])];
+      ++counts[static_cast<std::size_t>(face_of[i])];
   }
   return counts;
 }
@@ -81,26 +81,26 @@ pointsIn(const Plane<double>& plane,
 std::vector<char>
 patchesOf(const std::vector<Support>& supports,
           const InstanceInput& input,
-          const Labels& faces)
+          const Labels& face_of)
 {
   const std::int32_t last =
-      faces.empty() ? -1 : *std::max_element(faces.begin(), faces.end());
+      face_of.empty() ? -1 : *std::max_element(face_of.begin(), face_of.end());
   const auto count = static_cast<std::size_t>(last + 1);
   std::vector<std::size_t> points(count, 0);
   std::vector<char> is_patch(count, 0);
-  for (const std::int32_t face : faces)
+  for (const std::int32_t face : face_of)
     if (face >= 0)
       ++points[static_cast<std::size_t>(face)];
   for (const Support& support : supports) {
     std::vector<std::size_t> low(count, 0);
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      if (faces[i] < 0)
+    for (std::size_t i = 0; i < face_of.size(); ++i) {
+      if (face_of[i] < 0)
         continue;
       const float height =
           support.plane.normal.dot(positionOf(input.points, i) - support.plane.center) /
           input.spacings[i];
       if (height < std::max(max_ripple, support.offset) && height > -max_bend)
-        ++low[static_cast<std::size_t>(faces[i])];
+        ++low[static_cast<std::size_t>(face_of[i])];
     }
     for (std::size_t f = 0; f < count; ++f)
       if (static_cast<double>(low[f]) >= min_in_plane * static_cast<double>(points[f]))
@@ -112,15 +112,15 @@ patchesOf(const std::vector<Support>& supports,
 Labels
 lonePatches(const std::vector<char>& patches,
             const std::vector<Support>& supports,
-            const Labels& faces,
+            const Labels& face_of,
             const std::vector<FaceContact>& contacts,
-            const Labels& grown)
+            const Labels& grown_face_of)
 {
   std::vector<char> is_plane(patches.size(), 0);
   for (const Support& support : supports)
     for (const std::uint32_t i : support.points)
-      if (faces[i] >= 0)
-        is_plane[static_cast<std::size_t>(faces[i])] = 1;
+      if (face_of[i] >= 0)
+        is_plane[static_cast<std::size_t>(face_of[i])] = 1;
   std::vector<float> borders(patches.size(), 0.0f), to_planes = borders;
   for (const FaceContact& contact : contacts) {
     const auto first = static_cast<std::size_t>(contact.first);
@@ -131,7 +131,7 @@ lonePatches(const std::vector<char>& patches,
     to_planes[first] += is_plane[second] ? length : 0.0f;
     to_planes[second] += is_plane[first] ? length : 0.0f;
   }
-  Labels labels = grown;
+  Labels labels = grown_face_of;
   for (std::int32_t& label : labels) {
     const auto f = static_cast<std::size_t>(label);
     if (label >= 0 &&
@@ -143,7 +143,7 @@ lonePatches(const std::vector<char>& patches,
 
 std::vector<char>
 supportsAmong(const InstanceInput& input,
-              const Labels& labels,
+              const Labels& face_of,
               const std::vector<Face>& faces,
               const std::vector<char>& known,
               const std::vector<FaceContact>& contacts)
@@ -158,9 +158,9 @@ supportsAmong(const InstanceInput& input,
     if (is_support[s] || faces[s].planar <= planar_threshold || !is_large ||
         !carries(s, faces, known, contacts))
       continue;
-    const Plane<double> plane = planeOf(input, labels, static_cast<std::int32_t>(s));
+    const Plane<double> plane = planeOf(input, face_of, static_cast<std::int32_t>(s));
     const std::vector<std::size_t> in_plane =
-        pointsIn(plane, input, labels, faces.size());
+        pointsIn(plane, input, face_of, faces.size());
     for (std::size_t f = 0; f < faces.size(); ++f) {
       const auto needed = min_in_plane * static_cast<double>(faces[f].points);
       if (f == s || static_cast<double>(in_plane[f]) >= needed)

@@ -10,8 +10,6 @@
 #include "instances/support_choice.h"
 #include "instances/support_surroundings.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 namespace pcl::segmentation {

@@ -21,7 +21,8 @@ using Nodes = std::vector<SurfaceNode>;
 constexpr float max_cosine = 0.7f; // of 45 degrees: a side is steep
 // Of the width of a part. The rim of a table is far thinner, a box as deep at least.
 constexpr float side_depth = 0.25f;
-constexpr float rim_depth = 0.125f; // of its width, likewise
+// Half of that, and still deeper than a rim: the lower halves of a box's sides count.
+constexpr float rim_depth = 0.125f;
 
 /** What a node is to a part of a plane. */
 struct Relation {

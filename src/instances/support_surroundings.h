@@ -19,7 +19,7 @@ struct Surroundings {
   double on_top = 0.0; ///< what of that has the part on most sides of it
   double behind = 0.0; ///< near it, behind its plane, and beside it
   double sides = 0.0;  ///< steep to it, behind and beside it, not far down
-  double lower = 0.0;  ///< likewise, but its rim: what is level, or not just below it
+  double lower = 0.0;  ///< likewise, but level to it, or deeper than a rim
   double others = 0.0; ///< all that is not on the plane, near or not
 };
 

@@ -432,6 +432,41 @@ TEST_F(Readers, CoordinatesMayBeWholeNumbers)
   EXPECT_TRUE(exceedFloats(pcd)); // an offset keeps what float would round
 }
 
+/** What decodePcd() says of a file that it refuses. */
+std::string
+refusalOf(const std::string& file)
+{
+  try {
+    decodePcd("bad.pcd", file);
+  }
+  catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(Readers, NumbersOfAPcdHeaderAreWhole)
+{
+  const auto head =
+      [](const std::string& size, const std::string& count, const std::string& width) {
+        return "FIELDS x y z\nSIZE 4 4 " + size + "\nTYPE F F F\nCOUNT 1 1 " + count +
+               "\nWIDTH " + width + "\nDATA ascii\n" + two_rows;
+      };
+  expectTwoPoints(decodePcd("whole.pcd", head("4.0", "+1", "2.0")));
+  EXPECT_NE(refusalOf(head("4", "1", "2.5")).find("WIDTH is '2.5'"), std::string::npos);
+  EXPECT_NE(refusalOf(head("4", "1.5", "2")).find("COUNT '1.5'"), std::string::npos);
+  EXPECT_NE(refusalOf(head("4.5", "1", "2")).find("SIZE '4.5'"), std::string::npos);
+  EXPECT_NE(refusalOf(head("4", "1", "nan")).find("WIDTH is 'nan'"), std::string::npos);
+}
+
+TEST_F(Readers, OtherFormatsAreToBeConverted)
+{
+  const std::string message = refusalOf("0.25 1 2\n");
+  for (const char* const words :
+       {"header line 1", "'0.25'", "convert other formats, such as LAS, E57 or XYZ,"})
+    EXPECT_NE(message.find(words), std::string::npos) << message;
+}
+
 TEST_F(Readers, BooleansStayBooleans)
 {
   const std::string head =

@@ -181,7 +181,10 @@ TEST_F(Streams, LargeDoublesLoseAnOffsetAndKeepTheirValues)
   EXPECT_EQ(given.err.find("warning"), std::string::npos) << given.err;
   const Outcome useless =
       runApp(edges, {path("far.ply"), path("u.pcd"), "-offset", "1,2,3"});
-  EXPECT_NE(useless.err.find("steps of 0.5,"), std::string::npos) << useless.err;
+  EXPECT_EQ(useless.status, 0) << useless.err;
+  for (const char* const words :
+       {"with -offset '1,2,3'", "steps of 0.5,", "the middle"})
+    EXPECT_NE(useless.err.find(words), std::string::npos) << useless.err;
   EXPECT_EQ(labelsOf(readAnyCloud(path("g.pcd")), "edge"), expected);
   expectRefused(
       runApp(edges, {path("far.ply"), path("g.pcd"), "-offset", "1,2"}), 2, {"X,Y,Z"});
@@ -203,12 +206,27 @@ TEST_F(Streams, RepeatedPointsHaveTheAngleOfTheirPlace)
       return floatsOf(readAnyCloud(path("out.pcd")), "mu");
     };
     const std::vector<float> once = anglesOf("once.pcd"), all = anglesOf("twice.pcd");
+    ASSERT_EQ(once.size(), rows.size());
+    ASSERT_EQ(all.size(), repeated.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
       EXPECT_EQ(all[i], once[i]) << size[0] << ' ' << i;
       EXPECT_EQ(all[rows.size() + i], once[i]) << size[0] << ' ' << i;
     }
-    EXPECT_TRUE(std::isnan(all.back()) || size[0] == "-k");
+    for (std::size_t i = 2 * rows.size(); i < all.size(); ++i)
+      if (size[0] == "-k")
+        EXPECT_TRUE(std::isfinite(all[i]) && all[i] == all.back()) << i;
+      else
+        EXPECT_TRUE(std::isnan(all[i])) << i;
   }
+}
+
+TEST_F(Streams, MoreNeighborsThanPlacesAreRefused)
+{
+  const Words rows{"0 0 0", "1 0 0", "0 1 0", "0 0 0", "1 0 0"};
+  const std::string cloud = file("few.pcd", asciiCloud("x y z", "F F F", rows));
+  expectRefused(runApp("pcl_inad_estimation", {cloud, path("out.pcd"), "-k", "4"}),
+                1,
+                {"-k '4'", "distinct points, 3 of 5", "expected"});
 }
 
 TEST_F(Streams, CoordinatesThatFloatDestroyedGiveAWarning)

@@ -7,6 +7,7 @@
 #include "support/errors.h"
 
 #include <pcl/common/angles.h>
+#include <pcl/features/cloud_numbers.h>
 #include <pcl/features/inad.h>
 #include <pcl/features/normal_3d_sweep.h>
 #include <pcl/features/shape_model.h>
@@ -283,14 +284,15 @@ TEST(AdaptiveRadius, RadiiWhoseSquaresAreZeroHaveNoNoiseLevel)
   EXPECT_EQ(0.0, level.correlation);
 }
 
-/** How far normals differ at each level, in degrees, as noiseLevelOf() needs it. */
-detail::NormalAngles
+/** How far normals differ at each level, in degrees, where neither wide steps nor thin
+ * plates are. */
+NoiseMeasures
 anglesOf(const std::array<double, 8>& degrees)
 {
-  detail::NormalAngles angles;
+  NoiseMeasures measures;
   for (std::size_t level = 0; level < degrees.size(); ++level)
-    angles[level] = {static_cast<float>(pcl::deg2rad(degrees[level]))};
-  return angles;
+    measures.angles[level] = {static_cast<float>(pcl::deg2rad(degrees[level]))};
+  return measures;
 }
 
 TEST(AdaptiveRadius, NormalsThatAreNeverStableAreBeyondRadii)

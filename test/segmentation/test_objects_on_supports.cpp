@@ -233,7 +233,7 @@ TEST_P(ObjectsOnSupports, TheTableIsNoneAndTheCupIsOne)
   EXPECT_GT(bestOverlap(scene, objects, box), 0.85);
 }
 
-TEST(Supports, TheFloorOfACupIsNone)
+TEST(Supports, TheFloorOfACupBelongsToIt)
 {
   std::mt19937 random(9);
   const Scene scene = tableScene(0.0, 0.0015, {boxWith(0)}, random, std::nullopt, true);

@@ -140,6 +140,39 @@ TEST(SupportChoice, ASmallBoxHasSides)
   EXPECT_EQ(0u, supportsAt(60.0f, nodes));
 }
 
+/** \brief A floor, and two tables above each other with things on them; each is
+ * parallel to the next one only. */
+Nodes
+leaningTables()
+{
+  Nodes nodes;
+  addPatch({0, 0, 0}, 110, 100, nodes);
+  for (const float turn : {0.25f, 0.5f}) {
+    const Vector3f x(std::cos(turn), 0.0f, std::sin(turn));
+    const Vector3f z(-std::sin(turn), 0.0f, std::cos(turn));
+    const Vector3f corner(50.0f, 50.0f, 240.0f * turn);
+    addPatch(corner, 40, 40, nodes, x);
+    addPatch(corner + 25.0f * (x + Vector3f::UnitY()) + 4.0f * z, 7, 7, nodes, x);
+  }
+  return nodes;
+}
+
+TEST(SupportChoice, HighTablesDoNotDependOnTheOrderOfParts)
+{
+  const Nodes nodes = leaningTables();
+  std::vector<SupportPart> parts = supportParts(nodes, min_offset, 1.0f);
+  std::sort(parts.begin(), parts.end(), [](const auto& one, const auto& other) {
+    return one.support.plane.center.z() < other.support.plane.center.z();
+  });
+  const std::vector<std::size_t> upwards = carriersAmong(parts, nodes, 1.0f, 1);
+  std::reverse(parts.begin(), parts.end());
+  std::set<std::size_t> downwards;
+  for (const std::size_t k : carriersAmong(parts, nodes, 1.0f, 1))
+    downwards.insert(parts.size() - 1 - k);
+  EXPECT_EQ(std::set<std::size_t>(upwards.begin(), upwards.end()), downwards);
+  EXPECT_EQ(2u, upwards.size());
+}
+
 TEST(SupportChoice, WallsAroundABoardAreNoThingsOnIt)
 {
   Nodes nodes;

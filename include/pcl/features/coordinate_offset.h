@@ -127,14 +127,16 @@ coordinateOffset(const DoubleXYZ& points)
 /** \brief The distance between neighboring floats at the largest coordinate of points
  * that were floats, if it has destroyed their neighborhoods: if it is a quarter or more
  * of the distance from a point to the nearest other place, in the median. Else 0.
+ * \tparam PointAt a callable, from a std::size_t to a std::array of three doubles
  * \param[in] size how many points there are
- * \param[in] pointAt the coordinates of a point, a std::array of three doubles
+ * \param[in] pointAt the coordinates of a point, which may be NaN
+ * \return the distance, or 0
  */
 template <typename PointAt>
 double
 destructiveFloatSpacing(std::size_t size, const PointAt& pointAt)
 {
-  const auto everyFinite = [&](std::size_t stride) {
+  const auto someFinite = [&](std::size_t stride) {
     DoubleXYZ some;
     for (std::size_t i = 0; i < size; i += stride)
       if (const std::array<double, 3> p = pointAt(i);
@@ -144,7 +146,7 @@ destructiveFloatSpacing(std::size_t size, const PointAt& pointAt)
   };
   constexpr std::size_t scale_samples = 4096; // enough for an order of magnitude
   const CoordinateScale scale =
-      coordinateScale(everyFinite(1 + size / scale_samples), size);
+      coordinateScale(someFinite(1 + size / scale_samples), size);
   const double step = scale.floatSpacing();
   // The estimate of the spacing is too large where points are in clusters or on few
   // lines, but not ten thousand times: look where there is any doubt.
@@ -154,7 +156,7 @@ destructiveFloatSpacing(std::size_t size, const PointAt& pointAt)
   constexpr std::size_t median_samples = 15; // for an order of magnitude
   constexpr double destroyed = 0.25;
   const double reach = step / destroyed;
-  DoubleXYZ samples = everyFinite(std::max<std::size_t>(1, size / median_samples));
+  DoubleXYZ samples = someFinite(std::max<std::size_t>(1, size / median_samples));
   const std::size_t count = samples.size();
   for (std::size_t i = 0; i < size && 2 * samples.size() >= count; ++i) {
     const std::array<double, 3> p = pointAt(i);
@@ -172,7 +174,11 @@ destructiveFloatSpacing(std::size_t size, const PointAt& pointAt)
   return 2 * samples.size() < count ? step : 0.0;
 }
 
-/** \brief The same of points in a list. */
+/** \brief The distance between neighboring floats that has destroyed the neighborhoods
+ * of points, as above.
+ * \param[in] points the coordinates, which may be NaN
+ * \return the distance, or 0
+ */
 inline double
 destructiveFloatSpacing(const DoubleXYZ& points)
 {
