@@ -51,10 +51,11 @@ whichContinue(const std::vector<CreasePoint>& creases,
   std::vector<char> which(places.size());
   kernels::parallelForEach(places.size(), threads, [&](std::size_t k) {
     const CreasePoint& place = agreements[places[k]].point;
-    which[k] = grid.anyWithin(
+    const bool does = grid.anyWithin(
         vectorOf(place.position),
         step_spacings * place.spacing,
         [&](std::uint32_t i, const Vector3f&) { return continues(place, creases[i]); });
+    which[k] = does ? 1 : 0;
   });
   return which;
 }
@@ -83,7 +84,7 @@ continueCreases(float needed,
     creases.clear();
     std::vector<std::uint32_t> left;
     for (std::size_t k = 0; k < places.size(); ++k) {
-      if (!which[k]) {
+      if (which[k] == 0) {
         left.push_back(places[k]);
         continue;
       }

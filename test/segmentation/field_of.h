@@ -41,4 +41,14 @@ edgeFieldOf(const PointCloud<PointXYZ>::ConstPtr& cloud,
   return fieldOf(cloud, estimation);
 }
 
+/** \brief Of a part of a cloud. \param[in] numbers of the cloud */
+inline ShapeField
+edgeFieldOf(const PointCloud<PointXYZ>::ConstPtr& cloud, const CloudNumbers& numbers)
+{
+  ShapeFieldEstimation<PointXYZ> estimation;
+  estimation.setEdgesOnly(true);
+  estimation.setCloudNumbers(numbers);
+  return fieldOf(cloud, estimation);
+}
+
 } // namespace pcl::test

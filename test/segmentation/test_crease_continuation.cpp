@@ -4,10 +4,10 @@
 
 #include "detection_scenes.h"
 #include "edges/crease_continuation.h"
+#include "field_of.h"
 #include "measured_numbers.h"
 
 #include <pcl/segmentation/cloud_reach.h>
-#include <pcl/segmentation/shape_field_estimation.h>
 
 #include <gtest/gtest.h>
 
@@ -159,26 +159,13 @@ TEST(CreaseContinuation, FollowsARidgeWhoseAngleFalls)
   }
 }
 
-ShapeField
-edgeFieldOf(const Cloud::Ptr& cloud, const CloudNumbers* numbers)
-{
-  ShapeFieldEstimation<PointXYZ> estimation;
-  estimation.setInputCloud(cloud);
-  estimation.setEdgesOnly(true);
-  if (numbers)
-    estimation.setCloudNumbers(*numbers);
-  ShapeField field;
-  EXPECT_TRUE(estimation.compute(field));
-  return field;
-}
-
 TEST(CreaseContinuation, IsTheSameInPartsWithTheirHalo)
 {
   const Cloud::Ptr cloud = FallingRidge(0.15, 1).cloud;
   const CloudNumbers numbers = measuredNumbers(*cloud);
   const auto halo =
       static_cast<float>(reachOf(numbers, ShapeModel::defaultEdges()).edges);
-  const ShapeField whole = edgeFieldOf(cloud, nullptr);
+  const ShapeField whole = edgeFieldOf(cloud);
   const auto just_enough = [](float likelihood) {
     return likelihood > 0.5f && likelihood < 0.5005f;
   };
@@ -193,7 +180,7 @@ TEST(CreaseContinuation, IsTheSameInPartsWithTheirHalo)
         expected.push_back(whole.edge_likelihood[i]);
       }
     ASSERT_LT(near->size(), cloud->size());
-    const ShapeField part = edgeFieldOf(near, &numbers);
+    const ShapeField part = edgeFieldOf(near, numbers);
     for (std::size_t k = 0; k < near->size(); ++k) {
       if ((*near)[k].x < low || (*near)[k].x > low + width)
         continue;

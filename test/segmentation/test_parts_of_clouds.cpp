@@ -5,6 +5,7 @@
 
 #include "bumpy_plane.h"
 #include "common/disjoint_sets.h"
+#include "field_of.h"
 #include "measured_numbers.h"
 #include "support/bits.h"
 #include "support/errors.h"
@@ -500,19 +501,6 @@ TEST_F(PartsOfClouds, HaveEachPieceOnce)
   EXPECT_GT(outward, 10U);
 }
 
-ShapeField
-edgesOf(const Cloud::Ptr& cloud, const CloudNumbers* numbers)
-{
-  ShapeFieldEstimation<PointXYZ> estimation;
-  estimation.setInputCloud(cloud);
-  estimation.setEdgesOnly(true);
-  if (numbers)
-    estimation.setCloudNumbers(*numbers);
-  ShapeField edges;
-  EXPECT_TRUE(estimation.compute(edges));
-  return edges;
-}
-
 TEST(PartsOfNoisyClouds, KnowWhichEdgesPersist)
 {
   const Cloud::Ptr cloud = bumpyPlane(4.0);
@@ -520,7 +508,7 @@ TEST(PartsOfNoisyClouds, KnowWhichEdgesPersist)
   EXPECT_EQ(1.0, numbers.noise_correlation);
   const auto reach =
       static_cast<float>(reachOf(numbers, ShapeModel::defaultEdges()).edges);
-  const ShapeField whole = edgesOf(cloud, nullptr);
+  const ShapeField whole = edgeFieldOf(cloud);
   constexpr float width = 0.01f; // of strips across x
   std::size_t compared = 0, likely = 0;
   for (float low = 0.02f; low < 0.38f; low += 0.06f) {
@@ -532,7 +520,7 @@ TEST(PartsOfNoisyClouds, KnowWhichEdgesPersist)
         of_near.push_back(static_cast<index_t>(i));
       }
     ASSERT_LT(near->size(), cloud->size());
-    const ShapeField part = edgesOf(near, &numbers);
+    const ShapeField part = edgeFieldOf(near, numbers);
     for (std::size_t k = 0; k < near->size(); ++k) {
       if ((*near)[k].x < low || (*near)[k].x > low + width)
         continue;
