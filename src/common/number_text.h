@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -16,6 +17,14 @@ numberText(double value)
   std::ostringstream text;
   text << value;
   return text.str();
+}
+
+/** \brief A positive number in two digits, so that people can give it again. */
+inline double
+twoDigits(double value)
+{
+  const double scale = std::pow(10.0, 1.0 - std::floor(std::log10(value)));
+  return std::round(value * scale) / scale;
 }
 
 } // namespace pcl::detail

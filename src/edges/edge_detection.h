@@ -21,6 +21,8 @@ struct MeasuredCloud {
   float spacing; ///< the median, meters
   NoiseLevel noise;
   std::size_t places; ///< that are finite
+  const std::vector<float>* distances =
+      nullptr; ///< of the points to their 12th neighbors, if these are known
 };
 
 /** \brief Measure a cloud: sets the spacings, noise and noise level of a field. */

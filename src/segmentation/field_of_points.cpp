@@ -62,13 +62,15 @@ public:
 
   /** \param[in] toEdges whether the field goes on to edges */
   ShapeField
-  make(const std::function<bool(const MeasuredCloud& cloud)>& toEdges) const
+  make(const ToEdges& toEdges) const
   {
     const std::vector<float> spacings = spacingsOf(distances_);
     std::size_t unknown = 0;
     Conditions conditions;
-    conditions.to_edges = [&](const MeasuredCloud& cloud) {
-      if (!toEdges(cloud))
+    conditions.to_edges = [&](const MeasuredCloud& cloud, const ShapeField& measured) {
+      MeasuredCloud with_distances = cloud;
+      with_distances.distances = &distances_;
+      if (!toEdges(with_distances, measured))
         return false;
       const double share = request_.has_normals ? 0.0
                                                 : shareUnknown(surface_,
@@ -121,7 +123,7 @@ private:
         evenSampling(request_.surface, even_spacings, request_.threads);
     NoiseLevel noise;
     Conditions conditions;
-    conditions.to_edges = [&](const MeasuredCloud& cloud) {
+    conditions.to_edges = [&](const MeasuredCloud& cloud, const ShapeField&) {
       noise = cloud.noise;
       return true;
     };
@@ -236,8 +238,7 @@ private:
 } // namespace
 
 ShapeField
-fieldOfPoints(const FieldRequest& request,
-              const std::function<bool(const MeasuredCloud& cloud)>& toEdges)
+fieldOfPoints(const FieldRequest& request, const ToEdges& toEdges)
 {
   if (!request.of_cloud)
     return FieldOfPoints(request).make(toEdges);

@@ -6,15 +6,11 @@
 
 #include "segmentation/field_stages.h"
 
-#include <functional>
-
 namespace pcl::detail {
 
 /** \brief The field at the points of the request's surface. If the spacing changes so
  * fast that too many points stay unknown, points take values from means that even the
  * cloud out. \param[in] toEdges whether the field goes on to edges */
-ShapeField
-fieldOfPoints(const FieldRequest& request,
-              const std::function<bool(const MeasuredCloud& cloud)>& toEdges);
+ShapeField fieldOfPoints(const FieldRequest& request, const ToEdges& toEdges);
 
 } // namespace pcl::detail

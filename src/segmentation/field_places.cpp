@@ -48,6 +48,7 @@ FieldPlaces::FieldPlaces(const ShapeField& field) : given_(field)
   of_places_.creases = field.creases;
   of_places_.classes = field.classes;
   of_places_.resolution = field.resolution;
+  of_places_.finest_resolution = field.finest_resolution;
   of_places_.base = field.base;
   of_places_.spacings = gathered(field.spacings, from);
   of_places_.normals = gathered(field.normals, from);

@@ -45,11 +45,11 @@ fieldOf(const FieldRequest& request,
   ShapeField field;
   field.cloud = owner;
   field.points = input.points;
-  field.resolution = request.resolution;
+  field.resolution = field.finest_resolution = request.resolution;
   const MeasuredCloud measured = spacings.known
                                      ? measureCloud(input, *spacings.known, field)
                                      : measureCloud(input, field);
-  if (!conditions.to_edges(measured))
+  if (!conditions.to_edges(measured, field))
     return field;
   findEdges(input, measured, request.edge_model, field);
   if (conditions.to_surfaces(field) && !request.edges_only)

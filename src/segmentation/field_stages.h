@@ -19,10 +19,14 @@ struct Spacings {
   const std::vector<float>* known = nullptr;
 };
 
+/** \brief Whether a field goes on to edges: from what was measured of a cloud, and its
+ * field with spacings. */
+using ToEdges =
+    std::function<bool(const MeasuredCloud& cloud, const ShapeField& field)>;
+
 /** \brief Whether a field goes on from one stage to the next; else it ends there. */
 struct Conditions {
-  std::function<bool(const MeasuredCloud& cloud)> to_edges =
-      [](const MeasuredCloud& /*cloud*/) { return true; };
+  ToEdges to_edges = [](const MeasuredCloud&, const ShapeField&) { return true; };
   std::function<bool(const ShapeField& edges)> to_surfaces =
       [](const ShapeField& /*edges*/) { return true; };
 };

@@ -3,6 +3,7 @@
 // Voxel means of a part of a cloud, and which of them stands for a point.
 
 #include "common/gathered.h"
+#include "common/number_text.h"
 #include "features/local_spacing.h"
 #include "features/noise_level.h"
 #include "geometry/voxel_means.h"
@@ -63,9 +64,7 @@ coarserResolution(const CloudNumbers& numbers, std::uint64_t places, double reso
   if (!noise.isBeyondRadii() || places < dense || size <= grows * resolution ||
       size >= static_cast<double>(extent))
     return 0.0;
-  // Two digits, so that it can be given again.
-  const double scale = std::pow(10.0, 1.0 - std::floor(std::log10(size)));
-  return std::round(size * scale) / scale;
+  return detail::twoDigits(size);
 }
 
 std::string

@@ -10,6 +10,7 @@
 #include "geometry/voxel_means.h"
 #include "segmentation/field_of_points.h"
 #include "segmentation/field_places.h"
+#include "segmentation/zoned_field.h"
 
 #include <pcl/features/distinct_points.h>
 #include <pcl/impl/instantiate.hpp>
@@ -20,6 +21,7 @@
 #include <functional>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace pcl::detail {
 namespace {
@@ -67,8 +69,7 @@ struct Base {
 
 /** \param[in] toEdges whether the field goes on to edges */
 Base
-baseOfMeans(const FieldRequest& request,
-            const std::function<bool(const MeasuredCloud& means)>& toEdges)
+baseOfMeans(const FieldRequest& request, const ToEdges& toEdges)
 {
   const auto means = std::make_shared<const std::vector<float>>(
       voxelMeans(request.surface, request.resolution, request.threads));
@@ -87,27 +88,57 @@ numbersOf(const MeasuredCloud& measured)
   return numbers;
 }
 
-/** The field of the points, or of means that are coarse enough for the noise which
- * neighbors share. */
-Base
-baseOf(FieldRequest request)
-{
-  const bool may_be_coarser = !request.has_normals && !request.of_cloud;
-  double coarser = 0.0; // than what was measured last
-  const auto toEdges = [&](const MeasuredCloud& measured) {
-    if (may_be_coarser)
-      coarser =
-          coarserResolution(numbersOf(measured), measured.places, request.resolution);
-    return coarser == 0.0;
-  };
-  Base base = request.resolution == 0.0 ? Base{fieldOfPoints(request, toEdges), false}
-                                        : baseOfMeans(request, toEdges);
-  while (coarser > 0.0) {
-    request.resolution = coarser;
-    base = baseOfMeans(request, toEdges);
+/** Makes the field of the points, or of means that are coarse enough for the noise
+ * which neighbors share: for that of all, or of each zone. */
+class BaseMaker {
+public:
+  explicit BaseMaker(const FieldRequest& request) : request_(request), coarse_(request)
+  {}
+
+  Base
+  make()
+  {
+    const auto toEdges = [this](const MeasuredCloud& measured,
+                                const ShapeField& field) {
+      return request_.has_normals || isFineEnough(measured, field);
+    };
+    Base base = request_.resolution == 0.0
+                    ? Base{fieldOfPoints(request_, toEdges), false}
+                    : baseOfMeans(request_, toEdges);
+    while (coarser_ > 0.0) {
+      coarse_.resolution = coarser_;
+      base = baseOfMeans(coarse_, toEdges);
+    }
+    return zones_.empty() ? std::move(base) : Base{zonedField(request_, zones_), true};
   }
-  return base;
-}
+
+private:
+  /** Whether this resolution, of all of the cloud, is what it needs. */
+  bool
+  isFineEnough(const MeasuredCloud& measured, const ShapeField& field)
+  {
+    coarser_ =
+        coarserResolution(numbersOf(measured), measured.places, coarse_.resolution);
+    if (coarser_ > 0.0) {
+      if (measured.distances)
+        distances_ = *measured.distances;
+      return false;
+    }
+    const bool was_noisy = coarse_.resolution > request_.resolution;
+    if (!request_.one_resolution &&
+        (was_noisy || mayHaveZones(field.points, field.spacings, request_.threads)))
+      zones_ = resolutionZones(request_,
+                               measured.distances ? *measured.distances : distances_,
+                               was_noisy);
+    return zones_.empty();
+  }
+
+  const FieldRequest& request_;
+  FieldRequest coarse_;
+  double coarser_ = 0.0;         ///< than what was measured last, meters
+  std::vector<float> distances_; ///< of points to their 12th neighbors, if known
+  std::vector<ResolutionZone> zones_;
+};
 
 /** Of the normals that are given for a place the one with the least coordinates,
  * whatever their order; one that is finite if there is one. */
@@ -131,7 +162,7 @@ Base
 baseOf(const FieldRequest& request, const DistinctPoints& distinct)
 {
   if (!distinct.hasRepeats())
-    return baseOf(request);
+    return BaseMaker(request).make();
   const auto places = std::make_shared<const std::vector<float>>(
       unsignedZeros(positionsAt(request.surface, distinct.first)));
   std::vector<float> normals;
@@ -146,7 +177,7 @@ baseOf(const FieldRequest& request, const DistinctPoints& distinct)
     of_places.makeFinder = [&](const std::vector<float>& means) {
       return request.makeFinder(means.empty() ? *places : means);
     };
-  return baseOf(of_places);
+  return BaseMaker(of_places).make();
 }
 
 /** The field of points with the values of others that they stand for. */
@@ -159,6 +190,7 @@ scattered(const ShapeField::ConstPtr& base, std::vector<std::int32_t> base_point
   field.creases = base->creases;
   field.classes = base->classes;
   field.resolution = base->resolution;
+  field.finest_resolution = base->finest_resolution;
   field.spacings = gathered(base->spacings, base_points, nan);
   field.normals = gathered(base->normals, base_points, Eigen::Vector3f::Constant(nan));
   field.edge_likelihood = gathered(base->edge_likelihood, base_points, nan);

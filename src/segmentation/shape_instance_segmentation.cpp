@@ -5,13 +5,11 @@
 #include "common/finite.h"
 #include "common/gathered.h"
 #include "common/number_text.h"
-#include "geometry/voxel_means.h"
 #include "instances/instance_detection.h"
 #include "instances/instance_points.h"
 #include "segmentation/compiled_estimations.h"
 #include "segmentation/field_places.h"
 
-#include <pcl/segmentation/means_of_parts.h>
 #include <pcl/segmentation/impl/shape_instance_segmentation.hpp>
 
 #include <algorithm>
@@ -31,30 +29,36 @@ positionOf(const std::string& name, const std::vector<std::string>& names)
                                   names.begin());
 }
 
-/** The points that instances are made of, three coordinates each: those of the indices,
- * or their voxel means. */
-std::vector<float>
-positionsOf(const InstanceRequest& request)
-{
-  std::vector<float> positions = positionsAt(request.field.points, request.indices);
-  const double resolution = request.field.resolution;
-  return resolution > 0.0 ? voxelMeans(viewOfPositions(positions), resolution)
-                          : positions;
-}
+/** The points that instances are made of, of a field or of its base. */
+struct InstanceMembers {
+  const ShapeField& field;
+  std::vector<std::int32_t> points;     ///< of the field, each once
+  std::vector<std::int32_t> of_indices; ///< the one of them for each index; -1 none
+};
 
-/** For each position the point of the field, or of its base, that it has the values of;
- * -1 for none. */
-std::vector<std::int32_t>
-pointsAt(const InstanceRequest& request, const XYZView& positions)
+/** Those of the indices, or the means that stand for them. */
+InstanceMembers
+membersOf(const InstanceRequest& request)
 {
   const ShapeField& field = request.field;
-  if (field.resolution == 0.0)
-    return {request.indices.begin(), request.indices.end()};
-  return nearestMeans(positions,
-                      field.base->points,
-                      field.base->spacings,
-                      field.resolution,
-                      request.threads);
+  std::vector<std::int32_t> points(request.indices.begin(), request.indices.end());
+  if (field.resolution == 0.0) {
+    std::vector<std::int32_t> themselves(points.size());
+    std::iota(themselves.begin(), themselves.end(), 0);
+    return {field, std::move(points), std::move(themselves)};
+  }
+  const std::vector<std::int32_t> means = gathered(field.base_points, points);
+  std::vector<std::int32_t> numbers(field.base->points.size, -1);
+  for (const std::int32_t mean : means)
+    if (mean >= 0)
+      numbers[static_cast<std::size_t>(mean)] = 0;
+  points.clear();
+  for (std::size_t mean = 0; mean < numbers.size(); ++mean)
+    if (numbers[mean] == 0) {
+      numbers[mean] = static_cast<std::int32_t>(points.size());
+      points.push_back(static_cast<std::int32_t>(mean));
+    }
+  return {*field.base, std::move(points), gathered(numbers, means, -1)};
 }
 
 struct InstanceValues {
@@ -62,33 +66,27 @@ struct InstanceValues {
   std::vector<std::vector<float>> likelihoods; ///< of every class
 };
 
+/** \param[in] positions of the members */
 InstanceValues
-valuesAt(const InstanceRequest& request, const std::vector<float>& positions)
+valuesOf(const InstanceRequest& request,
+         const InstanceMembers& members,
+         const std::vector<float>& positions)
 {
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-  const ShapeField& field =
-      request.field.resolution > 0.0 ? *request.field.base : request.field;
+  const ShapeField& field = members.field;
   InstanceValues values;
   InstanceInput& input = values.input;
   input.points = viewOfPositions(positions);
-  values.likelihoods.resize(field.classes.size());
-  const std::vector<std::int32_t> points = pointsAt(request, input.points);
-  input.normals.reserve(3 * points.size());
-  for (std::vector<float>* values_of_points : {&input.spacings, &input.edge})
-    values_of_points->reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool is_known = points[i] >= 0;
-    const auto point = static_cast<std::size_t>(is_known ? points[i] : 0);
-    const Eigen::Map<const Eigen::Vector3f> position(&positions[3 * i]);
+  input.spacings = gathered(field.spacings, members.points);
+  input.edge = gathered(field.edge_likelihood, members.points);
+  for (const std::vector<float>& likelihood : field.likelihoods)
+    values.likelihoods.push_back(gathered(likelihood, members.points));
+  input.normals.reserve(positions.size());
+  for (std::size_t i = 0; i < members.points.size(); ++i) {
     const Eigen::Vector3f normal = segmentation::turnedNormal(
-        is_known ? field.normals[point] : Eigen::Vector3f::Constant(nan),
-        position,
+        field.normals[static_cast<std::size_t>(members.points[i])],
+        Eigen::Map<const Eigen::Vector3f>(&positions[3 * i]),
         request.view_point);
     input.normals.insert(input.normals.end(), normal.data(), normal.data() + 3);
-    input.spacings.push_back(is_known ? field.spacings[point] : nan);
-    input.edge.push_back(is_known ? field.edge_likelihood[point] : nan);
-    for (std::size_t c = 0; c < values.likelihoods.size(); ++c)
-      values.likelihoods[c].push_back(is_known ? field.likelihoods[c][point] : nan);
   }
   const std::string& name = request.name == object ? planar : request.name;
   input.likelihood = values.likelihoods[positionOf(name, field.classes)];
@@ -123,23 +121,6 @@ sharesOf(const std::vector<std::uint32_t>& members, const InstanceValues& values
   return shares;
 }
 
-/** The label of each index: its own, or that of the nearest mean. */
-InstanceLabels
-labelsOfIndices(const InstanceRequest& request,
-                const XYZView& positions,
-                const InstanceLabels& labels)
-{
-  if (request.field.resolution == 0.0)
-    return labels;
-  const std::vector<float> within_their_voxel(positions.size, 0.0f);
-  const std::vector<std::int32_t> nearest = nearestMeans(request.field.points,
-                                                         positions,
-                                                         within_their_voxel,
-                                                         request.field.resolution,
-                                                         request.threads);
-  return gathered(labels, gathered(nearest, request.indices), -1);
-}
-
 void
 setPoints(const InstanceRequest& request,
           const InstanceLabels& labels,
@@ -165,8 +146,9 @@ setPoints(const InstanceRequest& request,
 std::vector<ShapeInstance>
 instancesOf(const InstanceRequest& request)
 {
-  const std::vector<float> positions = positionsOf(request);
-  InstanceValues values = valuesAt(request, positions);
+  const InstanceMembers chosen = membersOf(request);
+  const std::vector<float> positions = positionsAt(chosen.field.points, chosen.points);
+  InstanceValues values = valuesOf(request, chosen, positions);
   values.input.median_spacing = segmentation::medianSpacing(values.input.spacings);
   if (request.name == object)
     values.input.order =
@@ -190,7 +172,7 @@ instancesOf(const InstanceRequest& request)
     instance.shares = sharesOf(points, values);
     instance.primitive = fitPrimitive(values.input, points, request.primitive);
   }
-  setPoints(request, labelsOfIndices(request, values.input.points, labels), instances);
+  setPoints(request, gathered(labels, chosen.of_indices, -1), instances);
   return instances;
 }
 

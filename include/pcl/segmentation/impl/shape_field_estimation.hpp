@@ -32,6 +32,7 @@ struct FieldRequest {
   XYZView normals;          ///< of the surface
   bool has_normals = false; ///< else they are estimated
   double resolution = 0.0;  ///< meters, 0 for the surface's own
+  bool one_resolution = false;
   ShapeModel edge_model;    ///< an edge, the rest
   ShapeModel surface_model; ///< several classes
   bool edges_only = false;

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Zones of a cloud by spacing: how coarse the noise there makes each of them.
+
+#pragma once
+
+#include <pcl/features/cloud_numbers.h>
+#include <pcl/features/xyz_view.h>
+#include <pcl/segmentation/impl/shape_field_estimation.hpp>
+
+#include <vector>
+
+namespace pcl::detail {
+
+/** \brief A part of a cloud that is looked at from equally far away. */
+struct ResolutionZone {
+  double resolution = 0.0;   ///< meters, 0 for points
+  CloudNumbers numbers;      ///< of its own points or means
+  std::vector<float> points; ///< its own and those around them, three coordinates each
+  std::vector<bool> is_own;  ///< of each of them
+};
+
+/** \brief Whether the noise may be another where a cloud is sparse: there its normals
+ * show steps, or no noise at all. A depth camera's noise grows with the range, as the
+ * distances between points do. \param[in] spacings one for each point, meters */
+bool mayHaveZones(const XYZView& points,
+                  const std::vector<float>& spacings,
+                  unsigned threads);
+
+/** \brief The zones of the request's surface, denser ones first; none if all of it has
+ * the same noise, if it does not grow with the spacing, or if one resolution shows
+ * nearly as much. \param[in] distances of the points to their 12th neighbors; none if
+ * they are not known \param[in] has_resolution one resolution would serve most of it */
+std::vector<ResolutionZone> resolutionZones(const FieldRequest& request,
+                                            const std::vector<float>& distances,
+                                            bool has_resolution);
+
+} // namespace pcl::detail
