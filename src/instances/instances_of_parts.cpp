@@ -5,10 +5,10 @@
 
 #include "common/disjoint_sets.h"
 #include "features/adaptive_inad.h"
-#include "features/local_spacing.h"
+#include "features/spacing/local_spacing.h"
 #include "geometry/point_choice.h"
 #include "instances/label_growth.h"
-#include "instances/piece_splitting.h"
+#include "instances/pieces/piece_splitting.h"
 
 #include <pcl/segmentation/instances_of_parts.h>
 

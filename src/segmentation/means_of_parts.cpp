@@ -3,8 +3,8 @@
 // Voxel means of a part of a cloud, and which of them stands for a point.
 
 #include "common/gathered.h"
-#include "features/local_spacing.h"
-#include "features/noise_level.h"
+#include "features/noise/noise_level.h"
+#include "features/spacing/local_spacing.h"
 #include "geometry/voxel_means.h"
 
 #include <pcl/segmentation/means_of_parts.h>

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "scene/lidar.h"
+#include "scene/sensors/lidar.h"
 
 #include <pcl/segmentation/shape_ground_segmentation.h>
 

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "instances/surface_piece.h"
+#include "instances/pieces/surface_piece.h"
 #include "support/shapes.h"
 
 #include <vector>

@@ -4,8 +4,8 @@
 
 #include "detection_scenes.h"
 #include "scene/creases.h"
-#include "scene/depth_cameras.h"
-#include "scene/random_world.h"
+#include "scene/sensors/depth_cameras.h"
+#include "scene/worlds/random_world.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Faces, and how they meet: convex, concave or a step.
 
-#include "instances/face_contacts.h"
+#include "instances/faces/face_contacts.h"
 #include "small_surfaces.h"
 
 #include <gtest/gtest.h>

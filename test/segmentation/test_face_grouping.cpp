@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Faces grouped to bodies, and supports, from given contacts.
 
-#include "instances/face_grouping.h"
-#include "instances/support_faces.h"
+#include "instances/faces/face_grouping.h"
+#include "instances/supports/support_faces.h"
 #include "small_surfaces.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 // Ground below ceilings, bridges and trees, in fields, and for other scanners.
 
 #include "ground_truth.h"
-#include "scene/lidar.h"
+#include "scene/sensors/lidar.h"
 
 #include <gtest/gtest.h>
 

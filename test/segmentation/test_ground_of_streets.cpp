@@ -3,7 +3,7 @@
 // Ground of generated streets, and what must not change it: threads, order, turns.
 
 #include "ground_truth.h"
-#include "scene/lidar.h"
+#include "scene/sensors/lidar.h"
 #include "support/clouds.h"
 
 #include <Eigen/Geometry>

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Groups of faces that are one body behind another one, and those that are not.
 
-#include "instances/hidden_parts.h"
+#include "instances/objects/hidden_parts.h"
 #include "post_scene.h"
 
 #include <gtest/gtest.h>

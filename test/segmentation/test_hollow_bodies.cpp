@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // The floor of a hollow body that stands in another one.
 
-#include "instances/hollow_bodies.h"
+#include "instances/objects/hollow_bodies.h"
 #include "small_surfaces.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // What hides the space between two faces, and what does not.
 
-#include "instances/lines_of_sight.h"
+#include "instances/objects/lines_of_sight.h"
 #include "small_surfaces.h"
 
 #include <gtest/gtest.h>

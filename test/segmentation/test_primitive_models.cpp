@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Primitives fitted to exact surfaces.
 
-#include "instances/counting_models.h"
+#include "instances/primitives/counting_models.h"
 #include "small_surfaces.h"
 
 #include <gtest/gtest.h>

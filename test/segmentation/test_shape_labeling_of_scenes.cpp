@@ -3,8 +3,8 @@
 // Labels of generated scenes against the truth.
 
 #include "labeling_scenes.h"
-#include "scene/part_samples.h"
-#include "scene/station_scan.h"
+#include "scene/sensors/part_samples.h"
+#include "scene/sensors/station_scan.h"
 
 #include <gtest/gtest.h>
 

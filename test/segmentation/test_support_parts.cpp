@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Flat parts that may be supports, in clutter and behind gaps.
 
-#include "instances/support_choice.h"
-#include "instances/support_parts.h"
-#include "instances/support_planes.h"
+#include "instances/supports/support_choice.h"
+#include "instances/supports/support_parts.h"
+#include "instances/supports/support_planes.h"
 #include "small_surfaces.h"
 
 #include <gtest/gtest.h>

@@ -4,8 +4,8 @@
 // behind other things.
 
 #include "detection_scenes.h"
-#include "scene/depth_cameras.h"
-#include "scene/world.h"
+#include "scene/sensors/depth_cameras.h"
+#include "scene/worlds/world.h"
 
 #include <pcl/segmentation/shape_instance_segmentation.h>
 

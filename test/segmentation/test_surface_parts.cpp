@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Parts of a piece: nodes assigned to them, and parts joined again.
 
-#include "instances/piece_splitting.h"
+#include "instances/pieces/piece_splitting.h"
 #include "small_surfaces.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Pieces that are one primitive or several, and how they are cut.
 
-#include "instances/piece_splitting.h"
+#include "instances/pieces/piece_splitting.h"
 #include "small_surfaces.h"
 
 #include <gtest/gtest.h>

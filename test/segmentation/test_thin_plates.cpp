@@ -3,8 +3,8 @@
 // The edges of plates that are a few spacings thick.
 
 #include "detection_scenes.h"
-#include "features/local_spacing.h"
-#include "features/thin_plates.h"
+#include "features/noise/thin_plates.h"
+#include "features/spacing/local_spacing.h"
 #include "field_of.h"
 
 #include <gtest/gtest.h>
