@@ -47,17 +47,14 @@ SERIES = [
         *named("src/segmentation/{}*", "cloud_reach", "compiled_estimations", "faces_of_parts",
                "field_of_points", "field_places", "field_stages", "known_parts", "means_of_parts", "shape_detection",
                "shape_field", "uneven_field", "unknown_points"),
-        "tools/scene/**/*", "test/features/*",
-        *named("test/segmentation/{}*", "bumpy_plane", "crease_truth", "detect", "field_of", "measured_numbers",
-               "test_adaptive", "test_close", "test_coincident", "test_crease", "test_detection", "test_edge",
-               "test_generated", "test_known", "test_own", "test_paper", "test_sensor", "test_shape_detection",
-               "test_uneven", "test_unknown"),
+        "tools/scene/**/*", "test/features/*", "test/geometry/*", "test/edges/*",
+        *named("test/segmentation/{}*", "bumpy_plane", "detect", "field_of", "measured_numbers", "test_adaptive",
+               "test_coincident", "test_detection", "test_generated", "test_known", "test_own", "test_paper",
+               "test_shape_detection", "test_uneven", "test_unknown"),
         *named("doc/tutorials/content/{}.rst", "shape_edge_detection", "shape_back_projection")]),
     ("`ShapeInstanceSegmentation`", [
         "src/instances/**/*", SEGMENTATION + "*instance*", SEGMENTATION + "impl/*instance*", "src/segmentation/*instance*",
-        *named("test/segmentation/*{}*", "instance", "objects", "_face", "primitive", "small_surfaces", "support",
-               "parts_of_clouds", "surface_graph", "surface_p", "point_grid", "cell_order",
-               "hidden_parts", "hollow_bodies", "lines_of_sight", "post_scene"),
+        "test/surfaces/*", "test/instances/*", "test/segmentation/test_parts_of_clouds.cpp",
         "tools/upstream/shape_instance_segmentation.cpp", "doc/tutorials/content/shape_instances.rst"]),
 ]
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Two creases close to each other stay two.
 
-#include "detection_scenes.h"
+#include "segmentation/detection_scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "detection_scenes.h"
+#include "segmentation/detection_scenes.h"
 
 #include <pcl/segmentation/shape_labeling.h>
 

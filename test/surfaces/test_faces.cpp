@@ -4,7 +4,7 @@
 // other faces, and whatever waves a sensor makes.
 
 #include "common/statistics.h"
-#include "field_of.h"
+#include "segmentation/field_of.h"
 #include "support/bits.h"
 #include "support/random.h"
 #include "surfaces/face_evidence.h"

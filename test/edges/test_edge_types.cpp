@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Kinds of edges on a cube and on a sheet.
 
-#include "detection_scenes.h"
+#include "segmentation/detection_scenes.h"
 #include "support/errors.h"
 
 #include <gtest/gtest.h>

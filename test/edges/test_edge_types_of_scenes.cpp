@@ -3,9 +3,9 @@
 // Kinds of edges of generated scenes beside their exact creases.
 
 #include "crease_truth.h"
-#include "detection_scenes.h"
 #include "scene/sensors/depth_cameras.h"
 #include "scene/worlds/random_world.h"
+#include "segmentation/detection_scenes.h"
 
 #include <gtest/gtest.h>
 

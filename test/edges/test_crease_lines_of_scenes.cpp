@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Crease lines of generated scenes beside their exact creases.
 
-#include "detection_scenes.h"
 #include "scene/creases.h"
 #include "scene/sensors/depth_cameras.h"
 #include "scene/worlds/random_world.h"
+#include "segmentation/detection_scenes.h"
 
 #include <gtest/gtest.h>
 

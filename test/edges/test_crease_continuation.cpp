@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Creases where they are faint: what continues a clear one counts, and nothing else.
 
-#include "detection_scenes.h"
 #include "edges/crease_continuation.h"
-#include "field_of.h"
-#include "measured_numbers.h"
+#include "segmentation/detection_scenes.h"
+#include "segmentation/field_of.h"
+#include "segmentation/measured_numbers.h"
 
 #include <pcl/segmentation/cloud_reach.h>
 

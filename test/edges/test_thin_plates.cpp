@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // The edges of plates that are a few spacings thick.
 
-#include "detection_scenes.h"
 #include "features/noise/thin_plates.h"
 #include "features/spacing/local_spacing.h"
-#include "field_of.h"
+#include "segmentation/detection_scenes.h"
+#include "segmentation/field_of.h"
 
 #include <gtest/gtest.h>
 

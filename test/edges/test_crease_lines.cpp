@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Crease lines on analytic creases: their number, length, angle and ends.
 
-#include "detection_scenes.h"
+#include "segmentation/detection_scenes.h"
 #include "support/errors.h"
 
 #include <gtest/gtest.h>

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // The steps and bumps of a depth camera are no edges.
 
-#include "bumpy_plane.h"
-#include "detection_scenes.h"
-#include "field_of.h"
+#include "segmentation/bumpy_plane.h"
+#include "segmentation/detection_scenes.h"
+#include "segmentation/field_of.h"
 
 #include <pcl/segmentation/means_of_parts.h>
 

@@ -3,9 +3,9 @@
 // Boards, bins, tilted tables and others are no objects; what stands on them is, also
 // behind other things.
 
-#include "detection_scenes.h"
 #include "scene/sensors/depth_cameras.h"
 #include "scene/worlds/world.h"
+#include "segmentation/detection_scenes.h"
 
 #include <pcl/segmentation/shape_instance_segmentation.h>
 
