@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Print tables of what the paper prints beside what benchmarks measured, as Markdown.
 
-Usage: scripts/paper_rows.py edges|cylinders|times RESULTS
+Usage: scripts/evaluate/paper_rows.py edges|cylinders|times RESULTS
 RESULTS is the output of compare_peers (edges: of the four scenes; cylinders: of scene 33) or of
 k_sweep (times).
 """
@@ -9,8 +9,10 @@ import json
 import pathlib
 import sys
 
-from benchmark_tables import number, table
-from peer_tables import share
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+
+from benchmark_tables import number, table  # noqa: E402
+from peer_tables import share  # noqa: E402
 
 # P, R, F1
 PAPER_EDGES = {"4": (.05, 1.00, .09), "20": (.05, 1.00, .11), "33": (.05, 1.00, .09),
@@ -54,7 +56,7 @@ def times(results):
 def main():
     tables = {"edges": edges, "cylinders": cylinders, "times": times}
     if len(sys.argv) != 3 or sys.argv[1] not in tables:
-        sys.exit("usage: scripts/paper_rows.py edges|cylinders|times RESULTS")
+        sys.exit("usage: scripts/evaluate/paper_rows.py edges|cylinders|times RESULTS")
     results = pathlib.Path(sys.argv[2]).read_text(encoding="utf-8").splitlines()[-1]
     print(tables[sys.argv[1]](json.loads(results)))
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Rewrite the tables of doc/evaluation.md that compare with peers.
 
-Usage: scripts/peer_tables.py RESULTS [ROOT]
-RESULTS is what scripts/compare_peers.sh kept: a line of JSON for each run. ROOT is the repository
+Usage: scripts/evaluate/peer_tables.py RESULTS [ROOT]
+RESULTS is what scripts/evaluate/compare_peers.sh kept: a line of JSON for each run. ROOT is the repository
 by default. A table stands between <!-- begin NAME --> and <!-- end NAME -->.
 """
 import json
@@ -10,7 +10,9 @@ import pathlib
 import sys
 import textwrap
 
-from benchmark_tables import rewrite, table
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+
+from benchmark_tables import rewrite, table  # noqa: E402
 
 GROUPS = {"real": "given real scenes", "exact": "clouds with exact creases",
           "generated": "generated scenes"}
@@ -142,9 +144,9 @@ def read(path):
 
 def main():
     if len(sys.argv) not in (2, 3):
-        sys.exit("usage: scripts/peer_tables.py RESULTS [ROOT]")
+        sys.exit("usage: scripts/evaluate/peer_tables.py RESULTS [ROOT]")
     root = pathlib.Path(sys.argv[2]) if len(sys.argv) == 3 else \
-        pathlib.Path(__file__).resolve().parent.parent
+        pathlib.Path(__file__).resolve().parent.parent.parent
     runs = read(pathlib.Path(sys.argv[1]))
     tables = {f"peers_{group}_{task}": (edges if task == "edges" else surfaces)(rows)
               for (group, task), rows in runs.items() if group in GROUPS}

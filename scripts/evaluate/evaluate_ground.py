@@ -3,7 +3,7 @@
 # SPDX-FileCopyrightText: 2026 pcl_shape contributors
 """Make the table of streets of all kinds in doc/ground.md: F1 of the ground, no options, for each place and sensor, the mean of
 two scans. Markdown goes to standard output, a line for each scan to standard error.
-Usage: scripts/evaluate_ground.py BUILD_DIR [FIRST_SEED [PEER]]
+Usage: scripts/evaluate/evaluate_ground.py BUILD_DIR [FIRST_SEED [PEER]]
 Seeds are 501 and 502 unless others are given. PEER is a program of another method, whose F1 then stands in brackets:
   PEER scan.bin ground.bin
 reads a scan of four floats a point (KITTI's) and writes one byte a point, 1 for ground. Needs python3-numpy and
@@ -64,7 +64,7 @@ def text(means):
 
 def main():
     if len(sys.argv) not in (2, 3, 4):
-        sys.exit("usage: scripts/evaluate_ground.py BUILD_DIR [FIRST_SEED [PEER]]")
+        sys.exit("usage: scripts/evaluate/evaluate_ground.py BUILD_DIR [FIRST_SEED [PEER]]")
     apps = pathlib.Path(sys.argv[1]) / "apps"
     first = int(sys.argv[2]) if len(sys.argv) > 2 else 501
     peer = sys.argv[3] if len(sys.argv) > 3 else None

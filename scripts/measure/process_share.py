@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What a whole process of pcl_shape_edge_detection spends its time on.
 
-Usage: scripts/process_share.py BUILD_DIR CLOUD.pcd [-threads N] [-repeat N]
+Usage: scripts/measure/process_share.py BUILD_DIR CLOUD.pcd [-threads N] [-repeat N]
 One line of JSON goes to standard output: medians in milliseconds. `start` is the process
 that only prints its version, `other` what no stage of the application's report covers.
 `share` is the part of the wall time that is not reading, writing or process start.

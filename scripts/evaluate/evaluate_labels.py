@@ -3,7 +3,7 @@
 # SPDX-FileCopyrightText: 2026 pcl_shape contributors
 """Make the tables of doc/labels.md: how many labels pcl_shape_label keeps, and how many of these are right. Markdown goes to
 standard output.
-Usage: scripts/evaluate_labels.py BUILD_DIR [DATA_DIR]
+Usage: scripts/evaluate/evaluate_labels.py BUILD_DIR [DATA_DIR]
 DATA_DIR/parts has the sampled parts of doc/evaluation.md, DATA_DIR/osd learn4_gt.pcd and so on; without it only generated
 worlds and scenes are labeled. Seeds from 460001 and from 500001 on are used for nothing else. Needs python3-numpy and python3-scipy.
 """
@@ -119,7 +119,7 @@ def generated_scenes(apps):
 
 def main():
     if len(sys.argv) not in (2, 3):
-        sys.exit("usage: scripts/evaluate_labels.py BUILD_DIR [DATA_DIR]")
+        sys.exit("usage: scripts/evaluate/evaluate_labels.py BUILD_DIR [DATA_DIR]")
     apps = pathlib.Path(sys.argv[1]) / "apps"
     if len(sys.argv) == 3:
         given_parts(apps, pathlib.Path(sys.argv[2]) / "parts")

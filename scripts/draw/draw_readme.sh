@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Draw the pictures of README.md in doc/figures, from generated scenes: scene.png (a scene, its classes, its
 # edges), lines.png (its creases as lines), heat_map.png (the histogram of its curved points).
-# Usage: scripts/draw_readme.sh BUILD_DIR [OUTPUT_DIR]
+# Usage: scripts/draw/draw_readme.sh BUILD_DIR [OUTPUT_DIR]
 # Needs xvfb-run without a display, python3-matplotlib and python3-pil.
 set -euo pipefail
 [[ -n ${DISPLAY:-} ]] || exec xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$0" "$@"
 
-apps=${1:?usage: scripts/draw_readme.sh BUILD_DIR [OUTPUT_DIR]}/apps
+apps=${1:?usage: scripts/draw/draw_readme.sh BUILD_DIR [OUTPUT_DIR]}/apps
 here=$(dirname "${BASH_SOURCE[0]}")
-figures=${2:-$here/../doc/figures}
+figures=${2:-$here/../../doc/figures}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 

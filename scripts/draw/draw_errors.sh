@@ -2,16 +2,16 @@
 # Draw doc/figures/errors.png: where the default mode hits, misses and gives false alarms, for edges and
 # for curved points, on generated scenes and, with DATA_DIR, on the given ones (DATA_DIR/osd,
 # DATA_DIR/synthetic; see doc/evaluation.md).
-# Usage: scripts/draw_errors.sh BUILD_DIR [DATA_DIR] [OUT.png]
+# Usage: scripts/draw/draw_errors.sh BUILD_DIR [DATA_DIR] [OUT.png]
 # Needs xvfb-run without a display, and python3-pil.
 set -euo pipefail
 export LC_ALL=C
 [[ -n ${DISPLAY:-} ]] || exec xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$0" "$@"
 
-apps=${1:?usage: scripts/draw_errors.sh BUILD_DIR [DATA_DIR] [OUT.png]}/apps
+apps=${1:?usage: scripts/draw/draw_errors.sh BUILD_DIR [DATA_DIR] [OUT.png]}/apps
 data=${2:-}
 here=$(dirname "${BASH_SOURCE[0]}")
-picture=${3:-$here/../doc/figures/errors.png}
+picture=${3:-$here/../../doc/figures/errors.png}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 entries=()

@@ -3,7 +3,7 @@
 # SPDX-FileCopyrightText: 2026 pcl_shape contributors
 """Make the table of whole objects in generated scenes in doc/evaluation.md: objects of all kinds that touch and stand on
 each other, seen by four cameras, no options. Markdown goes to standard output, a line for each scene to standard error.
-Usage: scripts/evaluate_objects.py BUILD_DIR [FIRST_SEED [SEEDS]]
+Usage: scripts/evaluate/evaluate_objects.py BUILD_DIR [FIRST_SEED [SEEDS]]
 Seeds are 961 to 968 unless others are given; nothing was chosen by them. Scenes have 4, 8 and 12 objects in turn.
 Needs python3-numpy and python3-scipy.
 """
@@ -26,7 +26,7 @@ def score(apps, cloud):
 
 def main():
     if len(sys.argv) not in (2, 3, 4):
-        sys.exit("usage: scripts/evaluate_objects.py BUILD_DIR [FIRST_SEED [SEEDS]]")
+        sys.exit("usage: scripts/evaluate/evaluate_objects.py BUILD_DIR [FIRST_SEED [SEEDS]]")
     apps = pathlib.Path(sys.argv[1]) / "apps"
     first = int(sys.argv[2]) if len(sys.argv) > 2 else 961
     seeds = int(sys.argv[3]) if len(sys.argv) > 3 else 8

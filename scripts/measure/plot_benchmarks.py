@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Draw doc/figures/benchmark_*.png and rewrite the tables of doc/performance.md and README.md.
 
-Usage: scripts/plot_benchmarks.py RESULTS.json [ROOT]
-RESULTS.json is what scripts/benchmark.sh wrote. ROOT is the repository by default. A table
+Usage: scripts/measure/plot_benchmarks.py RESULTS.json [ROOT]
+RESULTS.json is what scripts/measure/benchmark.sh wrote. ROOT is the repository by default. A table
 stands between <!-- begin NAME --> and <!-- end NAME -->. Needs Debian's python3-matplotlib.
 """
 import json
@@ -14,7 +14,9 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-from benchmark_tables import INSTRUCTIONS, Results, all_tables, rewrite
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+
+from benchmark_tables import INSTRUCTIONS, Results, all_tables, rewrite  # noqa: E402
 
 PCL, UNSORTED, OWN, PAPER = "#9467bd", "#1f77b4", "#d62728", "#7f7f7f"
 
@@ -100,9 +102,9 @@ def structures(results):
 
 def main():
     if len(sys.argv) not in (2, 3):
-        sys.exit("usage: scripts/plot_benchmarks.py RESULTS.json [ROOT]")
+        sys.exit("usage: scripts/measure/plot_benchmarks.py RESULTS.json [ROOT]")
     root = pathlib.Path(sys.argv[2] if len(sys.argv) == 3 else __file__).resolve()
-    root = root if len(sys.argv) == 3 else root.parent.parent
+    root = root if len(sys.argv) == 3 else root.parent.parent.parent
     results = Results(json.loads(pathlib.Path(sys.argv[1]).read_text(encoding="utf-8")))
     for draw in (speedups, k_sweep, cost, structures):
         # Without the version of matplotlib, a picture changes only with what it shows.

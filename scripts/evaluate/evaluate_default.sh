@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Make the tables of the default mode in doc/evaluation.md: strict convention, no options. Markdown goes to
 # standard output.
-# Usage: scripts/evaluate_default.sh BUILD_DIR [DATA_DIR]
+# Usage: scripts/evaluate/evaluate_default.sh BUILD_DIR [DATA_DIR]
 # DATA_DIR/osd has learn4_gt.pcd and so on, DATA_DIR/synthetic clouds with exact creases; without it only
 # generated scenes are evaluated.
 set -euo pipefail
 export LC_ALL=C
 
-usage="usage: scripts/evaluate_default.sh BUILD_DIR [DATA_DIR]"
+usage="usage: scripts/evaluate/evaluate_default.sh BUILD_DIR [DATA_DIR]"
 apps=${1:?$usage}/apps
 data=${2:-}
 work=$(mktemp -d)

@@ -3,7 +3,7 @@
 # SPDX-FileCopyrightText: 2026 pcl_shape contributors
 """Make the tables of scenes of other people in doc/evaluation.md. The applications run without options. Markdown goes to
 standard output.
-Usage: scripts/evaluate_public.py BUILD_DIR CLONES_DIR
+Usage: scripts/evaluate/evaluate_public.py BUILD_DIR CLONES_DIR
 CLONES_DIR has clones of some of these public repositories, by their names; those that are missing are left out:
   pytorch_6dof-graspnet    github.com/jsll/pytorch_6dof-graspnet, demo/data/*.npy (a RealSense; points of an object)
   PoseCNN-PyTorch          github.com/NVlabs/PoseCNN-PyTorch, data/demo/*-depth.png
@@ -159,7 +159,7 @@ def kinect_table(apps, folder):
 
 def main():
     if len(sys.argv) != 3:
-        sys.exit("usage: scripts/evaluate_public.py BUILD_DIR CLONES_DIR")
+        sys.exit("usage: scripts/evaluate/evaluate_public.py BUILD_DIR CLONES_DIR")
     apps, clones = pathlib.Path(sys.argv[1]) / "apps", pathlib.Path(sys.argv[2])
     kinect = clones / "data/segmentation/mOSD"
     if not kinect.is_dir() and not any((clones / name).is_dir() for name in IMAGES):

@@ -3,8 +3,8 @@
 # SPDX-FileCopyrightText: 2026 pcl_shape contributors
 """Make the tables of suction grasps in doc/grasps.md and doc/evaluation.md: no options but the cup's radius. Markdown
 goes to standard output. Objects are those of the truth; pcl_shape_evaluate -task grasps judges the first grasp of each.
-Usage: scripts/evaluate_grasps.py BUILD_DIR DATA_DIR [CUP_RADIUS]
-       scripts/evaluate_grasps.py BUILD_DIR -generated [CUP_RADIUS]   # generated scenes only, without data
+Usage: scripts/evaluate/evaluate_grasps.py BUILD_DIR DATA_DIR [CUP_RADIUS]
+       scripts/evaluate/evaluate_grasps.py BUILD_DIR -generated [CUP_RADIUS]   # generated scenes only, without data
 DATA_DIR is that of scripts/evaluate_sensors.py. Needs python3-numpy and python3-scipy.
 """
 import json
@@ -60,7 +60,7 @@ def rows_of(name, judgment):
 
 def main():
     if len(sys.argv) not in (3, 4):
-        sys.exit("usage: scripts/evaluate_grasps.py BUILD_DIR DATA_DIR|-generated [CUP_RADIUS]")
+        sys.exit("usage: scripts/evaluate/evaluate_grasps.py BUILD_DIR DATA_DIR|-generated [CUP_RADIUS]")
     apps = pathlib.Path(sys.argv[1]) / "apps"
     radius = float(sys.argv[3]) if len(sys.argv) == 4 else 0.01
     sums = {}

@@ -1,4 +1,4 @@
-# What scripts/evaluate.sh and doc/reproduce.sh share, to be sourced: paper mode on a scene, the paper's
+# What scripts/evaluate/evaluate.sh and doc/reproduce.sh share, to be sourced: paper mode on a scene, the paper's
 # printed figures, and tables of both side by side. The caller sets apps (a directory), work (likewise,
 # with the scenes) and options (an array, given to both detectors).
 # shellcheck shell=bash disable=SC2154 # see above

@@ -3,11 +3,11 @@
 # SPDX-FileCopyrightText: 2026 pcl_shape contributors
 """The measured rows of doc/tiles.md: memory and cost, scaling, identity, faults.
 
-Usage: scripts/measure_tiles.py BUILD_DIR [-what memory,scaling,identity,faults]
+Usage: scripts/measure/measure_tiles.py BUILD_DIR [-what memory,scaling,identity,faults]
            [-scene landscape|room|street|sheet] [-points N] [-files N] [-tile L]
            [-options="-edges -types"] [-memory M] [-mpi] [-runs N | -only K,...]
            [-kills N] [-whole N]
-A scene of about N points (scripts/tile_scenes.py, needs NumPy; a landscape unless -scene
+A scene of about N points (scripts/measure/tile_scenes.py, needs NumPy; a landscape unless -scene
 names another) is written into strips in a temporary directory, where there must be room
 for some 120 bytes a point. Tables in Markdown go to standard output. Times are of the
 processor, so that other programs on the machine count little.

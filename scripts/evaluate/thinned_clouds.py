@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # SPDX-FileCopyrightText: 2026 pcl_shape contributors
 """How many points change their class when a cloud is thinned. Markdown goes to standard output.
-Usage: scripts/thinned_clouds.py BUILD_DIR [-seeds N] [-width W]
+Usage: scripts/evaluate/thinned_clouds.py BUILD_DIR [-seeds N] [-width W]
 Depth images are generated (seeds 1 to N) for each kind of noise, and thinned at random to 1/2, 1/4 and 1/16 of their points. The
 classes of the points that are left, planar or curved, are compared with those that they have in the whole image: of all, and
 of those that the truth knows (not within 10 mm of a crease). Needs python3-numpy.

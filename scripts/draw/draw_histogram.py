@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Draw the histograms of a model file of pcl_shape_histogram, side by side.
 
-Usage: scripts/draw_histogram.py model.json out.png [CLASS ...]
+Usage: scripts/draw/draw_histogram.py model.json out.png [CLASS ...]
 Without CLASS all of the model's classes are drawn. Needs Debian's python3-matplotlib.
 """
 import json

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Time edges and surfaces of one cloud: pcl_shape_detect against the two applications for one of them
 # each, whole processes in turns.
-# Usage: scripts/benchmark_detect.sh SCENE.pcd BUILD_DIR [OPTION ...]
+# Usage: scripts/measure/benchmark_detect.sh SCENE.pcd BUILD_DIR [OPTION ...]
 # RUNS: of each (9). More options are given to all three.
 set -euo pipefail
-usage="usage: scripts/benchmark_detect.sh SCENE.pcd BUILD_DIR [OPTION ...]"
+usage="usage: scripts/measure/benchmark_detect.sh SCENE.pcd BUILD_DIR [OPTION ...]"
 scene=${1:?$usage}
 apps=${2:?$usage}/apps
 shift 2

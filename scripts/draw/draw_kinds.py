@@ -3,7 +3,7 @@
 # SPDX-FileCopyrightText: 2026 pcl_shape contributors
 """Draw the pictures of doc/mistakes.md: hits, misses and false alarms of the default mode.
 
-Usage: scripts/draw_kinds.py BUILD_DIR FOLDER [DATA_DIR]
+Usage: scripts/draw/draw_kinds.py BUILD_DIR FOLDER [DATA_DIR]
 FOLDER gets mistakes_parts.png, mistakes_cameras.png and mistakes_dense.png. DATA_DIR/parts has the sampled parts of
 doc/evaluation.md; without it generated parts are drawn. Needs python3-numpy, python3-scipy, python3-matplotlib and python3-pil.
 """
@@ -18,7 +18,9 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy
 
-from evaluate_sensors import edge_points, f1, fields_of, run, surface_points
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "evaluate"))
+
+from evaluate_sensors import edge_points, f1, fields_of, run, surface_points  # noqa: E402
 
 LEFT_OUT, RIGHTLY_NOT, HIT, MISS, FALSE_ALARM = range(5)
 COLORS = numpy.array([[120, 120, 120], [215, 215, 215], [0, 150, 60], [220, 0, 0], [160, 0, 220]]) / 255
@@ -143,7 +145,7 @@ def images_picture(apps, scenes, width, path):
 
 def main():
     if len(sys.argv) not in (3, 4):
-        sys.exit("usage: scripts/draw_kinds.py BUILD_DIR FOLDER [DATA_DIR]")
+        sys.exit("usage: scripts/draw/draw_kinds.py BUILD_DIR FOLDER [DATA_DIR]")
     apps, folder = pathlib.Path(sys.argv[1]) / "apps", pathlib.Path(sys.argv[2])
     parts_picture(apps, pathlib.Path(sys.argv[3]) if len(sys.argv) == 4 else None, folder / "mistakes_parts.png")
     images_picture(apps, {name: (*options, "-seed", "956") for name, options in CAMERAS.items()}, 640,

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Run all benchmarks and write their results to one JSON file, for scripts/plot_benchmarks.py.
-# Usage: scripts/benchmark.sh BUILD_DIR OUT.json [DATA]
+# Usage: scripts/measure/benchmark.sh BUILD_DIR OUT.json [DATA]
 # DATA is a PCD file, or a directory whose osd/ has learn4.pcd and so on; without it a generated
 # scene takes their place. Generated clouds (a sheet, a laser scan) are used in any case.
 # REPEAT: runs of each, in turns (3). POINTS: the sizes of the sheet. SCALE: of the radii in the
@@ -8,14 +8,14 @@
 set -euo pipefail
 export LC_ALL=C
 
-usage="usage: scripts/benchmark.sh BUILD_DIR OUT.json [DATA]"
+usage="usage: scripts/measure/benchmark.sh BUILD_DIR OUT.json [DATA]"
 build=${1:?$usage}
 out=${2:?$usage}
 data=${3:-}
 repeat=${REPEAT:-3}
 read -ra points <<<"${POINTS:-100000 200000 500000 1000000 2000000 5000000 10000000}"
 load=$(cut -d ' ' -f 1 /proc/loadavg)
-scripts=$(dirname "${BASH_SOURCE[0]}")
+scripts=$(dirname "${BASH_SOURCE[0]}")/..
 if [[ ! -x $build/benchmarks/structures ]]; then
   echo "$build/benchmarks/structures is missing: install libnanoflann-dev and build again" >&2
   exit 2
@@ -85,7 +85,7 @@ bench uneven "laser scan" pipeline_vs_pcl -generate laser -scale "${SCALE:-30}"
 bench k_sweep "$name" k_sweep "$cloud"
 bench structures "$name" structures "$cloud"
 bench cost_per_point sheet cost_per_point -points "${points[@]}"
-record process "$name" python3 "$scripts/process_share.py" "$build" "$cloud" -threads 2
+record process "$name" python3 "$scripts/measure/process_share.py" "$build" "$cloud" -threads 2
 
 {
   printf '{"machine": %s,\n "runs": [\n' "$(machine)"

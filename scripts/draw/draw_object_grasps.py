@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Draw the first grasp of every labeled object on the images of each data set, a sheet for each.
-Usage: scripts/draw_object_grasps.py BUILD_DIR DATA_DIR|-generated OUT_DIR [CUP_RADIUS]
-DATA_DIR is that of scripts/evaluate_sensors.py; generated scenes are drawn in any case. A cup that seals is green, one that
+Usage: scripts/draw/draw_object_grasps.py BUILD_DIR DATA_DIR|-generated OUT_DIR [CUP_RADIUS]
+DATA_DIR is that of scripts/evaluate/evaluate_sensors.py; generated scenes are drawn in any case. A cup that seals is green, one that
 leaks red. Needs xvfb-run without a display, python3-numpy, python3-scipy and python3-pil.
 """
 import math
@@ -13,9 +13,11 @@ import tempfile
 
 import numpy
 
-from contact_sheet import main as make_sheet
-from evaluate_grasps import GENERATED, grasps_of, real_clouds
-from evaluate_sensors import fields_of, generate
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "evaluate"))
+
+from contact_sheet import main as make_sheet  # noqa: E402
+from evaluate_grasps import GENERATED, grasps_of, real_clouds  # noqa: E402
+from evaluate_sensors import fields_of, generate  # noqa: E402
 
 
 def camera_of(points):
@@ -42,7 +44,7 @@ def draw(apps, cloud, field, parts, radius, picture):
 
 def main():
     if len(sys.argv) not in (4, 5):
-        sys.exit("usage: scripts/draw_object_grasps.py BUILD_DIR DATA_DIR|-generated OUT_DIR [CUP_RADIUS]")
+        sys.exit("usage: scripts/draw/draw_object_grasps.py BUILD_DIR DATA_DIR|-generated OUT_DIR [CUP_RADIUS]")
     if not os.environ.get("DISPLAY"):
         os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", sys.executable, *sys.argv])
     apps, out = pathlib.Path(sys.argv[1]) / "apps", pathlib.Path(sys.argv[3])

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Clouds of many points in default mode, with and without -resolution.
 
-Usage: scripts/dense_clouds.py BUILD_DIR [-seeds N] [-resolution L]
+Usage: scripts/evaluate/dense_clouds.py BUILD_DIR [-seeds N] [-resolution L]
 Depth images of several widths are generated (seeds 1 to N) for each kind of noise; the
 means over the seeds go to standard output as a table in Markdown. Needs python3-numpy and python3-scipy.
 """

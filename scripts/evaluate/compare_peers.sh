@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Compare with the paper's method and with peers, and write the tables of doc/evaluation.md.
-# Usage: scripts/compare_peers.sh BUILD_DIR [DATA_DIR]
+# Usage: scripts/evaluate/compare_peers.sh BUILD_DIR [DATA_DIR]
 # DATA_DIR/osd has learn4_gt.pcd and so on, DATA_DIR/synthetic clouds with exact creases, DATA_DIR/parts
 # sampled parts, DATA_DIR/rgbd tables of depth cameras; without it only generated scenes are compared.
 # GROUPS_ONLY="parts dense": these groups instead of "real exact generated"; also parts, rgbd and dense, whose tables are
@@ -9,9 +9,9 @@
 set -euo pipefail
 export LC_ALL=C
 
-build=${1:?usage: scripts/compare_peers.sh BUILD_DIR [DATA_DIR]}
+build=${1:?usage: scripts/evaluate/compare_peers.sh BUILD_DIR [DATA_DIR]}
 data=${2:-}
-scripts=$(dirname "${BASH_SOURCE[0]}")
+scripts=$(dirname "${BASH_SOURCE[0]}")/..
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 results=${RESULTS:-$work/results.json}
@@ -85,4 +85,4 @@ if wants dense; then
 fi
 
 mv "$work/runs" "$results"
-python3 "$scripts/peer_tables.py" "$results" "${ROOT:-$scripts/..}"
+python3 "$scripts/evaluate/peer_tables.py" "$results" "${ROOT:-$scripts/..}"

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compare with other methods on generated scenes, and write the tables of doc/.
 
-Usage: scripts/compare.py grasps|ground|instances|keypoints BUILD_DIR [CLOUD.pcd ...] [OPTION ...]
+Usage: scripts/evaluate/compare.py grasps|ground|instances|keypoints BUILD_DIR [CLOUD.pcd ...] [OPTION ...]
 Clouds and options are those of BUILD_DIR/benchmarks/compare_grasps and so on; an option replaces the usual one only as
 words of its own (-threads N, not -threads=N). RESULTS: keep the results in this file, or
 make the tables of them if it is there. ROOT: of the pages to write (the repository). A table stands between
@@ -13,7 +13,9 @@ import pathlib
 import subprocess
 import sys
 
-from benchmark_tables import number, rewrite, table, wrapped
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+
+from benchmark_tables import number, rewrite, table, wrapped  # noqa: E402
 
 
 def share(value):
@@ -116,7 +118,7 @@ def main():
     else:
         lines = [run(f"{build}/benchmarks/compare_{what}", usual, given) for usual in runs]
         kept.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    root = pathlib.Path(os.environ.get("ROOT", pathlib.Path(__file__).resolve().parent.parent))
+    root = pathlib.Path(os.environ.get("ROOT", pathlib.Path(__file__).resolve().parent.parent.parent))
     rewrite(root / "doc" / page, tables([json.loads(line) for line in lines]))
 
 

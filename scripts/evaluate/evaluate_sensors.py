@@ -3,8 +3,8 @@
 doc/evaluation.md: no options.
 Markdown goes to standard output. Beside it, as a peer, the surface variation of the k nearest points with one threshold for each part,
 the best for the other parts.
-Usage: scripts/evaluate_sensors.py BUILD_DIR DATA_DIR
-       scripts/evaluate_sensors.py BUILD_DIR -generated [GENERATOR_BUILD_DIR]   # the last table only, without data
+Usage: scripts/evaluate/evaluate_sensors.py BUILD_DIR DATA_DIR
+       scripts/evaluate/evaluate_sensors.py BUILD_DIR -generated [GENERATOR_BUILD_DIR]   # the last table only, without data
 DATA_DIR/parts has PART_SAMPLING.pcd with edge, crease_s, surface, radius_s, thin_s; DATA_DIR/rgbd clouds with table and
 perhaps label, DATA_DIR/osd and osd/objects learnN.pcd with labels of parts, ten to an object (doc/evaluation.md says
 what these are). Needs python3-numpy and python3-scipy.
@@ -19,7 +19,9 @@ import numpy
 from scipy.optimize import linear_sum_assignment
 from scipy.spatial import cKDTree
 
-from pcd_fields import CODES, read_pcd
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+
+from pcd_fields import CODES, read_pcd  # noqa: E402
 
 SAMPLINGS = {"pds0": "even", "pds15": "even, .15 s", "pds40": "even, .40 s", "rnd15": "random, .15 s"}
 MIN_OBJECT = 300  # points; smaller ones do not count
@@ -298,7 +300,7 @@ def generated_table(apps, generator):
 
 def main():
     if len(sys.argv) not in (3, 4) or (len(sys.argv) == 4 and sys.argv[2] != "-generated"):
-        sys.exit("usage: scripts/evaluate_sensors.py BUILD_DIR DATA_DIR, or BUILD_DIR -generated [GENERATOR_BUILD_DIR]")
+        sys.exit("usage: scripts/evaluate/evaluate_sensors.py BUILD_DIR DATA_DIR, or BUILD_DIR -generated [GENERATOR_BUILD_DIR]")
     apps = pathlib.Path(sys.argv[1]) / "apps"
     if sys.argv[2] == "-generated":
         return generated_table(apps, pathlib.Path(sys.argv[-1]) / "apps" if len(sys.argv) == 4 else apps)

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Make the tables of doc/evaluation.md: detect surfaces and edges in real and generated scenes, in paper
 # mode, and compare them with the truth. Markdown goes to standard output.
-# Usage: scripts/evaluate.sh BUILD_DIR [DATA_DIR] [OPTION ...]
+# Usage: scripts/evaluate/evaluate.sh BUILD_DIR [DATA_DIR] [OPTION ...]
 # DATA_DIR/osd has learn4_gt.pcd and so on; without it only generated scenes are evaluated.
 # More options are given to both detectors, after "-mode paper".
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/paper_tables.sh"
 
-usage="usage: scripts/evaluate.sh BUILD_DIR [DATA_DIR] [OPTION ...]"
+usage="usage: scripts/evaluate/evaluate.sh BUILD_DIR [DATA_DIR] [OPTION ...]"
 apps=${1:?$usage}/apps
 data=
 if [[ $# -gt 1 && $2 != -* ]]; then
