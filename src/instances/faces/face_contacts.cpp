@@ -6,6 +6,7 @@
 
 #include "common/parallel.h"
 #include "common/statistics.h"
+#include "geometry/vectors.h"
 #include "instances/label_cells.h"
 #include "instances/label_runs.h"
 #include "instances/primitives/primitives.h"
@@ -100,17 +101,12 @@ meetingsOf(const InstanceInput& input, const PointGrid& grid, const Labels& grow
   const float cell_size = medianSpacing(input);
   const LabelRuns runs(grid, grown);
   const LabelCells cells(input.points, grown, coarse_cells * cell_size);
-  constexpr std::size_t part = 8192;
-  std::vector<std::vector<Meeting>> found((grown.size() + part - 1) / part);
-  kernels::parallelFor(found.size(), input.threads, [&](std::size_t p) {
-    const std::size_t end = std::min(grown.size(), (p + 1) * part);
-    for (std::size_t i = p * part; i < end; ++i)
-      if (grown[i] >= 0)
-        collect(input, grid, grown, runs, cells, cell_size, i, found[p]);
-  });
-  std::vector<Meeting> all;
-  for (const auto& some : found)
-    all.insert(all.end(), some.begin(), some.end());
+  const auto add = [&](std::uint32_t i, std::vector<Meeting>& found) {
+    if (grown[i] >= 0)
+      collect(input, grid, grown, runs, cells, cell_size, i, found);
+  };
+  std::vector<Meeting> all = kernels::collectForEach<Meeting>(
+      static_cast<std::uint32_t>(grown.size()), input.threads, add);
   std::sort(all.begin(), all.end(), [](const Meeting& a, const Meeting& b) {
     return std::tie(a.first, a.second, a.cell, a.position) <
            std::tie(b.first, b.second, b.cell, b.position);
@@ -160,7 +156,7 @@ bendAt(const Meeting& meeting,
        const std::vector<Face>& properties,
        const Vector3f& up)
 {
-  const Vector3f position = Eigen::Map<const Vector3f>(meeting.position.data());
+  const Vector3f position = toVector(meeting.position);
   const float radius =
       (fit_spacings + fit_per_noise * static_cast<float>(input.noise)) *
       meeting.spacing;
