@@ -131,9 +131,9 @@ public:
     // Not wider than above: what goes through has been placed inside the upper one.
     const Finish bottom = randomFinish(outline, top.size, 0.4);
     std::vector<SectionPiece> section;
-    addLower(bottom, bottom.size, 0.0, section);
+    addFinish(bottom, {bottom.size, 0.0}, -1.0, 1.0, Bend::FromLevel, section);
     section.push_back({{0.0, bottom.size}, {0.0, height_ - top.size}});
-    addUpper(top, 0.0, height_ - top.size, section);
+    addFinish(top, {0.0, height_ - top.size}, 1.0, 1.0, Bend::FromUpright, section);
     part_.addWall(outline.loop, section);
     mill(outline, top.size, height_, 0);
     part_.addLevel(0.0, false, {outline.loop, bottom.size}, through_);
@@ -212,40 +212,20 @@ private:
     return {random_.uniform(smallest, largest), is_round};
   }
 
-  /** From a level face below or beside it to a wall above. */
+  /** Between a level face and a wall. \param[in] across, up which way it goes: 1, -1 */
   static void
-  addLower(const Finish& finish,
-           double depth,
-           double height,
-           std::vector<SectionPiece>& section)
+  addFinish(const Finish& finish,
+            const SectionPoint& begin,
+            double across,
+            double up,
+            Bend bend,
+            std::vector<SectionPiece>& section)
   {
-    if (finish.size > 0.0)
-      section.push_back({{depth, height},
-                         {0.0, height + finish.size},
-                         finish.is_round ? Bend::FromLevel : Bend::Straight});
-  }
-
-  /** From a wall to a level face above. */
-  static void
-  addUpper(const Finish& finish,
-           double depth,
-           double height,
-           std::vector<SectionPiece>& section)
-  {
-    if (finish.size > 0.0)
-      section.push_back({{depth, height},
-                         {depth + finish.size, height + finish.size},
-                         finish.is_round ? Bend::FromUpright : Bend::Straight});
-  }
-
-  /** From a level face down into a hole. */
-  static void
-  addRim(const Finish& finish, double height, std::vector<SectionPiece>& section)
-  {
-    if (finish.size > 0.0)
-      section.push_back({{-finish.size, height},
-                         {0.0, height - finish.size},
-                         finish.is_round ? Bend::FromLevel : Bend::Straight});
+    const double size = finish.size;
+    if (size > 0.0)
+      section.push_back({begin,
+                         {begin.depth + across * size, begin.height + up * size},
+                         finish.is_round ? bend : Bend::Straight});
   }
 
   /** The plan of a feature around a center. */
@@ -375,7 +355,7 @@ private:
   {
     const Finish rim = randomRim(plan, height);
     std::vector<SectionPiece> section;
-    addRim(rim, height, section);
+    addFinish(rim, {-rim.size, height}, 1.0, -1.0, Bend::FromLevel, section);
     section.push_back({{0.0, height - rim.size}, {0.0, 0.0}});
     part_.addWall(plan.loop, section);
     through_.push_back({plan.loop, 0.0});
@@ -389,7 +369,7 @@ private:
     const Finish rim = randomRim(plan, height - floor);
     const Finish foot = randomFinish(plan, 0.4 * (height - floor), 0.4);
     std::vector<SectionPiece> section;
-    addRim(rim, height, section);
+    addFinish(rim, {-rim.size, height}, 1.0, -1.0, Bend::FromLevel, section);
     section.push_back({{0.0, height - rim.size}, {0.0, floor + foot.size}});
     if (foot.size > 0.0)
       section.push_back({{0.0, floor + foot.size},
@@ -407,9 +387,10 @@ private:
     const Finish foot = randomRim(plan, up);
     const Finish edge = randomFinish(plan, 0.4 * up, 0.4);
     std::vector<SectionPiece> section;
-    addLower(foot, -foot.size, height, section);
+    addFinish(foot, {-foot.size, height}, 1.0, 1.0, Bend::FromLevel, section);
     section.push_back({{0.0, height + foot.size}, {0.0, height + up - edge.size}});
-    addUpper(edge, 0.0, height + up - edge.size, section);
+    addFinish(
+        edge, {0.0, height + up - edge.size}, 1.0, 1.0, Bend::FromUpright, section);
     part_.addWall(plan.loop, section);
     fill(plan, edge.size, height + up, level);
     return {plan.loop, -foot.size};
