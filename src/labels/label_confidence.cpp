@@ -6,8 +6,6 @@
 #include "common/gathered.h"
 #include "common/parallel.h"
 #include "common/statistics.h"
-#include "edges/edge_types.h"
-#include "features/spacing/local_spacing.h"
 #include "features/spacing/some_points.h"
 #include "geometry/point_grid.h"
 #include "labels/label_evidence.h"

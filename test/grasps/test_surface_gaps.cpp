@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <string>
 
 // Lengths in mean distances between points: each stands for an area of 1.
 namespace {

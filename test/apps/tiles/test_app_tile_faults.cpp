@@ -7,8 +7,6 @@
 #include "tile_clouds.h"
 
 #include <algorithm>
-#include <array>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <unistd.h>
