@@ -6,7 +6,7 @@
 # This takes some minutes, most of them PCL's. INAD is timed on one thread here, and on one of an i7-6850K in the paper.
 set -euo pipefail
 root=$(realpath "$(dirname "${BASH_SOURCE[0]}")/..")
-source "$root/scripts/paper_tables.sh"
+source "$root/scripts/evaluate/paper_tables.sh"
 
 data=${1:?usage: doc/reproduce.sh DATA_DIR [BUILD_DIR]}
 build=${2:-$root/build}
@@ -50,7 +50,7 @@ peers() {
   while [[ $1 != -- ]]; do names+=("$1"); shift; done
   shift
   "$build"/benchmarks/compare_peers "$@" -peers "${names[@]}" >"$work/$table"
-  "$root"/scripts/paper_rows.py "$table" "$work/$table"
+  "$root"/scripts/evaluate/paper_rows.py "$table" "$work/$table"
 }
 
 for scene in "${tables[@]}"; do
@@ -89,7 +89,7 @@ echo "Search and INAD for the points of a scene; PCL's tree has the same loop ov
 echo "cloud is synthetic."
 echo
 "$build"/benchmarks/k_sweep "$work/learn4.pcd" -k 10 100 200 300 400 500 -threads 1 -repeat 1 >"$work/times"
-"$root"/scripts/paper_rows.py times "$work/times"
+"$root"/scripts/evaluate/paper_rows.py times "$work/times"
 echo
 echo "## Where the printed figures contradict each other"
 echo

@@ -2,9 +2,10 @@
 """Check who includes whom, and how files begin.
 
 Usage: scripts/check_includes.py [-closure FILE]
-The rooms of src and of apps know only those before them, the engine (src/sweep) knows neither PCL nor Eigen, and
-applications know only public headers. Every C++ file begins with the license and one line that says what it is for. Prints what
-is wrong; exit status 1 if anything is. With -closure: all that FILE includes, directly or not.
+The rooms of src and of apps, and those inside of a room, know only those before them, the engine (src/sweep) knows
+neither PCL nor Eigen, and applications know only public headers. Every C++ file begins with the license and one line
+that says what it is for. Prints what is wrong; exit status 1 if anything is. With -closure: all that FILE includes,
+directly or not.
 """
 import argparse
 import functools
@@ -18,7 +19,18 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 ORDER = [["common"], ["geometry", "tiling"], ["sweep"], ["features"], ["edges"], ["surfaces"],
          ["instances", "grasps", "ground", "labels"], ["segmentation"]]
 APPS_ORDER = [["io"], ["cli"], ["results"], ["detection", "evaluation", "scene", "viewer"], ["labels", "tiles"]]
-RANK, APPS_RANK = ({room: rank for rank, rooms in enumerate(order) for room in rooms} for order in (ORDER, APPS_ORDER))
+# Rooms inside of a room; files beside them know all of these and are known to all.
+INNER_ORDERS = {"src/features": [["spacing"], ["noise"], ["models"]],
+                "src/instances": [["primitives"], ["pieces", "faces"], ["supports", "objects"]],
+                "tools/scene": [["parts"], ["worlds"], ["sensors"]]}
+
+
+def ranked(order):
+    return {room: rank for rank, rooms in enumerate(order) for room in rooms}
+
+
+RANK, APPS_RANK = ranked(ORDER), ranked(APPS_ORDER)
+INNER_RANKS = {folder: ranked(order) for folder, order in INNER_ORDERS.items()}
 # A public header counts as the room that implements it; others as the folder that they are in.
 PUBLIC = {"xyz_view": "common", "cancellation": "common", "neighborhood_sweep": "sweep", "sweep_index": "sweep",
           "shape_field": "edges",
@@ -87,9 +99,18 @@ def room(name):
     return None
 
 
+def is_inner_allowed(name, target):
+    """Whether a file of a room inside of another one may include a file of its neighbor."""
+    (*outer, inner), (*other_outer, other) = name.split("/")[:3], target.split("/")[:3]
+    ranks = INNER_RANKS.get("/".join(outer), {}) if outer == other_outer else {}
+    return inner == other or inner not in ranks or other not in ranks or ranks[other] < ranks[inner]
+
+
 def is_allowed(name, target):
     """Whether a file may include another one of the repository."""
     folder = name.split("/")[0]
+    if not is_inner_allowed(name, target):
+        return False
     if folder in ("src", "include") and target.startswith(("src/", "include/")):
         if folder == "include" and target.startswith("src/"):
             return False

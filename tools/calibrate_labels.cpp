@@ -3,10 +3,10 @@
 // Fits the confidence of labels to generated scenes, see src/labels/label_weights.h.
 
 #include "labels/label_evidence.h"
-#include "scene/part_samples.h"
 #include "scene/scene.h"
-#include "scene/station_scan.h"
-#include "scene/surface_samples.h"
+#include "scene/sensors/part_samples.h"
+#include "scene/sensors/station_scan.h"
+#include "scene/sensors/surface_samples.h"
 
 #include <pcl/point_types.h>
 

@@ -9,7 +9,6 @@
 #include "io/ply.h"
 #include "io/text.h"
 
-#include <algorithm>
 #include <filesystem>
 
 namespace pcl::app {

@@ -4,10 +4,10 @@
 
 #include "cli/filter_app.h"
 #include "io/errors.h"
-#include "scene/lidar.h"
 #include "scene/scene_cloud.h"
 #include "scene/scene_kind.h"
 #include "scene/scene_maker.h"
+#include "scene/sensors/lidar.h"
 
 #include <algorithm>
 #include <array>

@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Machined parts: their options, the cloud and the report.
 
-#include "scene/part_samples.h"
-#include "scene/photogrammetry.h"
 #include "scene/scene_cloud.h"
 #include "scene/scene_kind.h"
 #include "scene/scene_maker.h"
+#include "scene/sensors/part_samples.h"
+#include "scene/sensors/photogrammetry.h"
 
 namespace pcl::app {
 namespace {

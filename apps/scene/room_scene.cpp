@@ -3,11 +3,11 @@
 // Rooms and house fronts: their options, the cloud and the report.
 
 #include "io/errors.h"
-#include "scene/place.h"
 #include "scene/scene_cloud.h"
 #include "scene/scene_kind.h"
 #include "scene/scene_maker.h"
-#include "scene/station_scan.h"
+#include "scene/sensors/station_scan.h"
+#include "scene/worlds/place.h"
 
 #include <string>
 

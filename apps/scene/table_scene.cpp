@@ -2,12 +2,12 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Table scenes: their options, the cloud and the report.
 
-#include "scene/depth_cameras.h"
 #include "scene/scene.h"
 #include "scene/scene_cloud.h"
 #include "scene/scene_kind.h"
 #include "scene/scene_maker.h"
-#include "scene/surface_samples.h"
+#include "scene/sensors/depth_cameras.h"
+#include "scene/sensors/surface_samples.h"
 
 #include <algorithm>
 #include <optional>

@@ -6,7 +6,6 @@
 
 #include "io/errors.h"
 
-#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <exception>
@@ -14,7 +13,6 @@
 #include <mutex>
 #include <string>
 #include <thread>
-#include <utility>
 
 namespace pcl::app {
 namespace {

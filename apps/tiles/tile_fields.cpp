@@ -24,7 +24,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <sstream>
 
 namespace pcl::app {
@@ -40,20 +39,6 @@ constexpr std::size_t fields_of_instances = 1; // the last one
 constexpr std::size_t fields_of_means = 4;     // before all others: place and spacing
 const std::string means_name = "means";
 constexpr std::uint32_t nan_bits = 0x7fc00000U; // as std::numeric_limits<float> has it
-
-std::uint32_t
-bitsOf(float value)
-{
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &value, sizeof bits);
-  return bits;
-}
-
-std::uint32_t
-bitsOf(std::uint32_t value)
-{
-  return value;
-}
 
 /** The fields of a tile's points, row by row. */
 class Rows {
@@ -82,8 +67,11 @@ public:
   void
   add(const Value& value)
   {
-    for (std::size_t i = 0; i * fields_ < values_.size(); ++i)
-      values_[i * fields_ + next_] = bitsOf(value(i));
+    for (std::size_t i = 0; i * fields_ < values_.size(); ++i) {
+      const auto of_point = value(i);
+      static_assert(sizeof of_point == sizeof values_[0]);
+      std::memcpy(&values_[i * fields_ + next_], &of_point, sizeof of_point);
+    }
     ++next_;
   }
 
@@ -426,7 +414,7 @@ spreadMeans(const MeasuredCloud& cloud, const TileWanted& wanted)
 {
   const double reach =
       rounding * pcl::reachOfMeans(cloud.numbers.distance, cloud.resolution);
-  cloud.tiles.run(resultsName(), 0.0, [&](std::size_t tile, const TilePoints& points) {
+  cloud.tiles.run(results_name, 0.0, [&](std::size_t tile, const TilePoints& points) {
     MeansAround means(wanted);
     means.add(cloud.tiles.resultOf(means_name, tile));
     for (const std::size_t other : cloud.tilesAround(tile, reach))
@@ -525,13 +513,6 @@ fieldsOf(const TileWanted& wanted)
   return fields;
 }
 
-const std::string&
-resultsName()
-{
-  static const std::string name = "fields";
-  return name;
-}
-
 void
 computeFields(TiledCloud& cloud,
               const TileWanted& wanted,
@@ -542,15 +523,15 @@ computeFields(TiledCloud& cloud,
   if (measured)
     requireNoiseWithinRadii(*measured, wanted);
   const TileComputation computation(cloud, wanted, measured, threads);
-  const std::string last = wanted.resolution > 0.0 ? means_name : resultsName();
-  const std::string name = wanted.needsSurfaces() ? facesName() : last;
+  const std::string last = wanted.resolution > 0.0 ? means_name : results_name;
+  const std::string name = wanted.needsSurfaces() ? faces_name : last;
   cloud.run(name, haloOfFields(wanted, measured), computation);
   if (wanted.needsEdges() && wanted.resolution == 0.0)
     requireFew(unknownOf(cloud, name), measured->places);
   const bool has_instances = !wanted.instances.empty();
   if (wanted.needsSurfaces()) {
     const pcl::FacesAround::Noise noise = noiseOfFaces(*measured);
-    cloud.run(has_instances ? instancePointsName() : last,
+    cloud.run(has_instances ? instance_points_name : last,
               haloOf(0.0, wanted.resolution),
               [&](std::size_t tile, const TilePoints& points) {
                 return computation.withSurfaces(tile, points, noise, view_point);

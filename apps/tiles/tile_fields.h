@@ -43,7 +43,7 @@ std::vector<TileField> fieldsOf(const TileWanted& wanted);
 
 /** \brief The name of the results, and how many of their bytes are before the fields of
  * the first point. */
-const std::string& resultsName();
+inline const std::string results_name = "fields";
 constexpr std::size_t result_header = sizeof(std::uint64_t);
 
 /** \brief Compute the fields of all tiles, as far as that was not done before.

@@ -31,7 +31,7 @@ std::vector<InstancePoint>
 pointsOf(const TiledCloud& cloud, std::size_t tile)
 {
   return takeFrom<std::vector<InstancePoint>>(
-      cloud.resultOf(instancePointsName(), tile));
+      cloud.resultOf(instance_points_name, tile));
 }
 
 Eigen::Vector3d
@@ -241,13 +241,6 @@ private:
 
 } // namespace
 
-const std::string&
-instancePointsName()
-{
-  static const std::string name = "instance_points";
-  return name;
-}
-
 Bytes
 instancePointsOf(std::vector<InstancePoint> places,
                  const std::vector<std::uint32_t>& place_of_row,
@@ -283,7 +276,7 @@ instancesOf(const TiledCloud& cloud, std::size_t tile)
   std::vector<InstancePoint> points;
   std::vector<std::uint32_t> point_of_row;
   TileInstances result;
-  ByteReader(cloud.resultOf(instancePointsName(), tile))
+  ByteReader(cloud.resultOf(instance_points_name, tile))
       .take(points, point_of_row, result.rows);
   const std::vector<std::int32_t> instances =
       ranksOfPoints(cloud, grown_name, instances_name, tile);

@@ -19,7 +19,7 @@ namespace pcl::app {
 
 /** \brief The name of the results that instances are found from: those of
  * instancePointsOf(). */
-const std::string& instancePointsName();
+inline const std::string instance_points_name = "instance_points";
 
 /** \brief \param[in] places of the tile \param[in] place_of_row of each of its rows
  * \param[in] rows the other fields, which are kept for instancesOf()

@@ -172,7 +172,7 @@ public:
     for (const TiledCloud::Rows& rows : cloud.rowsOf(section))
       rows_.emplace(
           rows.tile,
-          TileRows(cloud.pathOf(resultsName(), rows.tile), fields_.size(), rows));
+          TileRows(cloud.pathOf(results_name, rows.tile), fields_.size(), rows));
   }
 
   void
@@ -287,7 +287,7 @@ joinTiles(TiledCloud& cloud,
           const TileWanted& wanted,
           const JoinedOutputs& outputs)
 {
-  cloud.check(resultsName()); // before parts of them are read
+  cloud.check(results_name); // before parts of them are read
   const std::string joined = joinedName(outputs.format);
   cloud.runOnSections(joined, [&](std::size_t section, const TiledCloud::Sink& sink) {
     const auto [source, number] = cloud.sections()[section];

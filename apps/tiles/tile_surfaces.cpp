@@ -40,7 +40,7 @@ takeLinked(ByteReader& reader, TileFaces& faces)
 TileFaces
 facesOf(const TiledCloud& cloud, std::size_t tile)
 {
-  ByteReader reader(cloud.resultOf(facesName(), tile));
+  ByteReader reader(cloud.resultOf(faces_name, tile));
   TileFaces faces;
   takeLinked(reader, faces);
   reader.take(faces.part.piece_of_place, faces.part.of_model, faces.rows, faces.places);
@@ -58,7 +58,7 @@ facesAround(const MeasuredCloud& cloud, std::size_t tile, const pcl::PartOfFaces
   const double reach =
       pcl::reachOf(cloud.numbers, pcl::ShapeModel::defaultEdges()).surfaces;
   for (const std::size_t other : cloud.tilesAround(tile, reach)) {
-    ByteReader reader(cloud.tiles.resultOf(facesName(), other));
+    ByteReader reader(cloud.tiles.resultOf(faces_name, other));
     TileFaces of_other;
     takeLinked(reader, of_other);
     faces->add(of_other.part.linked);
@@ -138,13 +138,6 @@ withLikelihoods(std::vector<pcl::InstancePoint> places,
 }
 
 } // namespace
-
-const std::string&
-facesName()
-{
-  static const std::string name = "faces";
-  return name;
-}
 
 Bytes
 toBytes(const TileFaces& faces)

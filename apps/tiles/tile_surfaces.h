@@ -27,7 +27,7 @@ struct TileFaces {
 };
 
 /** \brief The name of these results; they begin with how many are unknown. */
-const std::string& facesName();
+inline const std::string faces_name = "faces";
 
 Bytes toBytes(const TileFaces& faces);
 

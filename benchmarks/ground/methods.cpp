@@ -4,7 +4,7 @@
 
 #include "methods.h"
 
-#include "scene/lidar.h"
+#include "scene/sensors/lidar.h"
 
 #include <pcl/segmentation/progressive_morphological_filter.h>
 #include <pcl/segmentation/sac_segmentation.h>

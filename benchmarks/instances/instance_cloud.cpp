@@ -9,7 +9,6 @@
 
 #include <pcl/segmentation/extract_clusters.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <set>

@@ -25,11 +25,11 @@ view() { # NAME CLOUD VIEWER_OPTION ...
 
 picture() { # NAME CLOUD VIEWER_OPTION ...
   view "$@"
-  "${PYTHON:-python3}" "$here"/../../scripts/fewer_colors.py "$1.png" "$images/$1.png" 128
+  "${PYTHON:-python3}" "$here"/../../scripts/draw/fewer_colors.py "$1.png" "$images/$1.png" 128
 }
 
 sheet() { # NAME COLUMNS WIDTH TITLE=PICTURE ...
-  "${PYTHON:-python3}" "$here"/../../scripts/contact_sheet.py "$images/$1.png" "$2" "$3" 128 "${@:4}"
+  "${PYTHON:-python3}" "$here"/../../scripts/draw/contact_sheet.py "$images/$1.png" "$2" "$3" 128 "${@:4}"
 }
 
 # The objects of the scene, without the borders of the table.
@@ -51,7 +51,7 @@ picture shape_model sheets.pcd -field label -names 0=unknown,1=flat,2=corrugated
   -camera 0.55,-0.8,-0.3,0.55,0.15,1.02,0,-1,0,19
 for sheet in flat corrugated; do
   run pcl_shape_histogram $sheet.pcd model.json -radius 0.025 -bins 60 -name $sheet
-  "${PYTHON:-python3}" "$here"/../../scripts/draw_histogram.py model.json \
+  "${PYTHON:-python3}" "$here"/../../scripts/draw/draw_histogram.py model.json \
     "$images/shape_model_$sheet.png" $sheet
 done
 

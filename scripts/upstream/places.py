@@ -6,6 +6,7 @@ import re
 # The rooms keep their names below one folder of each module: their includes begin with them.
 SHAPE = "shape"
 FEATURES_ROOMS = ("common", "geometry", "sweep", "features")
+SEGMENTATION_TESTS = ("geometry", "edges", "surfaces", "instances", "segmentation")
 # Longer beginnings first.
 PLACES = [
     ("include/pcl/features/", "features/include/pcl/features/"),
@@ -13,7 +14,7 @@ PLACES = [
     *((f"src/{room}/", f"features/src/{SHAPE}/{room}/") for room in FEATURES_ROOMS),
     ("src/", f"segmentation/src/{SHAPE}/"),
     ("models/", f"features/src/{SHAPE}/models/"),
-    ("test/segmentation/", f"test/segmentation/{SHAPE}/segmentation/"),
+    *((f"test/{room}/", f"test/segmentation/{SHAPE}/{room}/") for room in SEGMENTATION_TESTS),
     ("test/", f"test/features/{SHAPE}/"),
     ("tools/scene/", f"test/segmentation/{SHAPE}/scene/"),
     ("tools/upstream/", "tools/"),

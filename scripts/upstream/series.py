@@ -24,7 +24,8 @@ SERIES = [
     ("`INAD` and `INADEstimation`", [
         *named(HEADERS + "{}", "adaptive_radius.h", "cloud_numbers.h", "inad.h", "inad_parameters.h", "inad_point.h",
                "impl/inad.hpp", "impl/neighborhoods.hpp"),
-        *named("src/features/{}.*", "inad", "neighborhoods", "listed_neighborhoods", "local_spacing", "some_points"),
+        *named("src/features/{}.*", "inad", "neighborhoods", "listed_neighborhoods", "spacing/local_spacing",
+               "spacing/some_points"),
         "tools/upstream/extended_cloud.h", "tools/upstream/inad_estimation.cpp", "test/support/clouds.h",
         *named("test/features/test_{}.cpp", "inad", "listed_neighborhoods"),
         "doc/tutorials/content/inad_estimation.rst"]),
@@ -34,11 +35,11 @@ SERIES = [
         *named("test/features/test_{}.cpp", "normal_3d_sweep", "search_methods", "point_types", "feature_errors"),
         "doc/tutorials/content/normal_estimation_sweep.rst"]),
     ("`ShapeHistogram` and `ShapeModel`", [
-        HEADERS + "shape_*.h", "src/features/shape_*", "src/features/default_models*", "models/*",
+        HEADERS + "shape_*.h", "src/features/models/shape_*", "src/features/models/default_models*", "models/*",
         "test/support/temporary_directory.h", "test/features/test_shape_*",
         "doc/tutorials/content/shape_model.rst"]),
     ("`ShapeFieldEstimation`, `ShapeEdgeDetection`, `ShapeBackProjection`", [
-        HEADERS + "*", "src/features/*", "src/geometry/*", "src/edges/*", "src/surfaces/*",
+        HEADERS + "*", "src/features/**/*", "src/geometry/*", "src/edges/*", "src/surfaces/*",
         *named(SEGMENTATION + "*{}*", "shape_field", "shape_detection", "shape_edge_detection",
                "shape_back_projection", "unknown_points", "cloud_reach", "faces_of_parts",
                "known_parts", "means_of_parts"),
@@ -46,17 +47,14 @@ SERIES = [
         *named("src/segmentation/{}*", "cloud_reach", "compiled_estimations", "faces_of_parts",
                "field_of_points", "field_places", "field_stages", "known_parts", "means_of_parts", "shape_detection",
                "shape_field", "uneven_field", "unknown_points"),
-        "tools/scene/*", "test/features/*",
-        *named("test/segmentation/{}*", "bumpy_plane", "crease_truth", "detect", "field_of", "measured_numbers",
-               "test_adaptive", "test_close", "test_coincident", "test_crease", "test_detection", "test_edge",
-               "test_generated", "test_known", "test_own", "test_paper", "test_sensor", "test_shape_detection",
-               "test_uneven", "test_unknown"),
+        "tools/scene/**/*", "test/features/*", "test/geometry/*", "test/edges/*",
+        *named("test/segmentation/{}*", "bumpy_plane", "detect", "field_of", "measured_numbers", "test_adaptive",
+               "test_coincident", "test_detection", "test_generated", "test_known", "test_own", "test_paper",
+               "test_shape_detection", "test_uneven", "test_unknown"),
         *named("doc/tutorials/content/{}.rst", "shape_edge_detection", "shape_back_projection")]),
     ("`ShapeInstanceSegmentation`", [
-        "src/instances/*", SEGMENTATION + "*instance*", SEGMENTATION + "impl/*instance*", "src/segmentation/*instance*",
-        *named("test/segmentation/*{}*", "instance", "objects", "_face", "primitive", "small_surfaces", "support",
-               "parts_of_clouds", "surface_graph", "surface_p", "point_grid", "cell_order",
-               "hidden_parts", "hollow_bodies", "lines_of_sight", "post_scene"),
+        "src/instances/**/*", SEGMENTATION + "*instance*", SEGMENTATION + "impl/*instance*", "src/segmentation/*instance*",
+        "test/surfaces/*", "test/instances/*", "test/segmentation/test_parts_of_clouds.cpp",
         "tools/upstream/shape_instance_segmentation.cpp", "doc/tutorials/content/shape_instances.rst"]),
 ]
 

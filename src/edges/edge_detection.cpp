@@ -10,7 +10,7 @@
 #include "edges/crease_continuation.h"
 #include "edges/crease_votes.h"
 #include "edges/edge_band.h"
-#include "features/class_evidence.h"
+#include "features/models/class_evidence.h"
 #include "geometry/voxel_means.h"
 
 #include <pcl/features/impl/neighborhoods.hpp>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "features/adaptive_inad.h"
-#include "features/noise_level.h"
+#include "features/noise/noise_level.h"
 #include "geometry/point_grid.h"
 
 #include <pcl/features/shape_model.h>

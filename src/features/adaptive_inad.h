@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "features/local_spacing.h"
+#include "features/spacing/local_spacing.h"
 #include "geometry/point_grid.h"
 
 #include <Eigen/Core>

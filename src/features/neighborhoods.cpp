@@ -6,7 +6,7 @@
 #include "common/finite.h"
 #include "common/number_text.h"
 #include "common/parallel.h"
-#include "features/local_spacing.h"
+#include "features/spacing/local_spacing.h"
 
 #include <pcl/features/impl/neighborhoods.hpp>
 

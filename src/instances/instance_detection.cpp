@@ -5,13 +5,13 @@
 #include "instances/instance_detection.h"
 
 #include "common/finite.h"
-#include "instances/face_grouping.h"
-#include "instances/hidden_parts.h"
-#include "instances/hollow_bodies.h"
+#include "instances/faces/face_grouping.h"
 #include "instances/label_growth.h"
-#include "instances/open_boxes.h"
-#include "instances/smooth_pieces.h"
-#include "instances/support_faces.h"
+#include "instances/objects/hidden_parts.h"
+#include "instances/objects/hollow_bodies.h"
+#include "instances/objects/open_boxes.h"
+#include "instances/pieces/smooth_pieces.h"
+#include "instances/supports/support_faces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,10 +5,11 @@
 
 #include "common/disjoint_sets.h"
 #include "features/adaptive_inad.h"
-#include "features/local_spacing.h"
+#include "features/spacing/local_spacing.h"
 #include "geometry/point_choice.h"
+#include "geometry/vectors.h"
 #include "instances/label_growth.h"
-#include "instances/piece_splitting.h"
+#include "instances/pieces/piece_splitting.h"
 
 #include <pcl/segmentation/instances_of_parts.h>
 
@@ -21,18 +22,6 @@ namespace {
 
 using namespace detail;
 using namespace segmentation;
-
-Eigen::Vector3f
-toVector(const std::array<float, 3>& v)
-{
-  return Eigen::Map<const Eigen::Vector3f>(v.data());
-}
-
-std::array<float, 3>
-toArray(const Eigen::Vector3f& v)
-{
-  return {v.x(), v.y(), v.z()};
-}
 
 InstanceInput
 inputOf(const std::vector<InstancePoint>& points,

@@ -7,8 +7,8 @@
 #include "edges/edge_band.h"
 #include "edges/edge_detection.h"
 #include "edges/edge_types.h"
-#include "features/local_spacing.h"
-#include "features/noise_level.h"
+#include "features/noise/noise_level.h"
+#include "features/spacing/local_spacing.h"
 #include "surfaces/face_evidence.h"
 #include "surfaces/surface_classification.h"
 

@@ -3,6 +3,7 @@
 // Surfaces of a part of a cloud: first the pieces of its faces, then what faces around
 // it are like.
 
+#include "geometry/vectors.h"
 #include "surfaces/surface_classification.h"
 
 #include <pcl/segmentation/cloud_reach.h>
@@ -10,7 +11,6 @@
 #include <pcl/features/impl/neighborhoods.hpp>
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -21,18 +21,6 @@ using namespace detail;
 using namespace segmentation;
 
 using Place = std::array<float, 3>;
-
-Place
-toArray(const Eigen::Vector3f& v)
-{
-  return {v.x(), v.y(), v.z()};
-}
-
-Eigen::Vector3f
-toVector(const Place& place)
-{
-  return Eigen::Map<const Eigen::Vector3f>(place.data());
-}
 
 FacePiece
 pieceOf(const FaceLevel& level, std::size_t node, const float* first)
@@ -281,25 +269,11 @@ checkWindows(const FacesAround::Windows& windows, const FacePyramid& faces)
   }
 }
 
-/** Nodes of all levels that some of the first are in. */
+/** Nodes of all levels that some of the first are in. \param[in] of_first whether only
+ * a node's first child, and its first child, and so on, tells: each node of the cloud
+ * then belongs to one part. */
 std::vector<std::vector<bool>>
-withParents(const FacePyramid& faces, std::vector<bool> chosen)
-{
-  std::vector<std::vector<bool>> all{std::move(chosen)};
-  for (std::size_t l = 0; l + 1 < faces.levels.size(); ++l) {
-    std::vector<bool> parents(faces.levels[l + 1].nodes.size());
-    for (std::size_t i = 0; i < all[l].size(); ++i)
-      if (all[l][i])
-        parents[faces.levels[l].parents[i]] = true;
-    all.push_back(std::move(parents));
-  }
-  return all;
-}
-
-/** Nodes of all levels whose first child's first child ... is among some: each node of
- * the cloud belongs to one part. */
-std::vector<std::vector<bool>>
-withFirstParents(const FacePyramid& faces, std::vector<bool> chosen)
+withParents(const FacePyramid& faces, std::vector<bool> chosen, bool of_first = false)
 {
   std::vector<std::vector<bool>> all{std::move(chosen)};
   for (std::size_t l = 0; l + 1 < faces.levels.size(); ++l) {
@@ -307,8 +281,8 @@ withFirstParents(const FacePyramid& faces, std::vector<bool> chosen)
     std::vector<bool> parents(size), is_known(size);
     for (std::size_t i = 0; i < all[l].size(); ++i) {
       const std::uint32_t parent = faces.levels[l].parents[i];
-      if (!is_known[parent])
-        parents[parent] = all[l][i];
+      if (all[l][i] && !(of_first && is_known[parent]))
+        parents[parent] = true;
       is_known[parent] = true;
     }
     all.push_back(std::move(parents));
@@ -397,7 +371,7 @@ struct FacesAround::State {
   std::vector<std::vector<bool>>
   ownOfLevels(const Assembly& assembly, const FacePyramid& faces) const
   {
-    return withFirstParents(faces, ownNodes(assembly, faces));
+    return withParents(faces, ownNodes(assembly, faces), true);
   }
 
   /** The nodes whose evidence is asked for. */

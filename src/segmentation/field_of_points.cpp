@@ -8,7 +8,7 @@
 #include "common/gathered.h"
 #include "common/parallel.h"
 #include "common/statistics.h"
-#include "features/even_sampling.h"
+#include "features/spacing/even_sampling.h"
 #include "geometry/cells_around.h"
 #include "geometry/point_grid.h"
 #include "geometry/voxel_means.h"

@@ -4,8 +4,8 @@
 
 #include "common/gathered.h"
 #include "edges/edge_detection.h"
-#include "features/local_spacing.h"
-#include "features/part_noise.h"
+#include "features/noise/part_noise.h"
+#include "features/spacing/local_spacing.h"
 
 #include <pcl/segmentation/known_parts.h>
 #include <pcl/features/impl/neighborhoods.hpp>

@@ -4,8 +4,8 @@
 
 #include "common/gathered.h"
 #include "common/number_text.h"
-#include "features/local_spacing.h"
-#include "features/noise_level.h"
+#include "features/noise/noise_level.h"
+#include "features/spacing/local_spacing.h"
 #include "geometry/voxel_means.h"
 
 #include <pcl/segmentation/means_of_parts.h>

@@ -8,10 +8,10 @@
 #include "common/gathered.h"
 #include "common/number_text.h"
 #include "common/statistics.h"
-#include "features/local_spacing.h"
+#include "features/spacing/local_spacing.h"
 #include "features/noise_level.h"
-#include "features/normal_scatter.h"
-#include "features/part_noise.h"
+#include "features/noise/normal_scatter.h"
+#include "features/noise/part_noise.h"
 #include "features/points_near.h"
 #include "features/some_points.h"
 #include "geometry/cell_loop.h"
@@ -28,6 +28,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <numeric>
 
 namespace pcl::detail {
 namespace {
@@ -275,23 +276,32 @@ private:
     double resolution = 0.0; ///< meters
   };
 
-  /** The first band with noise beyond what radii can grow for, if sparser ones have it,
-   * too, or none that is seen: steps may be wider than what is looked at. */
+  /** The band at which noise begins to be beyond what radii can grow for: denser ones
+   * do not have it, sparser ones do, but for as few points as possible. What is silent
+   * may be either: a shape, or steps that are wider than what is looked at. */
   std::size_t
   firstTooNoisy() const
   {
-    std::size_t first = ranges_.size(), noisy = 0, fine = 0;
-    for (std::size_t k = 0; k < ranges_.size(); ++k) {
+    const std::size_t bands = ranges_.size();
+    std::vector<std::size_t> noisy(bands, 0), fine(bands, 0); // points
+    for (std::size_t k = 0; k < bands; ++k) {
       const Measured measured = measure(ranges_[k], request_.resolution);
-      const bool is_noisy = coarser(measured, ranges_[k], request_.resolution) > 0.0;
-      if (is_noisy && first == ranges_.size())
-        first = k;
-      if (first == ranges_.size())
-        continue;
-      noisy += is_noisy || measured.is_silent ? ranges_[k].points : 0;
-      fine += is_noisy || measured.is_silent ? 0 : ranges_[k].points;
+      if (coarser(measured, ranges_[k], request_.resolution) > 0.0)
+        noisy[k] = ranges_[k].points;
+      else if (!measured.is_silent)
+        fine[k] = ranges_[k].points;
     }
-    return fine < noisy ? first : ranges_.size();
+    std::size_t first = bands;
+    std::size_t least = std::accumulate(noisy.begin(), noisy.end(), std::size_t{0});
+    std::size_t contrary = least;
+    for (std::size_t k = bands; k-- > 0;) {
+      contrary = contrary + fine[k] - noisy[k];
+      if (noisy[k] > 0 && contrary < least) {
+        least = contrary;
+        first = k;
+      }
+    }
+    return first;
   }
 
   /** \param[in] least meters */

@@ -6,7 +6,7 @@
 #include "common/gathered.h"
 #include "common/number_text.h"
 #include "edges/edge_types.h"
-#include "features/local_spacing.h"
+#include "features/spacing/local_spacing.h"
 #include "segmentation/compiled_estimations.h"
 
 #include <pcl/segmentation/impl/shape_back_projection.hpp>

@@ -5,7 +5,7 @@
 #include "common/finite.h"
 #include "common/gathered.h"
 #include "common/statistics.h"
-#include "features/local_spacing.h"
+#include "features/spacing/local_spacing.h"
 
 #include <pcl/features/distinct_points.h>
 #include <pcl/segmentation/unknown_points.h>

@@ -6,7 +6,7 @@
 
 #include "common/finite.h"
 #include "common/parallel.h"
-#include "features/local_spacing.h"
+#include "features/spacing/local_spacing.h"
 #include "surfaces/face_fit.h"
 #include "surfaces/face_noise.h"
 

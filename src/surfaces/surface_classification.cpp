@@ -6,7 +6,7 @@
 
 #include "common/finite.h"
 #include "common/statistics.h"
-#include "features/class_evidence.h"
+#include "features/models/class_evidence.h"
 #include "surfaces/evidence_averaging.h"
 
 #include <pcl/features/distinct_points.h>

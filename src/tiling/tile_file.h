@@ -8,7 +8,6 @@
 
 #include <pcl/tiling/point_source.h>
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>

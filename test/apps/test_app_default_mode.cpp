@@ -147,7 +147,7 @@ TEST_F(DefaultMode, AHistogramIsDrawn)
   const std::string plane = file("in.pcd", asciiCloud("x y z", "F F F", planeRows(20)));
   const std::string fold = file("fold.pcd", asciiCloud("x y z", "F F F", foldRows(20)));
   const auto draw = [](const Words& words) {
-    Words arguments{PCL_SHAPE_SCRIPTS "/draw_histogram.py"};
+    Words arguments{PCL_SHAPE_SCRIPTS "/draw/draw_histogram.py"};
     arguments.insert(arguments.end(), words.begin(), words.end());
     return runProgram("/usr/bin/env", arguments).status;
   };

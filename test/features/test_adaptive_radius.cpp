@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Radii that grow with depth or density, and the default models.
 
-#include "features/noise_level.h"
+#include "features/noise/noise_level.h"
 #include "support/clouds.h"
 #include "support/errors.h"
 

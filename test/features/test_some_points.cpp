@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Some points of a cloud, chosen by their significands and exponents.
 
-#include "features/some_points.h"
+#include "features/spacing/some_points.h"
 #include "support/random.h"
 
 #include <gtest/gtest.h>

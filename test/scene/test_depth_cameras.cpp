@@ -3,8 +3,8 @@
 // Waviness, fattened outlines, flying pixels and ripples of depth cameras.
 
 #include "scene/checksum.h"
-#include "scene/depth_cameras.h"
 #include "scene/labels.h"
+#include "scene/sensors/depth_cameras.h"
 
 #include <gtest/gtest.h>
 

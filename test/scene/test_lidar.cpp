@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Scans of generated streets: beams, truth, noise and bad options.
 
-#include "scene/lidar.h"
-#include "scene/street.h"
+#include "scene/sensors/lidar.h"
+#include "scene/worlds/street.h"
 
 #include <gtest/gtest.h>
 

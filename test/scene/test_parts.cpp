@@ -3,8 +3,8 @@
 // Outlines and faces of machined parts, and points sampled over them with their truth.
 
 #include "scene/checksum.h"
-#include "scene/part.h"
-#include "scene/part_samples.h"
+#include "scene/parts/part.h"
+#include "scene/sensors/part_samples.h"
 #include "scene/vector_at.h"
 #include "support/errors.h"
 

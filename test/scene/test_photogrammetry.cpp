@@ -3,8 +3,8 @@
 // Parts reconstructed from photographs: density, smoothing, noise and outliers.
 
 #include "scene/checksum.h"
-#include "scene/part.h"
-#include "scene/photogrammetry.h"
+#include "scene/parts/part.h"
+#include "scene/sensors/photogrammetry.h"
 #include "scene/vector_at.h"
 
 #include <gtest/gtest.h>

@@ -2,14 +2,13 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // The noise and the gaps of the virtual depth camera.
 
-#include "scene/depth_cameras.h"
 #include "scene/labels.h"
 #include "scene/scene.h"
+#include "scene/sensors/depth_cameras.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 using namespace pcl::scene;
 

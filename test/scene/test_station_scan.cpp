@@ -3,9 +3,9 @@
 // Scans of generated rooms: what they meet, how dense they are, and their truth.
 
 #include "scene/checksum.h"
-#include "scene/place.h"
-#include "scene/station_scan.h"
+#include "scene/sensors/station_scan.h"
 #include "scene/vector_at.h"
+#include "scene/worlds/place.h"
 #include "support/errors.h"
 
 #include <gtest/gtest.h>

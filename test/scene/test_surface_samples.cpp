@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Points sampled all over surfaces: density, labels and noise.
 
-#include "scene/random_world.h"
-#include "scene/surface_samples.h"
+#include "scene/sensors/surface_samples.h"
+#include "scene/worlds/random_world.h"
 #include "support/errors.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "scene/scene.h"
-#include "scene/surface_samples.h"
+#include "scene/sensors/surface_samples.h"
 #include "support/clouds.h"
 
 #include <pcl/segmentation/shape_edge_detection.h>

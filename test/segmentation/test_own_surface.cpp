@@ -3,7 +3,7 @@
 // Models made from a sample of any surface.
 
 #include "detection_scenes.h"
-#include "features/noise_level.h"
+#include "features/noise/noise_level.h"
 
 #include <pcl/features/inad.h>
 #include <pcl/features/normal_3d_sweep.h>

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Surfaces and edges of real scenes reach the accuracy that the documentation states.
 
-#include "instance_scenes.h"
+#include "instances/instance_scenes.h"
 
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>

@@ -19,7 +19,6 @@
 #include <limits>
 #include <random>
 #include <string>
-#include <tuple>
 
 namespace {
 

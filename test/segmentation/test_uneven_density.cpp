@@ -3,7 +3,7 @@
 // A crease is found all along where one part of a cloud is sampled more finely.
 
 #include "common/statistics.h"
-#include "features/even_sampling.h"
+#include "features/spacing/even_sampling.h"
 #include "field_of.h"
 #include "geometry/voxel_means.h"
 #include "segmentation/field_of_points.h"

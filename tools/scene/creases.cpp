@@ -4,7 +4,7 @@
 
 #include "scene/creases.h"
 
-#include "scene/part.h"
+#include "scene/parts/part.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "scene/curve.h"
-#include "scene/world.h"
+#include "scene/worlds/world.h"
 
 #include <vector>
 

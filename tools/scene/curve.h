@@ -6,7 +6,7 @@
 
 #include "scene/random.h"
 #include "scene/vec.h"
-#include "scene/world.h"
+#include "scene/worlds/world.h"
 
 namespace pcl::scene {
 

@@ -4,7 +4,7 @@
 
 #include "scene/grasp_scene.h"
 
-#include "scene/depth_cameras.h"
+#include "scene/sensors/depth_cameras.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "scene/random_world.h"
+#include "scene/worlds/random_world.h"
 
 #include <cstddef>
 #include <vector>

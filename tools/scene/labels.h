@@ -5,7 +5,7 @@
 #pragma once
 
 #include "scene/creases.h"
-#include "scene/world.h"
+#include "scene/worlds/world.h"
 
 #include <vector>
 

@@ -4,9 +4,9 @@
 
 #include "scene/scene.h"
 
-#include "scene/depth_cameras.h"
 #include "scene/labels.h"
-#include "scene/random_world.h"
+#include "scene/sensors/depth_cameras.h"
+#include "scene/worlds/random_world.h"
 
 #include <algorithm>
 #include <cmath>

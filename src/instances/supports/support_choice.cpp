@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Which flat parts carry things.
+
+#include "instances/supports/support_choice.h"
+
+#include "instances/supports/support_surroundings.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace pcl::segmentation {
+namespace {
+
+using Eigen::Vector3f;
+using Nodes = std::vector<SurfaceNode>;
+
+// Of the largest part: supports are large. A table that stands high above a floor may
+// be smaller, beside what is seen of the floor.
+constexpr double min_share = 0.25, min_share_of_high = 0.1;
+// Of what is around. Six tables of a Kinect and one of a RealSense have .75 to .99 on
+// top and .01 to .25 behind, noise and rims: few things in the middle are enough, and a
+// table with more behind it must have a thin rim.
+constexpr double min_on_top = 0.2, max_behind = 0.2;
+// Of its own area: rims of tables had .04 to .1, the sides of boxes .2 to .6.
+constexpr double max_sides = 0.25;
+// Likewise, without its rim. A leg of a table has .01, the short side of a box that is
+// four times as long as wide has .06; below a book there is the table that it lies on.
+constexpr double max_lower = 0.04;
+// Likewise, of what is near it: a cup on a table of 50 x 50 cm has .0075.
+constexpr double min_things = 0.005;
+constexpr float same_level = 0.94f; // cosine of 20 degrees
+
+/** Walls around it, as those of a shelf, are before it and not on top: they say nothing
+ * where things are. Below min_things there may be none, and walls count. */
+bool
+hasThingsOnTop(const SupportPart& part, const Surroundings& around)
+{
+  const double others =
+      around.on_top >= min_things * part.area ? around.on_top : around.before;
+  return around.on_top >= min_on_top * (others + around.behind);
+}
+
+bool
+hasNothingBehind(const Surroundings& around)
+{
+  return around.behind <= max_behind * (around.before + around.behind);
+}
+
+bool
+hasRim(const SupportPart& part, const Surroundings& around)
+{
+  return around.sides <= max_sides * part.area;
+}
+
+/** Whether things lie before it and nothing behind, or things stand on it and it has a
+ * rim. */
+bool
+carries(const SupportPart& part, const PartSize& largest, const Surroundings& around)
+{
+  if (!(around.before + around.behind > 0.0))
+    return part.area > around.others;
+  if (hasThingsOnTop(part, around))
+    return hasNothingBehind(around) || hasRim(part, around);
+  return hasNothingBehind(around) && part.area >= min_share * largest.area;
+}
+
+/** Whether things stand on it, and nothing is seen that it may lie on. */
+bool
+standsHigh(const SupportPart& part, const Surroundings& around)
+{
+  return around.on_top >= min_things * part.area && hasThingsOnTop(part, around) &&
+         hasRim(part, around) && around.lower <= max_lower * part.area;
+}
+
+/** Whether things lie before it and nothing behind. Around the lid of a box seen from
+ * above there is nothing at all. */
+bool
+isFoot(const Surroundings& around)
+{
+  return around.before > 0.0 && hasNothingBehind(around);
+}
+
+/** Whether a plane is parallel to another one and behind it. */
+bool
+isBelow(const Plane<float>& plane, const Plane<float>& other)
+{
+  const Vector3f above = other.center - plane.center;
+  return plane.normal.dot(other.normal) > same_level &&
+         other.normal.dot(above) > 0.0f && plane.normal.dot(above) > 0.0f;
+}
+
+/** What is around each part, looked at once. */
+class Scene {
+public:
+  Scene(const std::vector<SupportPart>& parts,
+        const Nodes& nodes,
+        float unit,
+        unsigned threads)
+  : parts_(parts)
+  , nodes_(nodes)
+  , unit_(unit)
+  , threads_(threads)
+  , around_(parts.size())
+  {}
+
+  const Surroundings&
+  around(std::size_t part)
+  {
+    if (!around_[part])
+      around_[part] = surroundingsOf(parts_[part], nodes_, unit_, threads_);
+    return *around_[part];
+  }
+
+private:
+  const std::vector<SupportPart>& parts_;
+  const Nodes& nodes_;
+  float unit_;
+  unsigned threads_;
+  std::vector<std::optional<Surroundings>> around_;
+};
+
+} // namespace
+
+std::vector<std::size_t>
+carriersAmong(const std::vector<SupportPart>& parts,
+              const Nodes& nodes,
+              float unit,
+              unsigned threads)
+{
+  Scene scene(parts, nodes, unit, threads);
+  const PartSize largest = largestOf(parts);
+  std::vector<std::size_t> carriers;
+  const auto isAbove = [](const auto& plane, const auto& other) {
+    return isBelow(other, plane);
+  };
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    if (isLarge(parts[k], largest, min_share) &&
+        carries(parts[k], largest, scene.around(k)))
+      carriers.push_back(k);
+  const auto addOthers = [&](const auto& isRelated, const auto& isCarrier) {
+    const std::vector<std::size_t> known = carriers;
+    const auto isRelatedToKnown = [&](std::size_t part) {
+      return std::any_of(known.begin(), known.end(), [&](std::size_t carrier) {
+        return isRelated(parts[part].support.plane, parts[carrier].support.plane);
+      });
+    };
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      if (std::find(known.begin(), known.end(), k) == known.end() &&
+          isRelatedToKnown(k) && isCarrier(k))
+        carriers.push_back(k);
+  };
+  addOthers(isAbove, [&](std::size_t k) {
+    return isLarge(parts[k], largest, min_share_of_high) &&
+           standsHigh(parts[k], scene.around(k));
+  });
+  addOthers(isBelow, [&](std::size_t k) { return isFoot(scene.around(k)); });
+  return carriers;
+}
+
+} // namespace pcl::segmentation

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// What is around a flat part: things on it, its own sides.
+
+#pragma once
+
+#include "instances/supports/support_parts.h"
+
+#include <vector>
+
+namespace pcl::segmentation {
+
+// Around the border of a plane, beyond the band of an edge.
+constexpr float around_spacings = 6.0f;
+
+/** \brief The areas of what is around a flat part, square meters. */
+struct Surroundings {
+  double before = 0.0; ///< near it, and before its plane
+  double on_top = 0.0; ///< what of that has the part on most sides of it
+  double behind = 0.0; ///< near it, behind its plane, and beside it
+  double sides = 0.0;  ///< steep to it, behind and beside it, not far down
+  double lower = 0.0;  ///< likewise, but level to it, or deeper than a rim
+  double others = 0.0; ///< all that is not on the plane, near or not
+};
+
+/** \param[in] nodes all of the cloud \param[in] unit the median spacing, meters */
+Surroundings surroundingsOf(const SupportPart& part,
+                            const std::vector<SurfaceNode>& nodes,
+                            float unit,
+                            unsigned threads);
+
+} // namespace pcl::segmentation

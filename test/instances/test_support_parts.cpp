@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Flat parts that may be supports, in clutter and behind gaps.
+
+#include "instances/supports/support_choice.h"
+#include "instances/supports/support_parts.h"
+#include "instances/supports/support_planes.h"
+#include "small_surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+namespace {
+
+using namespace pcl::segmentation;
+using Eigen::Vector3f;
+using Nodes = std::vector<SurfaceNode>;
+
+/** \brief A patch of so many nodes to a side; the spacing is 1. */
+void
+addPatch(const Vector3f& corner,
+         int columns,
+         int rows,
+         Nodes& nodes,
+         const Vector3f& right = Vector3f::UnitX(),
+         const Vector3f& up = Vector3f::UnitY())
+{
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const Vector3f offset =
+          static_cast<float>(column) * right + static_cast<float>(row) * up;
+      nodes.push_back({corner + node_spacings * offset,
+                       right.cross(up),
+                       1.0f,
+                       0.0f,
+                       static_cast<std::uint32_t>(nodes.size())});
+    }
+}
+
+/** \brief Whether one of the parts is all of the nodes at a height. */
+bool
+hasPartAt(float height, std::size_t size, const std::vector<SupportPart>& parts)
+{
+  return std::any_of(parts.begin(), parts.end(), [&](const SupportPart& part) {
+    return part.nodes.size() == size &&
+           std::abs(part.support.plane.center.z() - height) < 0.1f;
+  });
+}
+
+constexpr float min_offset = 0.5f;
+constexpr float level = 30.0f; // between the planes
+
+TEST(SupportParts, AreFoundBehindPlanesOfClutter)
+{
+  Nodes nodes;
+  addPatch({0, 0, 0}, 110, 100, nodes);
+  // More nodes on one plane than the board below has; none of its parts is large.
+  for (int k = 0; k < 30; ++k)
+    addPatch(
+        {40.0f * static_cast<float>(k % 6), 40.0f * static_cast<float>(k / 6), level},
+        12,
+        12,
+        nodes);
+  addPatch({0, 0, 2 * level}, 40, 30, nodes);
+  const std::vector<SupportPart> parts = supportParts(nodes, min_offset, 1.0f);
+  EXPECT_EQ(2u, parts.size());
+  EXPECT_TRUE(hasPartAt(0.0f, 11000, parts));
+  EXPECT_TRUE(hasPartAt(2 * level, 1200, parts));
+}
+
+TEST(SupportParts, GoOnBehindAGapOfAQuarterOfTheirWidth)
+{
+  for (const float gap : {6.0f, 30.0f}) {
+    Nodes nodes;
+    addPatch({0, 0, 0}, 40, 40, nodes);
+    addPatch({60.0f + gap, 0, 0}, 20, 40, nodes);
+    const std::vector<SupportPart> parts = supportParts(nodes, min_offset, 1.0f);
+    ASSERT_FALSE(parts.empty());
+    const bool is_narrow = gap < 15.0f;
+    const bool goes_on = parts.front().nodes.size() > 1600u;
+    EXPECT_EQ(is_narrow, goes_on) << gap;
+  }
+}
+
+TEST(SupportParts, LargestAreaAndMostPointsMayBeOfTwoParts)
+{
+  SupportPart near, far;
+  near.area = 1.0;
+  near.points = 1000.0;
+  far.area = 10.0;
+  far.points = 100.0;
+  const PartSize largest = largestOf({near, far});
+  EXPECT_EQ(10.0, largest.area);
+  EXPECT_EQ(1000.0, largest.points);
+  EXPECT_TRUE(isLarge(near, largest, 0.25));
+  EXPECT_TRUE(isLarge(far, largest, 0.25));
+  near.points = 200.0;
+  EXPECT_FALSE(isLarge(near, largest, 0.25));
+}
+
+/** \brief How many supports there are at a height. */
+std::size_t
+supportsAt(float height, const Nodes& nodes)
+{
+  const std::vector<SupportPart> parts = supportParts(nodes, min_offset, 1.0f);
+  std::size_t count = 0;
+  for (const std::size_t k : carriersAmong(parts, nodes, 1.0f, 1))
+    if (std::abs(parts[k].support.plane.center.z() - height) < 0.1f)
+      ++count;
+  return count;
+}
+
+/** \brief A floor and above it a level patch, a seventh as large, with something on it.
+ */
+Nodes
+patchAbove(float height)
+{
+  Nodes nodes;
+  addPatch({0, 0, 0}, 110, 100, nodes);
+  addPatch({50, 50, height}, 40, 40, nodes);
+  addPatch({75, 75, height + 4.0f}, 7, 7, nodes);
+  return nodes;
+}
+
+TEST(SupportChoice, ASmallTableStandsHighAndABookDoesNot)
+{
+  EXPECT_EQ(1u, supportsAt(60.0f, patchAbove(60.0f)));
+  EXPECT_EQ(0u, supportsAt(5.0f, patchAbove(5.0f)));
+  EXPECT_EQ(1u, supportsAt(0.0f, patchAbove(60.0f)));
+}
+
+TEST(SupportChoice, ASmallBoxHasSides)
+{
+  Nodes nodes = patchAbove(60.0f);
+  addPatch({50, 50, 2.0f}, 40, 36, nodes, Vector3f::UnitX(), Vector3f::UnitZ());
+  EXPECT_EQ(0u, supportsAt(60.0f, nodes));
+}
+
+/** \brief A floor, and two tables above each other with things on them; each is
+ * parallel to the next one only. */
+Nodes
+leaningTables()
+{
+  Nodes nodes;
+  addPatch({0, 0, 0}, 110, 100, nodes);
+  for (const float turn : {0.25f, 0.5f}) {
+    const Vector3f x(std::cos(turn), 0.0f, std::sin(turn));
+    const Vector3f z(-std::sin(turn), 0.0f, std::cos(turn));
+    const Vector3f corner(50.0f, 50.0f, 240.0f * turn);
+    addPatch(corner, 40, 40, nodes, x);
+    addPatch(corner + 25.0f * (x + Vector3f::UnitY()) + 4.0f * z, 7, 7, nodes, x);
+  }
+  return nodes;
+}
+
+TEST(SupportChoice, HighTablesDoNotDependOnTheOrderOfParts)
+{
+  const Nodes nodes = leaningTables();
+  std::vector<SupportPart> parts = supportParts(nodes, min_offset, 1.0f);
+  std::sort(parts.begin(), parts.end(), [](const auto& one, const auto& other) {
+    return one.support.plane.center.z() < other.support.plane.center.z();
+  });
+  const std::vector<std::size_t> upwards = carriersAmong(parts, nodes, 1.0f, 1);
+  std::reverse(parts.begin(), parts.end());
+  std::set<std::size_t> downwards;
+  for (const std::size_t k : carriersAmong(parts, nodes, 1.0f, 1))
+    downwards.insert(parts.size() - 1 - k);
+  EXPECT_EQ(std::set<std::size_t>(upwards.begin(), upwards.end()), downwards);
+  EXPECT_EQ(2u, upwards.size());
+}
+
+TEST(SupportChoice, WallsAroundABoardAreNoThingsOnIt)
+{
+  Nodes nodes;
+  addPatch({0, 0, 0}, 60, 40, nodes);
+  addPatch({42, 27, 4}, 7, 7, nodes);
+  const Vector3f x = Vector3f::UnitX(), y = Vector3f::UnitY(), z = Vector3f::UnitZ();
+  addPatch({0, 60, 3}, 60, 40, nodes, x, z); // its back, and sides
+  addPatch({0, 0, 3}, 40, 40, nodes, y, z);
+  addPatch({90, 0, 3}, 40, 40, nodes, y, z);
+  addPatch({0, 0, -6}, 60, 3, nodes, x, z); // its rim
+  EXPECT_EQ(1u, supportsAt(0.0f, nodes));
+}
+
+/** \brief A level floor, 100 wide, with a bump of a cosine's shape in the middle. */
+pcl::test::Surface
+floorWithBump(double height, double radius = 5.0)
+{
+  constexpr int points = 200;
+  constexpr double middle = 0.5 * pcl::test::half * points;
+  pcl::test::Surface floor;
+  for (int row = 0; row < points; ++row)
+    for (int column = 0; column < points; ++column) {
+      const Eigen::Vector2d from(pcl::test::half * column - middle,
+                                 pcl::test::half * row - middle);
+      const double phase = M_PI * std::min(1.0, from.norm() / radius);
+      const double z = 0.5 * height * (1.0 + std::cos(phase));
+      const double slope = 0.5 * height * M_PI / radius * std::sin(phase);
+      const Eigen::Vector2d out =
+          from.norm() > 0.0 ? from.normalized() : Eigen::Vector2d(1.0, 0.0);
+      floor.add({Eigen::Vector3d(from.x(), from.y(), z),
+                 Eigen::Vector3d(slope * out.x(), slope * out.y(), 1.0).normalized()});
+    }
+  return floor;
+}
+
+std::vector<Support>
+supportsOf(const pcl::test::Surface& surface)
+{
+  const pcl::detail::InstanceInput input = pcl::test::inputOf(surface);
+  return supportPlanes(
+      input, PointGrid(input.points, 1.5f), std::vector<char>(surface.size(), 1));
+}
+
+TEST(SupportPlanes, KnowWhatIsSmearedWhereThingsTouchThem)
+{
+  const auto floor = floorWithBump(0.9);
+  const std::vector<Support> supports = supportsOf(floor);
+  ASSERT_EQ(1u, supports.size());
+  const Support& support = supports.front();
+  // All but the very top, which is farther from the floor than a camera's window is.
+  std::set<std::uint32_t> known(support.points.begin(), support.points.end());
+  known.insert(support.smeared.begin(), support.smeared.end());
+  EXPECT_EQ(known.size(), support.points.size() + support.smeared.size());
+  for (std::uint32_t i = 0; i < floor.size(); ++i)
+    if (known.count(i) == 0) {
+      EXPECT_LT(floor.position(i).head<2>().norm(), 1.0);
+    }
+  ASSERT_FALSE(support.smeared.empty());
+  const auto heightOf = [&](std::uint32_t i) {
+    return support.plane.distance(floor.position(i).cast<float>());
+  };
+  for (const std::uint32_t i : support.smeared) {
+    EXPECT_GE(heightOf(i), support.offset) << "higher than what is on the plane";
+    EXPECT_LT(heightOf(i), max_ripple);
+  }
+  for (const std::uint32_t i : support.points)
+    EXPECT_LT(heightOf(i), support.offset);
+}
+
+TEST(SupportPlanes, HaveNothingOfWhatIsHighAndSteep)
+{
+  const auto floor = floorWithBump(3.0);
+  const std::vector<Support> supports = supportsOf(floor);
+  ASSERT_EQ(1u, supports.size());
+  EXPECT_LT(supports[0].points.size() + supports[0].smeared.size(), floor.size() - 100);
+}
+
+/** \brief Four walls and a lid, 10 wide, that stand on a bump. */
+pcl::test::Surface
+boxOnABump()
+{
+  using Eigen::Vector3d;
+  const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
+  pcl::test::Surface box = pcl::test::floorPatch(-5, -5, 10, 21, 21);
+  box.append(pcl::test::patch({-5, -5, 1}, x, z, 21, 18));
+  box.append(pcl::test::patch({5, 5, 1}, -x, z, 21, 18));
+  box.append(pcl::test::patch({5, -5, 1}, y, z, 21, 18));
+  box.append(pcl::test::patch({-5, 5, 1}, -y, z, 21, 18));
+  return box;
+}
+
+TEST(SupportPlanes, WhatIsSmearedIsOfNoObject)
+{
+  const auto scene = pcl::test::together(floorWithBump(1.2, 8.0), boxOnABump());
+  pcl::detail::InstanceInput input = pcl::test::inputOf(scene);
+  input.view_point = {0.0f, 0.0f, 1000.0f};
+  pcl::InstanceLimits limits;
+  limits.min_points = 100;
+  const Labels labels = pcl::detail::findObjects(input, limits);
+  const std::size_t of_floor = scene.size() - boxOnABump().size();
+  EXPECT_EQ(0, labels[of_floor]) << "the lid";
+  const std::vector<Support> supports = supportsOf(scene);
+  ASSERT_EQ(1u, supports.size());
+  ASSERT_FALSE(supports[0].smeared.empty());
+  for (const std::uint32_t i : supports[0].smeared)
+    EXPECT_EQ(-1, labels[i]) << scene.position(i).transpose();
+}
+
+} // namespace

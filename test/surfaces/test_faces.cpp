@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 pcl_shape contributors
+// Curved is what turns across its face by more than the noise: at any sampling, beside
+// other faces, and whatever waves a sensor makes.
+
+#include "common/statistics.h"
+#include "segmentation/field_of.h"
+#include "support/bits.h"
+#include "support/random.h"
+#include "surfaces/face_evidence.h"
+#include "surfaces/face_fit.h"
+
+#include <pcl/point_types.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace {
+
+using namespace pcl;
+using namespace pcl::test;
+using segmentation::FaceFit;
+using segmentation::FaceLevel;
+using segmentation::medianSpacing;
+
+using Cloud = PointCloud<PointXYZ>;
+
+/** Points of a surface over a rectangle, jittered: place(u, v) for u and v from 0. */
+template <typename Place>
+Cloud::Ptr
+sampled(double width, double height, double spacing, double noise, const Place& place)
+{
+  Random random(77);
+  const auto cloud = make_shared<Cloud>();
+  for (double u = 0; u < width; u += spacing)
+    for (double v = 0; v < height; v += spacing) {
+      const double jitter = 0.3 * spacing;
+      Eigen::Vector3d p = place(u + random.uniform(-jitter, jitter),
+                                v + random.uniform(-jitter, jitter));
+      for (int axis = 0; axis < 3; ++axis)
+        p[axis] += noise * random.normal();
+      cloud->emplace_back(static_cast<float>(p.x()),
+                          static_cast<float>(p.y()),
+                          static_cast<float>(p.z()));
+    }
+  return cloud;
+}
+
+double
+shareOfCurved(const ShapeField& field)
+{
+  const std::vector<float>& curved = field.likelihoods.at(1);
+  const auto is_curved = [](float likelihood) { return likelihood > 0.5f; };
+  return static_cast<double>(std::count_if(curved.begin(), curved.end(), is_curved)) /
+         static_cast<double>(curved.size());
+}
+
+Cloud::Ptr
+cylinder(double radius, double spacing)
+{
+  const double width = 2.0 * radius; // an arc of 115 degrees
+  return sampled(width, width, spacing, 0.0, [&](double u, double v) {
+    const double angle = u / radius;
+    return Eigen::Vector3d(radius * std::cos(angle), v, 1.0 + radius * std::sin(angle));
+  });
+}
+
+TEST(Faces, OneCylinderIsCurvedAtAnySampling)
+{
+  // 8 to 100 distances between points in radius: 4 to 50 spacings.
+  for (const double spacing : {0.006, 0.003, 0.001, 0.0005})
+    EXPECT_GE(shareOfCurved(fieldOf(cylinder(0.05, spacing))), 0.98) << spacing;
+}
+
+TEST(Faces, WavesOfASensorAreNotCurved)
+{
+  // Crests of 1 to 1.5 mm, 30 to 50 mm apart, as depth cameras of several kinds make.
+  const auto table = sampled(0.5, 0.4, 0.0025, 0.0003, [](double u, double v) {
+    constexpr double turn = 6.283185307179586;
+    const double wave = std::sin(turn * (u + 0.3 * v) / 0.05) +
+                        0.5 * std::sin(turn * (v - 0.4 * u) / 0.03);
+    return Eigen::Vector3d(u, v, 1.0 + 0.001 * wave);
+  });
+  EXPECT_LE(shareOfCurved(fieldOf(table)), 0.005);
+}
+
+/** Heights of 2 mm (standard deviation) that change over 45 to 70 mm in all directions,
+ * as a stereo camera's at a meter. */
+class StereoWaves {
+public:
+  StereoWaves()
+  {
+    constexpr double turn = 6.283185307179586;
+    Random random(3);
+    for (Wave& wave : waves_) {
+      const double direction = random.uniform(0.0, turn);
+      const double number = turn / random.uniform(0.045, 0.07);
+      wave = {number * std::cos(direction),
+              number * std::sin(direction),
+              random.uniform(0.0, turn)};
+    }
+  }
+
+  double
+  operator()(double u, double v) const
+  {
+    double sum = 0.0;
+    for (const Wave& wave : waves_)
+      sum += std::sin(wave.along_u * u + wave.along_v * v + wave.phase);
+    return 0.002 * std::sqrt(2.0 / static_cast<double>(waves_.size())) * sum;
+  }
+
+private:
+  struct Wave {
+    double along_u, along_v, phase;
+  };
+  std::array<Wave, 16> waves_{};
+};
+
+TEST(Faces, LargeFlatWindowsExplainWhatBendsSmallOnes)
+{
+  // The highest of so many crests bend small windows by more than waves usually do.
+  const StereoWaves waves;
+  const auto table = sampled(0.8, 0.6, 0.0025, 0.0003, [&](double u, double v) {
+    return Eigen::Vector3d(u, v, 1.0 + waves(u, v));
+  });
+  EXPECT_LE(shareOfCurved(fieldOf(table)), 0.005);
+}
+
+TEST(Faces, ABallIsCurvedInSpiteOfSuchWaves)
+{
+  const StereoWaves waves;
+  const auto ball = sampled(0.16, 0.1, 0.0025, 0.0003, [&](double u, double v) {
+    const double longitude = u / 0.05, latitude = (v - 0.05) / 0.05;
+    const Eigen::Vector3d out(std::cos(latitude) * std::cos(longitude),
+                              std::cos(latitude) * std::sin(longitude),
+                              std::sin(latitude));
+    return Eigen::Vector3d((0.05 + waves(u, v)) * out + Eigen::Vector3d::UnitZ());
+  });
+  EXPECT_GE(shareOfCurved(fieldOf(ball)), 0.98);
+}
+
+TEST(Faces, ADomeIsCurvedWhereNoiseIsAsLargeAsCells)
+{
+  // White noise of three distances between points, on a table as wide as large windows.
+  constexpr double radius = 0.08, middle = 0.19;
+  const auto from_middle = [](double u, double v) {
+    return std::hypot(u - middle, v - middle);
+  };
+  const auto cloud =
+      sampled(2.0 * middle, 2.0 * middle, 0.0016, 0.0045, [&](double u, double v) {
+        const double r = std::min(radius, from_middle(u, v));
+        return Eigen::Vector3d(u, v, 1.0 + std::sqrt(radius * radius - r * r));
+      });
+  const ShapeField field = fieldOf(cloud);
+  int dome = 0, found = 0, table = 0, wrong = 0;
+  for (std::size_t i = 0; i < cloud->size(); ++i) {
+    const bool is_curved = field.likelihoods[1][i] > 0.5f;
+    const double r = from_middle((*cloud)[i].x, (*cloud)[i].y);
+    if (r < 0.75 * radius) {
+      ++dome;
+      found += is_curved;
+    }
+    if (r > 1.3 * radius) {
+      ++table;
+      wrong += is_curved;
+    }
+  }
+  EXPECT_GE(found, 0.97 * dome);
+  EXPECT_LE(wrong, 0.005 * table);
+}
+
+TEST(Faces, StepsOfAStaircaseAreFlat)
+{
+  for (const double noise : {0.0, 0.15}) {
+    constexpr double step = 12.0; // distances between points: 6 spacings
+    const auto stairs =
+        sampled(10 * step, 8 * step, 1.0, noise, [](double u, double v) {
+          const double half = std::floor(u / step), rest = u - half * step;
+          const double up = std::ceil(half / 2) * step,
+                       along = std::floor(half / 2) * step;
+          const bool is_tread = std::fmod(half, 2.0) == 0.0;
+          return is_tread ? Eigen::Vector3d(along + rest, v, 200 + up)
+                          : Eigen::Vector3d(along + step, v, 200 + up - step + rest);
+        });
+    // With noise, some edge points between steps take a face that was found across one.
+    EXPECT_LE(shareOfCurved(fieldOf(stairs)), noise > 0.0 ? 0.04 : 0.005) << noise;
+  }
+}
+
+TEST(Faces, NeitherOrderNorThreadsMatter)
+{
+  const auto cloud = cylinder(0.05, 0.002);
+  std::vector<std::size_t> order(cloud->size());
+  std::iota(order.begin(), order.end(), 0);
+  Random random(5);
+  for (std::size_t i = order.size(); i > 1; --i)
+    std::swap(order[i - 1], order[random.index(i)]);
+  const auto other = make_shared<Cloud>();
+  for (const std::size_t i : order)
+    other->push_back((*cloud)[i]);
+  const ShapeField first = fieldOf(cloud, 1), second = fieldOf(other, 3);
+  std::vector<float> expected;
+  for (const std::size_t i : order)
+    expected.push_back(first.likelihoods[1][i]);
+  EXPECT_TRUE(sameBits(expected, second.likelihoods[1]));
+}
+
+TEST(FaceLinks, AreInTheOrderOfNodesAndOnceEach)
+{
+  FaceLevel level;
+  level.nodes.resize(4);
+  segmentation::setLinks({{2, 3}, {0, 3}, {0, 1}, {2, 0}, {0, 1}, {2, 3}}, level);
+  EXPECT_EQ(level.link_begins, (std::vector<std::uint32_t>{0, 2, 2, 4, 4}));
+  EXPECT_EQ(level.links, (std::vector<std::uint32_t>{1, 3, 0, 3}));
+  segmentation::setLinks({}, level);
+  EXPECT_EQ(level.link_begins, (std::vector<std::uint32_t>(5, 0)));
+  EXPECT_TRUE(level.links.empty());
+}
+
+TEST(FaceLinks, DoNotDependOnThreads)
+{
+  const Cloud::Ptr cloud = sampled(1.0, 1.0, 0.005, 0.0, [](double u, double v) {
+    return Eigen::Vector3d(u, v, 0.1 * u * u);
+  });
+  const ShapeField field = edgeFieldOf(cloud);
+  const float usual = medianSpacing(field.spacings);
+  const FaceLevel one =
+      segmentation::firstFaces(field.points, field, usual, 1).levels.front();
+  const FaceLevel three =
+      segmentation::firstFaces(field.points, field, usual, 3).levels.front();
+  ASSERT_GT(one.nodes.size(), 8192U); // of which threads get parts
+  EXPECT_EQ(one.link_begins, three.link_begins);
+  EXPECT_EQ(one.links, three.links);
+}
+
+/** How many windows each node of the second level has in the first. */
+std::vector<int>
+windowsOfNodes(double noise)
+{
+  constexpr double spacing = 0.01;
+  const Cloud::Ptr cloud = sampled(1.0, 1.0, spacing, noise, [](double u, double v) {
+    return Eigen::Vector3d(u, v, 0.0);
+  });
+  const ShapeField field = edgeFieldOf(cloud);
+  const float usual = medianSpacing(field.spacings);
+  segmentation::FacePyramid faces =
+      segmentation::firstFaces(field.points, field, usual, 1);
+  segmentation::addLevels(2, faces, 1);
+  const std::vector<bool> all(faces.levels[0].nodes.size(), true);
+  const segmentation::FaceFits fits = segmentation::fitsOf(faces, 0, all, 1);
+  std::vector<int> windows(faces.levels[1].nodes.size());
+  for (std::size_t i = 0; i < fits.size(); ++i)
+    windows[faces.levels[0].parents[i]] += fits[i] ? 1 : 0;
+  return windows;
+}
+
+TEST(FaceWindows, OneForEachNodeOfTheNextLevel)
+{
+  for (const double noise : {0.0, 0.004}) {
+    SCOPED_TRACE(noise);
+    const std::vector<int> windows = windowsOfNodes(noise);
+    EXPECT_EQ(std::count(windows.begin(), windows.end(), 1),
+              static_cast<std::ptrdiff_t>(windows.size()));
+  }
+}
+
+TEST(FaceWindows, NoiseOfALevelWithoutThemDoesNotBoundTheNext)
+{
+  const Cloud::Ptr cloud = sampled(0.3, 1.0, 0.01, 0.004, [](double u, double v) {
+    return Eigen::Vector3d(u, v, 2.0 * u * u);
+  });
+  const ShapeField field = edgeFieldOf(cloud);
+  const float usual = medianSpacing(field.spacings);
+  segmentation::FacePyramid faces =
+      segmentation::firstFaces(field.points, field, usual, 1);
+  segmentation::addLevels(3, faces, 1);
+  std::vector<segmentation::FaceFits> fits;
+  for (std::size_t l = 0; l < faces.levels.size(); ++l) {
+    const std::vector<bool> wanted(faces.levels[l].nodes.size(), l > 0);
+    fits.push_back(segmentation::fitsOf(faces, l, wanted, 1));
+  }
+  const float noise = 0.2f * usual;
+  const auto curved = [&](float first_noise) {
+    return segmentation::faceEvidence(
+               faces, fits, {first_noise, noise, noise}, usual, 1)
+        .curved;
+  };
+  EXPECT_TRUE(sameBits(curved(noise), curved(0.0f)));
+  EXPECT_FALSE(sameBits(curved(noise), curved(0.1f * noise))) << "a bound";
+}
+
+/** Nodes of one window on a paraboloid whose curvature along x is 1 / radius. */
+FaceLevel
+paraboloid(float radius)
+{
+  FaceLevel level;
+  level.cell = 1.0f;
+  for (int x = -3; x <= 3; ++x)
+    for (int y = -3; y <= 3; ++y) {
+      segmentation::FaceNode node;
+      const auto u = static_cast<float>(x), v = static_cast<float>(y);
+      node.position = {u, v, 0.5f * u * u / radius};
+      node.normal = {-u / radius, 0.0f, 1.0f};
+      node.normal.normalize();
+      node.count = 40.0f;
+      level.nodes.push_back(node);
+    }
+  std::swap(level.nodes.front(), level.nodes[24]); // the middle
+  return level;
+}
+
+std::optional<FaceFit>
+fitOf(const FaceLevel& level, std::size_t count)
+{
+  std::vector<std::uint32_t> window(count);
+  std::iota(window.begin(), window.end(), 0);
+  return segmentation::FaceFitter(level).fit(window);
+}
+
+TEST(FaceFit, TurnAndBulgeOfAParaboloid)
+{
+  const auto fit = fitOf(paraboloid(10.0f), 49);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->half_width, 4.0f, 1e-4f); // twice the deviation of -3 to 3
+  EXPECT_NEAR(fit->bulge, 0.8f, 1e-4f);      // 4^2 / (2 * 10)
+  EXPECT_NEAR(fit->turn(), 0.8f, 1e-4f);     // 8 / 10
+  EXPECT_LT(fit->residual, 1e-5f);
+  EXPECT_EQ(fit->inliers, 1.0f);
+}
+
+TEST(FaceFit, OutliersDoNotMoveIt)
+{
+  FaceLevel level = paraboloid(10.0f);
+  for (const std::size_t i : {3, 17, 30, 44})
+    level.nodes[i].position.z() += 5.0f;
+  const auto fit = fitOf(level, 49);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->turn(), 0.8f, 0.05f);
+  EXPECT_NEAR(fit->inliers, 45.0f / 49.0f, 1e-6f);
+}
+
+TEST(FaceFit, NodesOfFewPointsSayLess)
+{
+  FaceLevel level = paraboloid(10.0f);
+  for (std::size_t i = 1; i < 49; i += 3) {
+    level.nodes[i].position.z() += 0.5f;
+    level.nodes[i].count = 2.0f;
+  }
+  const auto fit = fitOf(level, 49);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->turn(), 0.8f, 0.05f);
+  EXPECT_LT(fit->residual, 0.1f);
+  EXPECT_GT(fit->inliers, 0.9f);
+}
+
+TEST(FaceFit, NodesThatDoNotDetermineIt)
+{
+  EXPECT_FALSE(fitOf(paraboloid(10.0f), 7));
+  FaceLevel line = paraboloid(10.0f);
+  for (auto& node : line.nodes)
+    node.position.y() = 0.0f;
+  EXPECT_FALSE(fitOf(line, 49));
+}
+
+} // namespace
