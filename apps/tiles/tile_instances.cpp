@@ -177,8 +177,8 @@ private:
       all.nodes.insert(all.nodes.end(), some.nodes.begin(), some.nodes.end());
       all.labels.insert(all.labels.end(), some.labels.begin(), some.labels.end());
     }
-    const std::vector<std::int32_t> labels = parts_.labels(
-        points, std::move(all.nodes), all.labels, all.box.low, all.box.high);
+    const std::vector<std::int32_t> labels =
+        parts_.labels(points, std::move(all.nodes), all.labels);
     return labelBytes(parts_, points, labels);
   }
 

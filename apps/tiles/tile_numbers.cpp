@@ -101,12 +101,11 @@ middleOf(std::uint64_t count)
   return count / 2; // the upper one of two, as the library's medians
 }
 
-/** Medians, the box and the number of places, of distances as far as the reach. Each
- * pass over the files of tiles finds further digits of the medians. */
+/** Medians and the number of places, of distances as far as the reach. Each pass over
+ * the files of tiles finds further digits of the medians. */
 Json
 mediansOf(const TiledCloud& cloud, const std::string& name, double resolution)
 {
-  PointBox box;
   std::uint64_t places = 0;
   Selection<float> positives(middleOf), all(middleOf);
   float distance = 1.0f; // without a positive one
@@ -119,7 +118,6 @@ mediansOf(const TiledCloud& cloud, const std::string& name, double resolution)
           positives.add(d);
       }
       places += pass == 0 ? of_tile.distances.size() : 0;
-      box.add(of_tile.box);
     });
     if (places < min_places)
       throw InputError("the cloud has " + std::to_string(places) +
@@ -136,8 +134,6 @@ mediansOf(const TiledCloud& cloud, const std::string& name, double resolution)
   const bool is_known = std::isfinite(distance);
   return {{"distance", is_known ? double{distance} : 0.0},
           {"spacing", is_known ? pcl::spacingAt(all.value(), double{distance}) : 0.0f},
-          {"low", box.low},
-          {"high", box.high},
           {"places", places}};
 }
 
@@ -164,8 +160,6 @@ measureDistances(MeasuredCloud& cloud)
         }));
     cloud.numbers.distance = medians.at("distance");
     cloud.numbers.spacing = medians.at("spacing");
-    cloud.numbers.low = medians.at("low");
-    cloud.numbers.high = medians.at("high");
     cloud.places = medians.at("places");
     const double needed =
         pcl::reachOf(cloud.numbers, pcl::ShapeModel::defaultEdges()).spacing;

@@ -207,16 +207,10 @@ cutPieces(const TiledCloud& cloud,
           const pcl::InstancesOfParts& parts,
           const TiledCloud::Write& write)
 {
-  PointBox box;
-  forEachTile(cloud, [&](std::size_t tile) {
-    for (const InstanceNode& node : nodesOf(cloud, names.nodes, tile))
-      box.add(PointBox::of(node.position));
-  });
   const Pieces pieces = unitedPieces(cloud, names.links);
   Cutting cutting(cloud, names.nodes, parts, pieces);
   const std::vector<std::vector<std::int32_t>>& labels = cutting.run();
-  forEachTile(cloud,
-              [&](std::size_t tile) { write(tile, bytesOf(box, labels[tile])); });
+  forEachTile(cloud, [&](std::size_t tile) { write(tile, bytesOf(labels[tile])); });
 }
 
 CutNodes
@@ -227,7 +221,7 @@ cutNodesOf(const TiledCloud& cloud,
 {
   CutNodes result;
   result.nodes = nodesOf(cloud, nodes, tile);
-  ByteReader(cloud.resultOf(pieces, tile)).take(result.box, result.labels);
+  ByteReader(cloud.resultOf(pieces, tile)).take(result.labels);
   return result;
 }
 

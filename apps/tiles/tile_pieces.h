@@ -49,7 +49,6 @@ void cutPieces(const pcl::tiling::TiledCloud& cloud,
 struct CutNodes {
   std::vector<pcl::InstanceNode> nodes;
   std::vector<std::int32_t> labels;
-  PointBox box; ///< of the cloud's nodes
 };
 
 /** \brief \param[in] nodes, pieces names of results */

@@ -66,7 +66,6 @@ void
 continueCreases(float needed,
                 float faint,
                 float spacing,
-                const Bounds& bounds,
                 unsigned threads,
                 std::vector<Agreement>& agreements)
 {
@@ -78,7 +77,7 @@ continueCreases(float needed,
     else if (agreements[i].evidence >= faint && agreements[i].fit >= 0.0f)
       places.push_back(i);
   for (int step = 0; step < max_steps && !creases.empty() && !places.empty(); ++step) {
-    const PointGrid grid(positionsOf(creases), step_spacings * spacing, bounds);
+    const PointGrid grid(positionsOf(creases), step_spacings * spacing);
     const std::vector<char> which =
         whichContinue(creases, agreements, places, grid, threads);
     creases.clear();

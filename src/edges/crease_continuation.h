@@ -15,13 +15,12 @@ namespace pcl::segmentation {
  * doc/method.md for what continues a crease.
  * \param[in] needed the evidence of a clear place
  * \param[in] faint the least of a faint one; with as much as needed nothing is followed
- * \param[in] spacing the median of the cloud's, meters \param[in] bounds the cloud's
+ * \param[in] spacing the median of the cloud's, meters
  * \param[in,out] agreements those that continue a crease get just more than is needed
  */
 void continueCreases(float needed,
                      float faint,
                      float spacing,
-                     const Bounds& bounds,
                      unsigned threads,
                      std::vector<Agreement>& agreements);
 

@@ -210,13 +210,10 @@ collectVotes(const FieldInput& input,
 }
 
 std::vector<Agreement>
-countVotes(const std::vector<Vote>& votes,
-           float spacing,
-           const Bounds& bounds,
-           unsigned threads)
+countVotes(const std::vector<Vote>& votes, float spacing, unsigned threads)
 {
   std::vector<Agreement> agreements(votes.size());
-  const PointGrid grid(positionsOf(votes), vote_spacings * spacing, bounds);
+  const PointGrid grid(positionsOf(votes), vote_spacings * spacing);
   kernels::parallelForEach(votes.size(), threads, [&](std::size_t i) {
     agreements[i] = agreementAround(votes[i], votes, grid);
   });

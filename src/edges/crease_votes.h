@@ -57,10 +57,8 @@ std::vector<Vote> collectVotes(const detail::FieldInput& input,
                                const PointGrid& grid);
 
 /** \brief What the votes around each vote agree on.
- * \param[in] spacing the median of the cloud's, meters \param[in] bounds the cloud's */
-std::vector<Agreement> countVotes(const std::vector<Vote>& votes,
-                                  float spacing,
-                                  const Bounds& bounds,
-                                  unsigned threads);
+ * \param[in] spacing the median of the cloud's, meters */
+std::vector<Agreement>
+countVotes(const std::vector<Vote>& votes, float spacing, unsigned threads);
 
 } // namespace pcl::segmentation

@@ -104,7 +104,7 @@ markBands(const std::vector<Agreement>& agreements,
 PointGrid
 gridOf(const FieldInput& input, const MeasuredCloud& measured)
 {
-  return {input.points, 2.0f * measured.spacing, measured.bounds, input.threads};
+  return {input.points, 2.0f * measured.spacing, input.threads};
 }
 
 std::vector<Agreement>
@@ -121,7 +121,7 @@ agreementsOf(const FieldInput& input,
     field.edge_likelihood.push_back(
         std::isnan(e) ? std::numeric_limits<float>::quiet_NaN() : 0.0f);
   const std::vector<Vote> votes = collectVotes(input, field, evidence, whiteness, grid);
-  return countVotes(votes, measured.spacing, measured.bounds, input.threads);
+  return countVotes(votes, measured.spacing, input.threads);
 }
 
 std::vector<CreasePoint>
@@ -144,8 +144,7 @@ creasesOfNextLevel(const FieldInput& input,
   field.noise = level.numbers.noise;
   field.noise_level = level.numbers.noise_level;
   const float spacing = level.numbers.spacing;
-  const MeasuredCloud measured_means{
-      measured.bounds, spacing, {field.noise_level, 1.0}, points.size};
+  const MeasuredCloud measured_means{spacing, {field.noise_level, 1.0}, points.size};
   constexpr float whiteness = 0.0f;
   return creasesAmong(agreementsOf(of_means,
                                    measured_means,
@@ -163,7 +162,7 @@ weakenWhatDoesNotPersist(const std::vector<CreasePoint>& next,
                          const MeasuredCloud& measured,
                          std::vector<Agreement>& agreements)
 {
-  const PointGrid creases(positionsOf(next), 2.0f * measured.spacing, measured.bounds);
+  const PointGrid creases(positionsOf(next), 2.0f * measured.spacing);
   const auto left = static_cast<float>(1.0 - measured.noise.correlation);
   for (Agreement& agreement : agreements) {
     const float reach =
@@ -194,9 +193,8 @@ measureCloud(const FieldInput& input, std::vector<float> spacings, ShapeField& f
 {
   const CloudNumbers* const of_cloud = input.of_cloud;
   field.spacings = std::move(spacings);
-  const Bounds bounds = boundsOf(input);
   const float spacing = spacingOfCloud(input, field.spacings);
-  MeasuredCloud measured{bounds, spacing, {}, countFinite(input.points)};
+  MeasuredCloud measured{spacing, {}, countFinite(input.points)};
   field.noise =
       of_cloud ? of_cloud->noise : noiseOf(input.neighborhoods, field.spacings);
   // Of normals of one's own it is not known which noise is left in them.
@@ -211,14 +209,10 @@ measureCloud(const FieldInput& input, std::vector<float> spacings, ShapeField& f
 }
 
 void
-setMeasured(const NoiseLevel& noise, const Bounds& bounds, CloudNumbers& numbers)
+setNoiseLevel(const NoiseLevel& noise, CloudNumbers& numbers)
 {
   numbers.noise_level = noise.level;
   numbers.noise_correlation = noise.correlation;
-  for (int axis = 0; axis < 3; ++axis) {
-    numbers.low[static_cast<std::size_t>(axis)] = bounds.low[axis];
-    numbers.high[static_cast<std::size_t>(axis)] = bounds.high[axis];
-  }
 }
 
 void
@@ -238,7 +232,6 @@ findEdges(const FieldInput& input,
   continueCreases(needed,
                   faintEvidence(needed, whiteness),
                   measured.spacing,
-                  measured.bounds,
                   input.threads,
                   agreements);
   markBands(agreements, needed, grid, field);
@@ -256,8 +249,6 @@ nextLevel(const CloudNumbers& numbers)
   level.numbers.noise = numbers.noise / (means_distance * next_voxel);
   level.numbers.noise_level = level.numbers.noise;
   level.numbers.noise_correlation = 1.0;
-  level.numbers.low = numbers.low;
-  level.numbers.high = numbers.high;
   return level;
 }
 

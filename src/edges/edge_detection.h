@@ -17,7 +17,6 @@ namespace pcl::detail {
 
 /** \brief What finding edges needs to know of a cloud. */
 struct MeasuredCloud {
-  segmentation::Bounds bounds;
   float spacing; ///< the median, meters
   NoiseLevel noise;
   std::size_t places; ///< that are finite
@@ -32,10 +31,8 @@ MeasuredCloud measureCloud(const FieldInput& input, ShapeField& field);
 MeasuredCloud
 measureCloud(const FieldInput& input, std::vector<float> spacings, ShapeField& field);
 
-/** \brief Sets the noise and the bounds among the numbers of a cloud. */
-void setMeasured(const NoiseLevel& noise,
-                 const segmentation::Bounds& bounds,
-                 CloudNumbers& numbers);
+/** \brief Sets the noise level among the numbers of a cloud. */
+void setNoiseLevel(const NoiseLevel& noise, CloudNumbers& numbers);
 
 /** \brief Find the creases of a cloud: sets normals, edge likelihood and creases. See
  * doc/method.md for the steps.

@@ -51,21 +51,6 @@ estimatedNormals(const Neighborhoods& neighborhoods, const std::vector<float>& r
 
 } // namespace
 
-segmentation::Bounds
-boundsOf(const CloudNumbers& numbers)
-{
-  return {Eigen::Map<const Eigen::Array3f>(numbers.low.data()),
-          Eigen::Map<const Eigen::Array3f>(numbers.high.data())};
-}
-
-segmentation::Bounds
-boundsOf(const FieldInput& input)
-{
-  if (!input.of_cloud)
-    return segmentation::Bounds::of(input.points);
-  return boundsOf(*input.of_cloud);
-}
-
 float
 spacingOfCloud(const FieldInput& input, const std::vector<float>& spacings)
 {

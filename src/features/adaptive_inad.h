@@ -23,12 +23,6 @@ struct FieldInput {
   const CloudNumbers* of_cloud = nullptr; ///< of which the points are a part
 };
 
-/** \brief The box of a cloud's finite points. */
-segmentation::Bounds boundsOf(const CloudNumbers& numbers);
-
-/** \brief The box of the finite points, those of the whole cloud. */
-segmentation::Bounds boundsOf(const FieldInput& input);
-
 /** \brief The median of the spacings, of the whole cloud. \param[in] spacings of the
  * points */
 float spacingOfCloud(const FieldInput& input, const std::vector<float>& spacings);

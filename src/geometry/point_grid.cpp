@@ -65,27 +65,18 @@ Bounds::of(const XYZView& points)
   return {low, high};
 }
 
-PointGrid::PointGrid(const XYZView& points, float cell, unsigned threads)
-: PointGrid(points, cell, Bounds::of(points), threads)
-{}
-
-PointGrid::PointGrid(const XYZView& points,
-                     float cell,
-                     const Bounds& bounds,
-                     unsigned threads)
-: cell_(cell)
+PointGrid::PointGrid(const XYZView& points, float cell, unsigned threads) : cell_(cell)
 {
-  const auto& [low, high] = bounds;
   begins_.push_back(0);
-  if (!(low <= high).all())
+  const Bounds bounds = Bounds::of(points);
+  if (!(bounds.low <= bounds.high).all())
     return;
-  origin_ = low;
-  // Halves: the difference of two floats may be beyond all floats.
-  const Eigen::Array3f half_extent = 0.5f * high - 0.5f * low;
-  const float min_cell = half_extent.maxCoeff() / (0.5f * max_cells);
-  if (!(cell_ < min_cell && numberSlabs(points)))
-    cell_ = std::max(cell_, min_cell);
-  last_ = (half_extent / (0.5f * cell_)).floor();
+  if (!countCells(bounds) && !numberSlabs(points)) {
+    // Halves: the difference of two floats may be beyond all floats.
+    const float half_extent = (0.5f * bounds.high - 0.5f * bounds.low).maxCoeff();
+    cell_ = half_extent > 0.0f ? half_extent / (0.25f * max_cells) : 1.0f;
+    countCells(bounds);
+  }
 
   std::vector<CellPoint> sorted =
       sortedByCell(points, threads, [&](const float* p) -> Cell {
@@ -111,6 +102,14 @@ PointGrid::PointGrid(const XYZView& points,
         }
       });
   findRows();
+}
+
+bool
+PointGrid::countCells(const Bounds& bounds)
+{
+  first_ = (bounds.low / cell_).floor();
+  last_ = (bounds.high / cell_).floor() - first_;
+  return (last_ < max_cells).all(); // and none is NaN
 }
 
 bool
@@ -140,7 +139,7 @@ PointGrid::cellOf(const Eigen::Array3f& position) const
 {
   if (!slabs_[0].empty())
     return cellsAround(position, 0.0f).low;
-  const Eigen::Array3f cell = ((position - origin_) / cell_).floor();
+  const Eigen::Array3f cell = (position / cell_).floor() - first_;
   return cell.max(0.0f).min(last_).cast<int>();
 }
 

@@ -30,19 +30,14 @@ class PointGrid {
 public:
   /** \param[in] points those that are not finite are left out; each may be as far from
    * the others as floats allow
-   * \param[in] cell the size of a cell, about the radius of the queries */
+   * \param[in] cell the size of a cell, about the radius of the queries
+   *
+   * Cells begin at multiples of their size: a part of a cloud visits its points in the
+   * order of the whole. If points are so far apart that cells between them do not fit,
+   * only slabs of space with points are numbered. If millions of points are each far
+   * from all others, even these numbers take more than the 64 bits of a key: then cells
+   * grow, and a part may visit points in another order. */
   PointGrid(const XYZView& points, float cell, unsigned threads = 1);
-
-  /** \param[in] bounds cells are placed in this box: parts of a cloud with its bounds
-   * visit points in the same order as the whole. If the box has more cells than fit,
-   * only slabs of space with points are numbered, and cells keep their size. If
-   * millions of points are each far from all others, even these numbers take more than
-   * the 64 bits of a key: then cells grow, and a part may visit points in another
-   * order. */
-  PointGrid(const XYZView& points,
-            float cell,
-            const Bounds& bounds,
-            unsigned threads = 1);
 
   /** \brief visit(index, squared distance) for the points nearer than the radius. */
   template <typename Visit>
@@ -124,6 +119,9 @@ private:
            (static_cast<std::uint64_t>(y) << y_shift_) | static_cast<std::uint64_t>(x);
   }
 
+  /** \return whether the box has few enough cells */
+  bool countCells(const Bounds& bounds);
+
   /** Let cells keep their size, however far apart points are.
    * \return whether that was possible */
   bool numberSlabs(const XYZView& points);
@@ -170,8 +168,8 @@ private:
 
   void findRows();
 
-  Eigen::Array3f origin_ = Eigen::Array3f::Zero();
-  Eigen::Array3f last_ = Eigen::Array3f::Zero(); ///< of the cells
+  Eigen::Array3f first_ = Eigen::Array3f::Zero(); ///< cell, from that at the origin
+  Eigen::Array3f last_ = Eigen::Array3f::Zero();  ///< cell, from the first
   float cell_ = 1.0f;
   std::array<std::vector<float>, 3> slabs_; ///< those with points, if far apart
   int y_shift_ = 21, z_shift_ = 42;         ///< in the key of a cell

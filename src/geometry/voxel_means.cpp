@@ -88,7 +88,8 @@ voxelMeans(const XYZView& points, double size, unsigned threads)
     for (auto at = begin; at != end; ++at)
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const double cells = points[at->point][axis] / size;
-        sums[axis] += std::llround((cells - cell[2 - axis]) * steps);
+        const double offset = std::min(cells - cell[2 - axis], 1.0); // of a far point
+        sums[axis] += std::llround(std::max(offset, 0.0) * steps);
       }
     const auto count = static_cast<double>(end - begin);
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -134,7 +134,7 @@ std::vector<InstanceNode>
 InstancesOfParts::nodes(const std::vector<InstancePoint>& points, std::size_t own) const
 {
   const InstanceInput input = inputOf(points, numbers_, threads_);
-  const PointGrid grid(input.points, gridCell(input), boundsOf(numbers_));
+  const PointGrid grid(input.points, gridCell(input));
   std::vector<InstanceNode> nodes;
   for (const SurfaceNode& node :
        surfaceNodes(input, grid, membersOf(input, limits_.low, false)))
@@ -208,9 +208,7 @@ InstancesOfParts::cut(
 std::vector<std::int32_t>
 InstancesOfParts::labels(const std::vector<InstancePoint>& points,
                          std::vector<InstanceNode> nodes,
-                         const std::vector<std::int32_t>& labels,
-                         const std::array<float, 3>& low,
-                         const std::array<float, 3>& high) const
+                         const std::vector<std::int32_t>& labels) const
 {
   const InstanceInput input = inputOf(points, numbers_, threads_);
   // Of two nodes that are as near the first one counts.
@@ -220,9 +218,7 @@ InstancesOfParts::labels(const std::vector<InstancePoint>& points,
     sorted.push_back(toSurfaceNode(nodes[k]));
     labels_of_nodes.push_back(labels[k]);
   }
-  const PointGrid grid(positionsOf(sorted),
-                       nodeGridCell(input),
-                       {toVector(low).array(), toVector(high).array()});
+  const PointGrid grid(positionsOf(sorted), nodeGridCell(input));
   return labelsAt(
       input, membersOf(input, limits_.low, false), sorted, grid, labels_of_nodes);
 }
@@ -232,7 +228,7 @@ InstancesOfParts::grow(const std::vector<InstancePoint>& points,
                        std::vector<std::int32_t> labels) const
 {
   const InstanceInput input = inputOf(points, numbers_, threads_);
-  const PointGrid grid(input.points, gridCell(input), boundsOf(numbers_));
+  const PointGrid grid(input.points, gridCell(input));
   growLabels(input, grid, {membersOf(input, limits_.low, true), true}, labels);
   return labels;
 }

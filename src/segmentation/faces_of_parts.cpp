@@ -462,8 +462,8 @@ FacesAround::likelihoods(const XYZView& places,
         piece == PartOfFaces::none ? FacePyramid::none
         : piece < own_pieces       ? assembly.nodesOf(0)[piece]
                              : assembly.nodeAt(own.linked.others[piece - own_pieces]));
-  const FaceEvidence of_faces = evidenceOfFaces(
-      places, faces, of_nodes, spacing, boundsOf(state_->numbers), state_->threads);
+  const FaceEvidence of_faces =
+      evidenceOfFaces(places, faces, of_nodes, spacing, state_->threads);
   std::vector<float> values = joinedEvidence(own.of_model, of_faces);
   const ShapeModel& model = ShapeModel::defaultSurfaces();
   toPosteriors(model, values);

@@ -161,7 +161,7 @@ private:
     numbers.spacing = medianSpacing(field.spacings);
     numbers.distance = static_cast<double>(numbers.spacing);
     numbers.noise = field.noise;
-    setMeasured(noise, Bounds::of(request_.surface), numbers);
+    setNoiseLevel(noise, numbers);
     const pcl::Indices near = pointsNearOwn(keeps_own, field.spacings, numbers);
     field.normals.assign(field.spacings.size(), Eigen::Vector3f::Constant(nan));
     field.edge_likelihood.assign(field.spacings.size(), nan);

@@ -57,12 +57,8 @@ coarserResolution(const CloudNumbers& numbers, std::uint64_t places, double reso
   constexpr double grows = 1.2;
   constexpr std::uint64_t dense = 20000; // fewer are not closer than a sensor can tell
   const double size = voxel * static_cast<double>(numbers.spacing);
-  float extent = 0.0f;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    extent = std::max(extent, numbers.high[axis] - numbers.low[axis]);
   const detail::NoiseLevel noise{numbers.noise_level, numbers.noise_correlation};
-  if (!noise.isBeyondRadii() || places < dense || size <= grows * resolution ||
-      size >= static_cast<double>(extent))
+  if (!noise.isBeyondRadii() || places < dense || size <= grows * resolution)
     return 0.0;
   return detail::twoDigits(size);
 }

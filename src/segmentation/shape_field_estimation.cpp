@@ -84,7 +84,7 @@ numbersOf(const MeasuredCloud& measured)
 {
   CloudNumbers numbers;
   numbers.spacing = measured.spacing;
-  setMeasured(measured.noise, measured.bounds, numbers);
+  setNoiseLevel(measured.noise, numbers);
   return numbers;
 }
 

@@ -6,6 +6,7 @@
 #include "common/gathered.h"
 #include "common/statistics.h"
 #include "features/spacing/local_spacing.h"
+#include "features/spacing/some_points.h"
 
 #include <pcl/features/distinct_points.h>
 #include <pcl/segmentation/unknown_points.h>
@@ -77,15 +78,18 @@ placesOf(const XYZView& points,
   return places;
 }
 
-/** The median of all points' distances to the nearest other place. */
+/** The median of places' distances to the nearest other one. */
 float
 spacingOf(const Places& places, unsigned threads)
 {
-  const std::size_t count = places.points.size();
-  if (count < 2)
+  constexpr std::size_t some = 20000; // their median is known to 1 %
+  if (places.points.size() < 2)
     return 0.0f;
-  std::vector<float> distances(count);
+  const pcl::Indices of_places = detail::somePoints(places.view(), some);
+  const std::vector<std::int32_t> chosen(of_places.begin(), of_places.end());
+  std::vector<float> distances(chosen.size());
   NeighborhoodSweep sweep(places.view());
+  sweep.setQueryIndices(chosen.data(), chosen.size());
   sweep.setNumberOfThreads(threads);
   sweep.computeDistanceToNearest(2, distances.data());
   distances = finiteOf(std::move(distances));

@@ -39,9 +39,7 @@ struct Nodes {
   Nodes(const FieldInput& input,
         const ShapeField& edges,
         const std::vector<Node>& nodes)
-  : grid(positionsOf(nodes),
-         reach_spacings * spacingOfCloud(input, edges.spacings),
-         boundsOf(input))
+  : grid(positionsOf(nodes), reach_spacings * spacingOfCloud(input, edges.spacings))
   {
     for (const std::uint32_t k : grid.order()) {
       const std::size_t i = nodes[k].point;

@@ -328,12 +328,9 @@ constexpr float off_plane = 8.0f; // of squares
 /** The nodes with evidence, to find the nearest. */
 class NearestFace {
 public:
-  NearestFace(const FaceLevel& level,
-              const FaceEvidence& evidence,
-              float reach,
-              const Bounds& bounds)
+  NearestFace(const FaceLevel& level, const FaceEvidence& evidence, float reach)
   : nodes_(knownOf(level, evidence))
-  , grid_(positionsOf(nodes_), reach, bounds)
+  , grid_(positionsOf(nodes_), reach)
   , reach_(reach)
   {}
 
@@ -471,11 +468,10 @@ evidenceOfFaces(const XYZView& points,
                 const FacePyramid& faces,
                 const FaceEvidence& of_nodes,
                 float spacing,
-                const Bounds& bounds,
                 unsigned threads)
 {
   const NearestFace nearest(
-      faces.levels.front(), of_nodes, nearest_face_spacings * spacing, bounds);
+      faces.levels.front(), of_nodes, nearest_face_spacings * spacing);
   const std::vector<float> unknown(points.size,
                                    std::numeric_limits<float>::quiet_NaN());
   FaceEvidence evidence{unknown, unknown};

@@ -54,13 +54,12 @@ FaceEvidence faceEvidence(const FacePyramid& pyramid,
 double evidenceReach(const CloudNumbers& numbers);
 
 /** \brief The evidence at each point. A point of an edge takes that of the nearest
- * face. \param[in] of_nodes see faceEvidence() \param[in] spacing median \param[in]
- * bounds of the cloud \param[in] threads 0 for all cores \return NaN unknown */
+ * face. \param[in] of_nodes see faceEvidence() \param[in] spacing median
+ * \param[in] threads 0 for all cores \return NaN unknown */
 FaceEvidence evidenceOfFaces(const XYZView& points,
                              const FacePyramid& faces,
                              const FaceEvidence& of_nodes,
                              float spacing,
-                             const Bounds& bounds,
                              unsigned threads);
 
 } // namespace pcl::segmentation

@@ -100,7 +100,6 @@ evidenceWithFaces(const FieldInput& input,
                       faces,
                       faceEvidence(faces, spacing, input.threads),
                       spacing,
-                      boundsOf(input),
                       input.threads);
   return joinedEvidence(differencesAt(input, field, faces, of_model), of_faces);
 }

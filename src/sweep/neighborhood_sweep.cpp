@@ -43,6 +43,16 @@ checkSize(const NeighborhoodSize& size, std::size_t queries)
     checkRadius(size.radius);
 }
 
+/** With few points threads would wait for each other most of the time, and where others
+ * use the processors, that is long. */
+unsigned
+threadsFor(std::size_t points, unsigned threads)
+{
+  constexpr std::size_t points_per_thread = 4096;
+  return static_cast<unsigned>(
+      std::clamp<std::size_t>(points / points_per_thread, 1, threadCount(threads)));
+}
+
 std::size_t
 countFinite(const XYZView& points, unsigned threads)
 {
@@ -63,13 +73,14 @@ public:
    * \throws std::invalid_argument if the sizes are out of range */
   Prepared(const NeighborhoodSweep& sweep, const NeighborhoodSize& size, bool by_radius)
   : sweep_(sweep)
+  , threads_(threadsFor(sweep.surface_.size + sweep.size(), sweep.threads_))
   {
     // Positions have 32 bits, and kernels compare them as signed numbers.
     constexpr std::size_t max_size = std::numeric_limits<std::int32_t>::max();
     if (sweep.surface_.size > max_size || sweep.size() > max_size)
       throw std::invalid_argument("more than 2^31 - 1 points: split the cloud");
     checkSize(size, sweep.size());
-    const std::size_t finite = countFinite(sweep.surface_, sweep.threads_);
+    const std::size_t finite = countFinite(sweep.surface_, threads_);
     if (size.k > finite) {
       throw std::invalid_argument("k " + std::to_string(size.k) + ": it must be 1 to " +
                                   std::to_string(finite) +
@@ -82,13 +93,10 @@ public:
                                   : rowWidth(size, sweep.surface_, sweep.size());
     SweepIndex index;
     surface_ = (sweep.index_ ? *sweep.index_ : index)
-                   .rowsOf(sweep.surface_, finite, {edge, by_radius}, sweep.threads_);
+                   .rowsOf(sweep.surface_, finite, {edge, by_radius}, threads_);
     if (sweep.own_queries_ || sweep.has_indices_) {
-      own_queries_ = buildRowIndex(sweep.queryPoints(),
-                                   sweep.indices_,
-                                   sweep.size(),
-                                   surface_->edge,
-                                   sweep.threads_);
+      own_queries_ = buildRowIndex(
+          sweep.queryPoints(), sweep.indices_, sweep.size(), surface_->edge, threads_);
     }
     blocks_.emplace(BlockSweep{*surface_,
                                own_queries_ ? *own_queries_ : *surface_,
@@ -101,7 +109,7 @@ public:
   setNormals(const XYZView& normals)
   {
     if (blocks_) {
-      normals_ = unitNormals(normals, surface_.get(), sweep_.threads_);
+      normals_ = unitNormals(normals, surface_.get(), threads_);
       blocks_->normals = &normals_;
     }
   }
@@ -121,18 +129,18 @@ public:
   {
     if (!blocks_)
       return;
-    blocks_->forEachBlock(sweep_.threads_,
-                          [&](SweepBlock& block, const std::uint32_t* order) {
-                            Result results[block_size];
-                            kernel(block, order, results);
-                            for (std::size_t i = 0; i < block.size; ++i)
-                              store(order[i], results[i]);
-                          });
+    blocks_->forEachBlock(threads_, [&](SweepBlock& block, const std::uint32_t* order) {
+      Result results[block_size];
+      kernel(block, order, results);
+      for (std::size_t i = 0; i < block.size; ++i)
+        store(order[i], results[i]);
+    });
     blocks_->forEachRepeat(copy);
   }
 
 private:
   const NeighborhoodSweep& sweep_;
+  unsigned threads_;
   std::shared_ptr<const RowIndex> surface_;
   std::optional<RowIndex> own_queries_;
   UnitNormals normals_;

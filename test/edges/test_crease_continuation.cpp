@@ -38,8 +38,7 @@ place(float evidence, float x, float y = 0.0f)
 std::vector<bool>
 continued(std::vector<Agreement> places)
 {
-  const segmentation::Bounds bounds{{-20.0f, -20.0f, -20.0f}, {20.0f, 20.0f, 20.0f}};
-  segmentation::continueCreases(needed, faint, 1.0f, bounds, 1, places);
+  segmentation::continueCreases(needed, faint, 1.0f, 1, places);
   std::vector<bool> counts;
   for (const Agreement& agreement : places)
     counts.push_back(agreement.evidence > needed);
@@ -80,9 +79,8 @@ TEST(CreaseContinuation, KeepsToTheCreasesLineDirectionAndAngle)
 
 TEST(CreaseContinuation, IsNeverClearerThanACrease)
 {
-  const segmentation::Bounds bounds{{-9.0f, -9.0f, -9.0f}, {9.0f, 9.0f, 9.0f}};
   std::vector<Agreement> places{place(10.1f, 0.0f), place(9.9f, 1.0f)};
-  segmentation::continueCreases(needed, faint, 1.0f, bounds, 1, places);
+  segmentation::continueCreases(needed, faint, 1.0f, 1, places);
   EXPECT_GT(places[1].evidence, needed);
   EXPECT_LT(places[1].evidence, places[0].evidence);
 }

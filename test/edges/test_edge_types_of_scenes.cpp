@@ -103,15 +103,19 @@ addSampledScene(std::uint64_t seed, Shares& shares)
   }
 }
 
+/** \param[in] moved along each axis, meters */
 void
-addCameraScene(std::uint64_t seed, Shares& shares)
+addCameraScene(std::uint64_t seed, float moved, Shares& shares)
 {
   scene::SceneOptions options;
   options.seed = seed;
   options.objects = 4;
   options.shapes = {scene::Shape::Box, scene::Shape::Box, scene::Shape::Cylinder};
   const scene::Scene scene = scene::generateScene(options);
-  const Edges edges = detectedIn(cloudOf(scene));
+  const auto cloud = cloudOf(scene);
+  for (auto& point : *cloud)
+    point.getArray3fMap() += moved;
+  const Edges edges = detectedIn(cloud);
   ASSERT_FALSE(edges.creases.empty()) << "seed " << seed;
   const double spacing = edges.creases[edges.creases.size() / 2].spacing / 2;
   const scene::World world = scene::randomWorld(options).world;
@@ -143,9 +147,12 @@ TEST(EdgeTypesOfScenes, CreasesCornersAndTheTablesRim)
 
 TEST(EdgeTypesOfScenes, CreasesAndCornersOfADepthCamera)
 {
+  // Which points a fit takes depends on where cells of space begin, and with it the
+  // share of few corners by a tenth: each scene is looked at in four places.
   Shares shares;
   for (const std::uint64_t seed : {201U, 202U, 203U, 204U, 205U, 206U, 207U, 208U})
-    addCameraScene(seed, shares);
+    for (const float moved : {0.0f, 0.001f, 0.002f, 0.003f})
+      addCameraScene(seed, moved, shares);
   ASSERT_GT(shares.corners.all, 150);
   EXPECT_GE(shares.creases.value(), 0.99);
   EXPECT_GE(shares.corners.value(), 0.67);

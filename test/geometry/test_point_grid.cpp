@@ -142,7 +142,7 @@ TEST(PointGrid, PartsVisitInTheOrderOfTheWholeCloudWithFarPoints)
   surface.add({{1e9, -3e8, 2e4}, {0, 0, 1}});
   surface.append(plane(3000, 4.0, random));
   const PointGrid whole(surface.points(), 0.05f);
-  const PointGrid own(part.points(), 0.05f, Bounds::of(surface.points()));
+  const PointGrid own(part.points(), 0.05f);
   for (std::size_t q = 0; q < part.size(); q += 11) {
     std::vector<std::uint32_t> of_whole, of_part;
     const auto collect = [&](std::vector<std::uint32_t>& visited) {

@@ -27,14 +27,6 @@ measuredNumbers(const PointCloud<PointXYZ>& cloud)
   CloudNumbers numbers;
   numbers.distance = static_cast<double>(*middle);
   numbers.spacing = spacingAt(*middle, numbers.distance);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto [low, high] = std::minmax_element(
-        cloud.begin(), cloud.end(), [axis](const PointXYZ& a, const PointXYZ& b) {
-          return a.data[axis] < b.data[axis];
-        });
-    numbers.low[axis] = low->data[axis];
-    numbers.high[axis] = high->data[axis];
-  }
   setNoise(all.measureNoise(numbers, cloud.size()), numbers);
   return numbers;
 }

@@ -53,6 +53,33 @@ TEST(CoincidentPoints, ZerosOfEitherSignAreEqualAndUnknownPointsAreNot)
   EXPECT_EQ((std::vector<std::int32_t>{0, 1, 0, 2, 3, 0}), distinct.place);
 }
 
+/** Cells of space are where they are, and none of the numbers of the cloud changes. */
+TEST(CoincidentPoints, StraysAndFillersChangeNoOtherPoint)
+{
+  const Cloud::Ptr alone = corner();
+  const ShapeField expected = fieldOf(alone);
+  ASSERT_FALSE(expected.creases.empty());
+  for (const PointXYZ& stray :
+       {PointXYZ(0, 0, 0), PointXYZ(50, -30, -20), PointXYZ(1e9f, -1e8f, 1e5f)})
+    for (const std::size_t times : {1U, 2000U}) {
+      SCOPED_TRACE(testing::Message() << stray << ", " << times << " times");
+      const auto cloud = pcl::make_shared<Cloud>(*alone);
+      cloud->insert(cloud->end(), times, stray);
+      const ShapeField field = fieldOf(cloud);
+      const auto others = [&](std::vector<float> values) {
+        values.resize(alone->size());
+        return values;
+      };
+      EXPECT_EQ(expected.noise, field.noise);
+      EXPECT_EQ(expected.noise_level, field.noise_level);
+      EXPECT_TRUE(sameBits(expected.spacings, others(field.spacings)));
+      EXPECT_TRUE(sameBits(expected.edge_likelihood, others(field.edge_likelihood)));
+      ASSERT_EQ(expected.likelihoods.size(), field.likelihoods.size());
+      for (std::size_t c = 0; c < field.likelihoods.size(); ++c)
+        EXPECT_TRUE(sameBits(expected.likelihoods[c], others(field.likelihoods[c])));
+    }
+}
+
 TEST(CoincidentPoints, EachPointGetsWhatItsPlaceGets)
 {
   constexpr std::size_t times = 13;

@@ -216,12 +216,6 @@ private:
   std::vector<std::int32_t>
   labelsOfPoints() const
   {
-    std::array<float, 3> low = nodes_.all.front().position, high = low;
-    for (const InstanceNode& node : nodes_.all)
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        low[axis] = std::min(low[axis], node.position[axis]);
-        high[axis] = std::max(high[axis], node.position[axis]);
-      }
     std::vector<std::int32_t> labels;
     for (std::size_t p = 0; p < parts_; ++p) {
       const std::vector<std::size_t> near =
@@ -231,9 +225,7 @@ private:
       const std::vector<std::int32_t> of_part =
           steps_.labels(taken(points_.all, own),
                         taken(nodes_.all, near),
-                        taken(labels_of_nodes_, near),
-                        low,
-                        high);
+                        taken(labels_of_nodes_, near));
       labels.insert(labels.end(), of_part.begin(), of_part.end());
     }
     return labels;

@@ -255,7 +255,7 @@ TEST(UnevenField, PointsHaveTheEdgesOfAllPointsOrThoseOfMeans)
   numbers.spacing = segmentation::medianSpacing(spacings);
   numbers.distance = static_cast<double>(numbers.spacing);
   numbers.noise = means.noise;
-  detail::setMeasured(noise, segmentation::Bounds::of(request.surface), numbers);
+  detail::setNoiseLevel(noise, numbers);
   detail::FieldRequest of_all = request;
   of_all.of_cloud = numbers;
   const ShapeField all =

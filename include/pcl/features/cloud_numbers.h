@@ -28,8 +28,6 @@ struct CloudNumbers {
   double noise = 0.0;       ///< in spacings, see ShapeField
   double noise_level = 0.0; ///< see ShapeField
   double noise_correlation = 0.0; ///< how sure it is that neighbors share noise, 0 to 1
-  std::array<float, 3> low{};     ///< of the box that holds the finite points
-  std::array<float, 3> high{};    ///< of the same box
 };
 
 /** \brief Areas around some points, as means of one size show them: thousandths of a
@@ -76,7 +74,7 @@ public:
    * beyond the reach, since neighbors may be missing there. */
   std::vector<float> measureDistances(double reach) const;
 
-  /** \param[in] numbers with distance, spacing and bounds
+  /** \param[in] numbers with distance and spacing
    * \param[in] places how many finite ones the cloud has */
   NoiseMeasures measureNoise(const CloudNumbers& numbers, std::uint64_t places) const;
 

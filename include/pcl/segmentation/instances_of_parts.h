@@ -109,13 +109,10 @@ public:
 
   /** \brief The label of the node that each of the part's points belongs to, -1 none.
    * \param[in] points those of the part \param[in] nodes those of the part, and those
-   * around it \param[in] labels one for each node, -1 none \param[in] low, high the box
-   * of the positions of all nodes of the cloud */
+   * around it \param[in] labels one for each node, -1 none */
   std::vector<std::int32_t> labels(const std::vector<InstancePoint>& points,
                                    std::vector<InstanceNode> nodes,
-                                   const std::vector<std::int32_t>& labels,
-                                   const std::array<float, 3>& low,
-                                   const std::array<float, 3>& high) const;
+                                   const std::vector<std::int32_t>& labels) const;
 
   /** \brief Spread labels to points around them, those on edges included.
    * \param[in] points those of the part first \param[in] labels one for each point, the

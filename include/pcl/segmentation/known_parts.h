@@ -31,7 +31,7 @@ struct KnownPart {
 };
 
 /** \brief What PartOfCloud::measureNoise() measures, in a fraction of its time.
- * \param[in] part not changed \param[in] numbers with distance, spacing and bounds
+ * \param[in] part not changed \param[in] numbers with distance and spacing
  * \param[in] places how many finite ones the cloud has
  * \param[in] threads 0 for all cores
  * \throws std::invalid_argument if there is not one value for each place */

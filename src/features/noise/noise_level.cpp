@@ -219,7 +219,6 @@ noiseLevelOf(const Neighborhoods& neighborhoods,
                                     neighborhoods,
                                     spacings,
                                     static_cast<double>(medianSpacing(spacings)),
-                                    points,
                                     threads));
   };
   return levelOf(
@@ -277,13 +276,10 @@ levelMeasures(const pcl::Indices& chosen,
   const NormalScatter scatter(neighborhoods, spacings, chosen, most_radius, threads);
   for (std::size_t level = 0; level < levels.size(); ++level)
     measures.angles[level] = finiteOf(anglesAt(levels[level], scatter));
-  std::vector<float> corners(numbers.low.begin(), numbers.low.end());
-  corners.insert(corners.end(), numbers.high.begin(), numbers.high.end());
   measures.steps = stepAreas(some_of_them(step_points),
                              neighborhoods,
                              spacings,
                              static_cast<double>(numbers.spacing),
-                             viewOfPositions(corners),
                              threads);
   measures.thicknesses = thicknessesAt(some_of_them(plate_points),
                                        neighborhoods,

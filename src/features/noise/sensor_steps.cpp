@@ -159,7 +159,6 @@ stepAreas(const pcl::Indices& chosen,
           const Neighborhoods& neighborhoods,
           const std::vector<float>& spacings,
           double spacing,
-          const XYZView& box,
           unsigned threads)
 {
   const Samples samples(chosen, neighborhoods, spacings, spacing, threads);
@@ -170,8 +169,6 @@ stepAreas(const pcl::Indices& chosen,
   std::vector<float> means;
   for (std::size_t k = 0; k < growths.size(); ++k) {
     const double size = voxel * growths[k] * spacing;
-    if (!problemOfResolution(size, box).empty())
-      break;
     means = voxelMeans(k == 0 ? near.view() : viewOfPositions(means), size, threads);
     areas[k] = samples.areas(means, size);
   }

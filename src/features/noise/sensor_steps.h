@@ -28,12 +28,11 @@ double stepReach(double spacing);
 /** \brief The areas around some points of a cloud, or of a part of it.
  * \param[in] chosen ascending \param[in] neighborhoods of all points among themselves
  * \param[in] spacings one for each point \param[in] spacing of the cloud, meters
- * \param[in] box points that have the box of the cloud */
+ */
 AreasOfMeans stepAreas(const pcl::Indices& chosen,
                        const Neighborhoods& neighborhoods,
                        const std::vector<float>& spacings,
                        double spacing,
-                       const XYZView& box,
                        unsigned threads);
 
 /** \brief Whether most of a cloud that seems to bend does so only between the steps of
