@@ -37,6 +37,14 @@ struct FaceEvidence {
   std::vector<float> flat;
 };
 
+/** \brief Whether a point or node is planar whatever its INAD: all around it is in
+ * large flat windows, and no window bends. */
+inline bool
+isSurelyFlat(const FaceEvidence& evidence, std::size_t i)
+{
+  return evidence.flat[i] == 1.0f && evidence.curved[i] <= 0.0f;
+}
+
 /** \brief The evidence of each node of the first level. See doc/method.md.
  * \param[in] pyramid with levels \param[in] spacing of the cloud, median \param[in]
  * threads 0 for all cores */
