@@ -21,10 +21,10 @@ constexpr std::size_t face_levels = 5;
 double windowRadius(double cell, double spacing);
 
 /** \brief How the windows of the nodes of a level that are wanted bend; of the first
- * level one for each node of the next. \param[in] threads 0 for all cores */
+ * two levels one for each node of the next. \param[in] threads 0 for all cores */
 FaceFits fitsOf(const FacePyramid& pyramid,
                 std::size_t of_level,
-                std::vector<bool> wanted,
+                const std::vector<bool>& wanted,
                 unsigned threads);
 
 /** \brief What windows say of nodes, or of points. */
