@@ -95,6 +95,7 @@ private:
   std::optional<CreaseFit>
   clearFit(std::size_t candidate)
   {
+    findPoints(candidate);
     fillPatch(candidate, reach_);
     std::optional<CreaseFit> crease = fitCrease(patch_);
     const float clear =
@@ -111,22 +112,40 @@ private:
     return crease;
   }
 
-  /** Some of the points around a candidate. */
+  /** The points around a candidate. */
+  void
+  findPoints(std::size_t candidate)
+  {
+    found_.clear();
+    grid_.forEachWithin(positionOf(input_.points, candidate),
+                        std::max(reach_, short_reach_) * edges_.spacings[candidate],
+                        [&](std::uint32_t i, float squared) {
+                          found_.push_back({i, squared});
+                        });
+  }
+
+  /** Some of those that were found, within a reach. */
   void
   fillPatch(std::size_t candidate, float reach)
   {
     patch_.points.clear();
     patch_.normals.clear();
-    found_.clear();
     const float spacing = edges_.spacings[candidate];
     const Vector3f center = positionOf(input_.points, candidate);
-    grid_.forEachWithin(
-        center, reach * spacing, [&](std::uint32_t i, float) { found_.push_back(i); });
-    const std::size_t step = std::max<std::size_t>(1, found_.size() / fit_points);
-    for (std::size_t k = 0; k < found_.size(); k += step) {
-      const Vector3f normal = edges_.normals[found_[k]];
+    const float radius = reach * spacing;
+    const auto isWithin = [squared_radius = radius * radius](const Found& found) {
+      return found.squared_distance < squared_radius;
+    };
+    const auto count =
+        static_cast<std::size_t>(std::count_if(found_.begin(), found_.end(), isWithin));
+    const std::size_t step = std::max<std::size_t>(1, count / fit_points);
+    std::size_t number = 0;
+    for (const Found& found : found_) {
+      if (!isWithin(found) || number++ % step != 0)
+        continue;
+      const Vector3f& normal = edges_.normals[found.point];
       if (normal.allFinite()) {
-        patch_.points.emplace_back((positionOf(input_.points, found_[k]) - center) /
+        patch_.points.emplace_back((positionOf(input_.points, found.point) - center) /
                                    spacing);
         patch_.normals.push_back(normal);
       }
@@ -138,7 +157,11 @@ private:
   float whiteness_;
   const PointGrid& grid_;
   float reach_, short_reach_; ///< spacings
-  std::vector<std::uint32_t> found_;
+  struct Found {
+    std::uint32_t point;
+    float squared_distance;
+  };
+  std::vector<Found> found_;
   Patch patch_;
 };
 

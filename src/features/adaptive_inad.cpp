@@ -80,12 +80,13 @@ adaptiveINAD(const FieldInput& input,
 
 std::vector<float>
 adaptiveINADAmong(const pcl::Indices& points,
+                  const pcl::Indices& chosen,
                   const FieldInput& input,
                   const std::vector<float>& spacings,
                   const INADParameters& parameters)
 {
-  std::vector<float> mu_sigma(2 * points.size());
-  if (points.empty())
+  std::vector<float> mu_sigma(2 * chosen.size());
+  if (chosen.empty())
     return mu_sigma;
   const std::vector<float> some = gathered(spacings, points);
   std::vector<Eigen::Vector3f> normals =
@@ -95,8 +96,8 @@ adaptiveINADAmong(const pcl::Indices& points,
   const std::vector<float> positions = positionsAt(input.points, points);
   const XYZView cloud = viewOfPositions(positions);
   orient(cloud, normals);
-  const std::vector<float> radii = times(parameters.radius, some);
-  Neighborhoods(cloud, input.threads)
+  const std::vector<float> radii = times(parameters.radius, gathered(some, chosen));
+  Neighborhoods(cloud, cloud, chosen, input.threads)
       .computeINAD(NeighborhoodSize::ofRadii(radii.data()),
                    {normals.data()->data(), 3, normals.size()},
                    parameters.outlier_rate,

@@ -41,8 +41,10 @@ AdaptiveINAD adaptiveINAD(const FieldInput& input,
 
 /** \brief INAD of some points among themselves, with normals that all points make: a
  * part of the neighbors has the same mean and deviation as all.
- * \param[in] points ascending \return mu and sigma of each of them */
+ * \param[in] points ascending \param[in] chosen which of them are asked for, ascending
+ * \return mu and sigma of each chosen one */
 std::vector<float> adaptiveINADAmong(const pcl::Indices& points,
+                                     const pcl::Indices& chosen,
                                      const FieldInput& input,
                                      const std::vector<float>& spacings,
                                      const INADParameters& parameters);

@@ -5,6 +5,7 @@
 #include "surfaces/evidence_averaging.h"
 
 #include "common/finite.h"
+#include "common/gathered.h"
 #include "common/parallel.h"
 #include "geometry/point_choice.h"
 #include "geometry/point_grid.h"
@@ -34,12 +35,15 @@ struct Nodes {
     Eigen::Vector3f position;
     std::uint32_t point;
     std::size_t rank; ///< among all that stand for others
+    bool is_known;    ///< its evidence; else it has a place in the grid, no weight
   };
 
   Nodes(const FieldInput& input,
         const ShapeField& edges,
         const std::vector<Node>& nodes)
-  : grid(positionsOf(nodes), reach_spacings * spacingOfCloud(input, edges.spacings))
+  : grid(positionsOf(nodes),
+         reach_spacings * spacingOfCloud(input, edges.spacings),
+         input.threads)
   {
     for (const std::uint32_t k : grid.order()) {
       const std::size_t i = nodes[k].point;
@@ -48,7 +52,9 @@ struct Nodes {
         positions[axis].push_back(input.points[i][axis]);
         normals[axis].push_back(edges.normals[i][static_cast<Eigen::Index>(axis)]);
       }
-      weights.push_back(edges.edge_likelihood[i] > 0.5f ? across_weight : 1.0f);
+      weights.push_back(!nodes[k].is_known                ? 0.0f
+                        : edges.edge_likelihood[i] > 0.5f ? across_weight
+                                                          : 1.0f);
     }
   }
 
@@ -138,6 +144,100 @@ meanAt(const FieldInput& input,
   return weights > 0.0f;
 }
 
+/** Finds which of some points are near others, those that are near these, and so on. */
+class NearPoints {
+public:
+  NearPoints(const FieldInput& input,
+             const ShapeField& edges,
+             const pcl::Indices& points)
+  : input_(input)
+  , spacings_(edges.spacings)
+  , points_(points)
+  , positions_(detail::positionsAt(input.points, points))
+  , grid_(detail::viewOfPositions(positions_),
+          reach_spacings * spacingOfCloud(input, spacings_),
+          input.threads)
+  , place_(points.size())
+  , is_near_(points.size(), 0)
+  {
+    for (std::size_t at = 0; at < place_.size(); ++at)
+      place_[grid_.order()[at]] = at;
+  }
+
+  /** Adds those that are nearer to a point of the cloud than so many of its spacings.
+   * \return the points of the cloud that are new */
+  template <typename Index>
+  std::vector<std::uint32_t>
+  add(const std::vector<Index>& around, double spacings)
+  {
+    constexpr double rounding = 1.001; // does not decide what is near
+    std::vector<std::uint32_t> added;
+    for (const Index point : around) {
+      const auto i = static_cast<std::size_t>(point);
+      const Eigen::Vector3f center = positionOf(input_.points, i);
+      const float radius = static_cast<float>(rounding * spacings) * spacings_[i];
+      grid_.forEachRangeWithin(
+          center, radius, [&](std::uint32_t begin, std::uint32_t end) {
+            addWithin(center, radius * radius, begin, end, added);
+          });
+    }
+    return added;
+  }
+
+  /** Adds a point by its number. */
+  void
+  add(std::size_t number)
+  {
+    is_near_[place_[number]] = 1;
+  }
+
+  /** Their numbers, ascending. */
+  std::vector<std::uint32_t>
+  numbers() const
+  {
+    std::vector<std::uint32_t> numbers;
+    for (std::uint32_t k = 0; k < place_.size(); ++k)
+      if (is_near_[place_[k]] != 0)
+        numbers.push_back(k);
+    return numbers;
+  }
+
+private:
+  /** Of a range most are near already. */
+  void
+  addWithin(const Eigen::Vector3f& center,
+            float squared_radius,
+            std::uint32_t begin,
+            std::uint32_t end,
+            std::vector<std::uint32_t>& added)
+  {
+    const char *const first = is_near_.data(), *const last = first + end;
+    for (const char* at = std::find(first + begin, last, 0); at != last;
+         at = std::find(at + 1, last, 0)) {
+      const std::uint32_t number = grid_.order()[static_cast<std::size_t>(at - first)];
+      const Eigen::Vector3f offset = positionOf(view(), number) - center;
+      if (offset.squaredNorm() < squared_radius) {
+        is_near_[static_cast<std::size_t>(at - first)] = 1;
+        added.push_back(static_cast<std::uint32_t>(points_[number]));
+      }
+    }
+  }
+
+  XYZView
+  view() const
+  {
+    return detail::viewOfPositions(positions_);
+  }
+
+  const FieldInput& input_;
+  const Floats& spacings_;
+  const pcl::Indices& points_;
+  const Floats positions_;
+  const PointGrid grid_;
+  std::vector<std::size_t> place_; ///< of each point, in the order of the grid
+  std::vector<char> is_near_;      ///< of each place
+};
+
 /** use(k, mean) with the mean at each of some points, if nodes are near. */
 template <typename Use>
 void
@@ -202,6 +302,31 @@ evidencePoints(const FieldInput& input,
   return indices;
 }
 
+NeededPoints
+neededPoints(const FieldInput& input,
+             const ShapeField& edges,
+             const pcl::Indices& points,
+             const std::vector<std::uint32_t>& wanted,
+             double inad_radius)
+{
+  NearPoints near(input, edges, points);
+  std::vector<std::uint32_t> added = wanted;
+  for (int round = 0; round < rounds; ++round)
+    added = near.add(added, reach_spacings);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (!kernels::isFinite(edges.normals[static_cast<std::size_t>(points[k])].data()))
+      near.add(k);
+  const std::vector<std::uint32_t> evidence = near.numbers();
+  near.add(detail::gathered(points, evidence), inad_radius);
+  NeededPoints needed{near.numbers(), {}};
+  needed.evidence.reserve(evidence.size());
+  for (const std::uint32_t k : evidence)
+    needed.evidence.push_back(static_cast<pcl::index_t>(
+        std::lower_bound(needed.points.begin(), needed.points.end(), k) -
+        needed.points.begin()));
+  return needed;
+}
+
 std::vector<float>
 averageEvidence(const FieldInput& input,
                 const ShapeField& edges,
@@ -218,19 +343,25 @@ averageEvidence(const FieldInput& input,
     const float* own = &evidence[k * classes];
     if (!kernels::isFinite(edges.normals[i].data()))
       std::copy_n(own, classes, &averages[i * classes]);
-    else if (!std::isnan(*own))
-      chosen.push_back({positionOf(input.points, i), i, k});
+    else
+      chosen.push_back({positionOf(input.points, i), i, k, !std::isnan(*own)});
   }
   Nodes nodes(input, edges, chosen);
   nodes.values.resize(classes);
   for (const std::uint32_t k : nodes.grid.order())
     for (std::size_t c = 0; c < classes; ++c)
-      nodes.values[c].push_back(evidence[chosen[k].rank * classes + c]);
+      nodes.values[c].push_back(
+          chosen[k].is_known ? evidence[chosen[k].rank * classes + c] : 0.0f);
+  std::vector<std::size_t> known;
+  for (std::size_t k = 0; k < nodes.points.size(); ++k)
+    if (nodes.weights[k] > 0.0f)
+      known.push_back(k);
+  const std::vector<std::uint32_t> known_points = detail::gathered(nodes.points, known);
   for (int round = 1; round < rounds; ++round) {
     std::vector<Floats> means = nodes.values;
-    forEachMean(input, edges, nodes, nodes.points, [&](std::size_t k, const Floats& m) {
+    forEachMean(input, edges, nodes, known_points, [&](std::size_t k, const Floats& m) {
       for (std::size_t c = 0; c < classes; ++c)
-        means[c][k] = m[c];
+        means[c][known[k]] = m[c];
     });
     nodes.values = std::move(means);
   }

@@ -32,6 +32,20 @@ pcl::Indices evidencePoints(const detail::FieldInput& input,
                             const ShapeField& edges,
                             const std::vector<std::uint32_t>& known);
 
+/** \brief Of some points those that averages depend on. */
+struct NeededPoints {
+  std::vector<std::uint32_t> points; ///< which of them; INAD needs their normals
+  pcl::Indices evidence; ///< which of these have evidence that is averaged; ascending
+};
+
+/** \param[in] points those of evidencePoints() \param[in] wanted the points to average
+ * at \param[in] inad_radius spacings */
+NeededPoints neededPoints(const detail::FieldInput& input,
+                          const ShapeField& edges,
+                          const pcl::Indices& points,
+                          const std::vector<std::uint32_t>& wanted,
+                          double inad_radius);
+
 /** \brief Average the evidence of each class over neighborhoods, without crossing
  * edges.
  *
@@ -39,7 +53,8 @@ pcl::Indices evidencePoints(const detail::FieldInput& input,
  * neighborhood would: around corners of the surface, but not across its edges.
  * \param[in] points those of evidencePoints()
  * \param[in] evidence logarithms of densities, class by class for each of these points;
- * NaN unknown \param[in] wanted the points to average at
+ * NaN unknown, and where neededPoints() has none \param[in] wanted the points to
+ * average at
  * \return the same for all points; NaN where it was not wanted */
 std::vector<float> averageEvidence(const detail::FieldInput& input,
                                    const ShapeField& edges,

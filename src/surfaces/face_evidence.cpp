@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace pcl::segmentation {
 namespace {
@@ -71,9 +72,37 @@ constexpr int averaging_rounds = 5;
 // How far the nearest face may be: bands of edges are up to 2.2 to either side.
 constexpr float nearest_face_spacings = 5.0f;
 
+/** For each node the one whose window stands for it: of those with its parent the
+ * nearest to its middle, for windows of the others hold nearly the same nodes. Where
+ * windows may be flat each has its own: each tells which nodes are on it. */
+std::vector<std::uint32_t>
+middlesOf(const FacePyramid& pyramid, std::size_t of_level)
+{
+  const FaceLevel& level = pyramid.levels[of_level];
+  std::vector<std::uint32_t> middles(level.nodes.size());
+  std::iota(middles.begin(), middles.end(), 0);
+  if (of_level >= flat_level || of_level + 1 == pyramid.levels.size())
+    return middles;
+  const FaceLevel& next = pyramid.levels[of_level + 1];
+  std::vector<std::uint32_t> of_parents(next.nodes.size(), FacePyramid::none);
+  const auto offset = [&](std::uint32_t i) {
+    return (level.nodes[i].position - next.nodes[level.parents[i]].position)
+        .squaredNorm();
+  };
+  for (std::uint32_t i = 0; i < middles.size(); ++i) {
+    std::uint32_t& middle = of_parents[level.parents[i]];
+    if (middle == FacePyramid::none || offset(i) < offset(middle))
+      middle = i;
+  }
+  for (std::uint32_t& middle : middles)
+    middle = of_parents[level.parents[middle]];
+  return middles;
+}
+
 struct LevelFits {
   FaceFits fits;
-  std::vector<const FaceFit*> flat; ///< of each node in large cells, or none
+  std::vector<std::uint32_t> middles; ///< see middlesOf()
+  std::vector<const FaceFit*> flat;   ///< of each node in large cells, or none
   std::vector<float> noise,
       evidence; ///< of each node; NaN where its window is not used
 
@@ -245,8 +274,9 @@ mostAt(const FacePyramid& pyramid,
     const float least = std::max(level.noise[node], min_noise * spacing);
     if (const FaceFit* const flat = level.flatAt(node); flat)
       smaller.emplace_back(flat, least);
-    if (const float evidence = level.evidence[node]; !std::isnan(evidence)) {
-      const FaceFit& fit = *level.fits[node];
+    const std::uint32_t middle = level.middles[node];
+    if (const float evidence = level.evidence[middle]; !std::isnan(evidence)) {
+      const FaceFit& fit = *level.fits[middle];
       const bool agrees =
           std::none_of(smaller.begin(), smaller.end(), [&fit](const auto& other) {
             return contradicts(*other.first, other.second, fit);
@@ -281,29 +311,6 @@ averaged(const FaceLevel& level, const std::vector<float>& values, unsigned thre
       means[i] = sum / count;
   });
   return means;
-}
-
-/** Of the nodes of the first level keeps one of each in the next: the child nearest to
- * its middle. Windows of the others hold nearly the same nodes. */
-void
-keepMiddles(const FacePyramid& pyramid, std::vector<bool>& chosen)
-{
-  const FaceLevel& first = pyramid.levels[0];
-  if (pyramid.levels.size() < 2)
-    return;
-  const FaceLevel& next = pyramid.levels[1];
-  std::vector<std::uint32_t> middles(next.nodes.size(), FacePyramid::none);
-  const auto offset = [&](std::uint32_t i) {
-    return (first.nodes[i].position - next.nodes[first.parents[i]].position)
-        .squaredNorm();
-  };
-  for (std::uint32_t i = 0; i < chosen.size(); ++i) {
-    std::uint32_t& middle = middles[first.parents[i]];
-    if (middle == FacePyramid::none || offset(i) < offset(middle))
-      middle = i;
-  }
-  for (std::uint32_t i = 0; i < chosen.size(); ++i)
-    chosen[i] = chosen[i] && middles[first.parents[i]] == i;
 }
 
 /** The noise of the cloud at each level, 0 without a window, but no more than it can
@@ -382,19 +389,18 @@ windowRadius(double cell, double spacing)
 FaceFits
 fitsOf(const FacePyramid& pyramid,
        std::size_t of_level,
-       std::vector<bool> wanted,
+       const std::vector<bool>& wanted,
        unsigned threads)
 {
   const FaceLevel& level = pyramid.levels[of_level];
-  if (of_level == 0)
-    keepMiddles(pyramid, wanted);
+  const std::vector<std::uint32_t> middles = middlesOf(pyramid, of_level);
   FaceFits fits(level.nodes.size());
   kernels::parallelForRanges(
       fits.size(), threads, [&](std::size_t begin, std::size_t end) {
         FaceWindow window(level);
         FaceFitter fitter(level);
         for (std::size_t i = begin; i < end; ++i)
-          if (wanted[i])
+          if (wanted[i] && middles[i] == i)
             fits[i] = fitter.fit(windowAt(level, i, window));
       });
   return fits;
@@ -424,7 +430,7 @@ faceEvidence(const FacePyramid& pyramid,
   levels.reserve(fits.size());
   const std::vector<float> noise = boundedNoise(noise_of_cloud, spacing);
   for (std::size_t l = 0; l < fits.size(); ++l) {
-    levels.push_back({std::move(fits[l]), {}, {}, {}});
+    levels.push_back({std::move(fits[l]), middlesOf(pyramid, l), {}, {}, {}});
     levels.back().noise =
         faceNoise(pyramid.levels[l], levels.back().fits, spacing, noise[l]);
     if (l >= flat_level)
@@ -432,13 +438,11 @@ faceEvidence(const FacePyramid& pyramid,
   }
   findEvidence(pyramid, levels, spacing);
   const FaceLevel& first = pyramid.levels.front();
-  std::vector<bool> is_middle(first.nodes.size(), true);
-  keepMiddles(pyramid, is_middle);
   const std::vector<float> unknown(first.nodes.size(), nan);
   FaceEvidence evidence{unknown, unknown};
   kernels::parallelForEach(unknown.size(), threads, [&](std::size_t i) {
     const auto node = static_cast<std::uint32_t>(i);
-    if (!is_middle[i])
+    if (levels.front().middles[i] != node)
       return;
     evidence.curved[i] = mostAt(pyramid, levels, node, spacing);
     evidence.flat[i] = isInFlatWindow(pyramid, levels, node) ? 1.0f : 0.0f;

@@ -21,10 +21,10 @@ constexpr std::size_t face_levels = 5;
 double windowRadius(double cell, double spacing);
 
 /** \brief How the windows of the nodes of a level that are wanted bend; of the first
- * level one for each node of the next. \param[in] threads 0 for all cores */
+ * two levels one for each node of the next. \param[in] threads 0 for all cores */
 FaceFits fitsOf(const FacePyramid& pyramid,
                 std::size_t of_level,
-                std::vector<bool> wanted,
+                const std::vector<bool>& wanted,
                 unsigned threads);
 
 /** \brief What windows say of nodes, or of points. */
@@ -36,6 +36,14 @@ struct FaceEvidence {
    * curved is, too. */
   std::vector<float> flat;
 };
+
+/** \brief Whether a point or node is planar whatever its INAD: all around it is in
+ * large flat windows, and no window bends. */
+inline bool
+isSurelyFlat(const FaceEvidence& evidence, std::size_t i)
+{
+  return evidence.flat[i] == 1.0f && evidence.curved[i] <= 0.0f;
+}
 
 /** \brief The evidence of each node of the first level. See doc/method.md.
  * \param[in] pyramid with levels \param[in] spacing of the cloud, median \param[in]

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl::segmentation {
 namespace {
@@ -82,6 +83,27 @@ addUp(std::size_t count,
 
 } // namespace
 
+float
+ranked(const std::vector<float>& values, std::size_t rank)
+{
+  const float* const first = values.data();
+  const std::size_t count = values.size();
+  float low = -1.0f; // the largest value known to be low enough
+  float high =
+      std::numeric_limits<float>::quiet_NaN(); // the least known to be too high
+  for (const float value : values) {
+    if (value <= low || value >= high)
+      continue;
+    int less = 0;
+    for (std::size_t k = 0; k < count; ++k)
+      less += first[k] < value ? 1 : 0;
+    (static_cast<std::size_t>(less) <= rank ? low : high) = value;
+    if (static_cast<std::size_t>(less) == rank)
+      break;
+  }
+  return low;
+}
+
 void
 FaceFitter::place(const std::vector<std::uint32_t>& window)
 {
@@ -153,12 +175,11 @@ FaceFitter::setWeights()
   sizes_.clear();
   for (const float r : residuals_)
     sizes_.push_back(std::abs(r));
-  const auto middle = sizes_.begin() + static_cast<std::ptrdiff_t>(sizes_.size() / 2);
-  std::nth_element(sizes_.begin(), middle, sizes_.end());
+  const float middle = ranked(sizes_, sizes_.size() / 2);
   const auto count = static_cast<double>(sizes_.size());
   const auto freedom =
       static_cast<float>(std::sqrt(count / std::max(1.0, count - coefficients)));
-  const float deviation = deviation_of_median * freedom * *middle;
+  const float deviation = deviation_of_median * freedom * middle;
   const float reach = biweight_reach * std::max(min_residual, deviation);
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     const float off = residuals_[k] / reach;

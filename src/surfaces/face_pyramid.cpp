@@ -490,18 +490,23 @@ FaceWindow::around(std::uint32_t node, float radius, float min_cosine)
   ++search_;
   found_.assign(1, node);
   visits_[node] = search_;
-  const FaceNode& center = level_.nodes[node];
+  // Local: what is written might be a member.
+  const FaceNode* const nodes = level_.nodes.data();
+  const std::uint32_t* const links = level_.links.data();
+  std::uint32_t* const visits = visits_.data();
+  const std::uint32_t search = search_;
+  const Vector3f position = nodes[node].position, normal = nodes[node].normal;
   for (std::size_t at = 0; at < found_.size(); ++at) {
     const std::uint32_t from = found_[at];
-    for (std::uint32_t k = level_.link_begins[from]; k < level_.link_begins[from + 1];
-         ++k) {
-      const std::uint32_t to = level_.links[k];
-      if (visits_[to] == search_)
+    const std::uint32_t* const end = links + level_.link_begins[from + 1];
+    for (const std::uint32_t* link = links + level_.link_begins[from]; link < end;
+         ++link) {
+      const std::uint32_t to = *link;
+      if (visits[to] == search)
         continue;
-      visits_[to] = search_;
-      const FaceNode& other = level_.nodes[to];
-      if ((other.position - center.position).squaredNorm() < radius * radius &&
-          std::abs(other.normal.dot(center.normal)) > min_cosine)
+      visits[to] = search;
+      if ((nodes[to].position - position).squaredNorm() < radius * radius &&
+          std::abs(nodes[to].normal.dot(normal)) > min_cosine)
         found_.push_back(to);
     }
   }

@@ -5,6 +5,7 @@
 #include "surfaces/surface_classification.h"
 
 #include "common/finite.h"
+#include "common/gathered.h"
 #include "common/statistics.h"
 #include "features/models/class_evidence.h"
 #include "surfaces/evidence_averaging.h"
@@ -30,13 +31,18 @@ evidenceOfModel(const FieldInput& input,
                 const std::vector<std::uint32_t>& wanted)
 {
   const pcl::Indices points = evidencePoints(input, field, known);
+  const INADParameters radii = withNoise(model.parameters(), field.noise_level);
+  const NeededPoints needed = neededPoints(input, field, points, wanted, radii.radius);
   const std::vector<float> inad = adaptiveINADAmong(
-      points, input, field.spacings, withNoise(model.parameters(), field.noise_level));
+      gathered(points, needed.points), needed.evidence, input, field.spacings, radii);
   const ShapeEvidence densities(model);
-  std::vector<float> evidence(points.size() * densities.classes());
-  for (std::size_t k = 0; k < points.size(); ++k)
+  std::vector<float> evidence(points.size() * densities.classes(),
+                              std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t k = 0; k < needed.evidence.size(); ++k) {
+    const auto point = needed.points[static_cast<std::size_t>(needed.evidence[k])];
     densities.logDensities(
-        inad[2 * k], inad[2 * k + 1], &evidence[k * densities.classes()]);
+        inad[2 * k], inad[2 * k + 1], &evidence[point * densities.classes()]);
+  }
   return averageEvidence(input, field, points, evidence, densities.classes(), wanted);
 }
 
@@ -92,8 +98,6 @@ evidenceWithFaces(const FieldInput& input,
   FacePyramid faces = firstFaces(input.points, field, spacing, input.threads);
   if (faces.levels.empty())
     return evidenceOfModel(input, field, model, known, known);
-  const std::vector<float> of_model =
-      evidenceOfModel(input, field, model, known, pointsOfNodes(faces, known));
   addLevels(face_levels, faces, input.threads);
   const FaceEvidence of_faces =
       evidenceOfFaces(input.points,
@@ -101,6 +105,14 @@ evidenceWithFaces(const FieldInput& input,
                       faceEvidence(faces, spacing, input.threads),
                       spacing,
                       input.threads);
+  std::vector<std::uint32_t> wanted = pointsOfNodes(faces, known);
+  wanted.erase(
+      std::remove_if(wanted.begin(),
+                     wanted.end(),
+                     [&](std::uint32_t i) { return isSurelyFlat(of_faces, i); }),
+      wanted.end());
+  const std::vector<float> of_model =
+      evidenceOfModel(input, field, model, known, wanted);
   return joinedEvidence(differencesAt(input, field, faces, of_model), of_faces);
 }
 
@@ -142,7 +154,8 @@ joinedEvidence(const std::vector<float>& of_model, const FaceEvidence& of_faces)
   // Waves and near creases look curved to the model: it decides where the bend of a
   // face is in doubt, and may not overrule clear evidence of it by itself. That it sees
   // none says little: it looks no farther than 7 spacings. For the same reason it has
-  // nothing to add where a large window is flat.
+  // nothing to add for curved where a large window is flat; where that is all around,
+  // nothing at all.
   constexpr float model_weight = 0.6f;
   constexpr float min_of_model = -2.0f;
   constexpr float max_of_model = 4.8f;
@@ -157,9 +170,11 @@ joinedEvidence(const std::vector<float>& of_model, const FaceEvidence& of_faces)
       evidence[2 * i + 1] = difference;
       continue;
     }
+    evidence[2 * i + 1] = of_faces.curved[i];
+    if (isSurelyFlat(of_faces, i))
+      continue;
     const float most = max_of_model * (1.0f - of_faces.flat[i]);
-    evidence[2 * i + 1] =
-        of_faces.curved[i] + std::clamp(model_weight * difference, min_of_model, most);
+    evidence[2 * i + 1] += std::clamp(model_weight * difference, min_of_model, most);
   }
   return evidence;
 }

@@ -6,6 +6,7 @@
 #include "geometry/cells_around.h"
 #include "geometry/point_choice.h"
 #include "geometry/point_grid.h"
+#include "support/bits.h"
 #include "support/shapes.h"
 #include "surfaces/evidence_averaging.h"
 
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 
 namespace {
@@ -262,6 +264,43 @@ TEST_F(EvidenceAveraging, FourRoundsAreThoseInDouble)
       }
   }
   EXPECT_GT(weighted, 1000U);
+}
+
+TEST_F(EvidenceAveraging, AveragesDependOnNeededPointsOnly)
+{
+  constexpr double inad_radius = 7.0;
+  const detail::FieldInput input{neighborhoods, surface.points(), {}, 2};
+  Random random(45);
+  std::vector<std::uint32_t> known(surface.size());
+  std::iota(known.begin(), known.end(), 0);
+  const pcl::Indices points = evidencePoints(input, edges, known);
+  std::vector<float> all, some(2 * points.size(), std::nanf(""));
+  for (std::size_t k = 0; k < 2 * points.size(); ++k)
+    all.push_back(static_cast<float>(random.normal()));
+  std::vector<std::uint32_t> wanted;
+  for (const std::uint32_t i : known)
+    if (surface.position(i).y() < 0.02)
+      wanted.push_back(i);
+  const NeededPoints needed = neededPoints(input, edges, points, wanted, inad_radius);
+  ASSERT_GT(needed.evidence.size(), wanted.size() / 8);
+  ASSERT_LT(needed.evidence.size(), points.size());
+  std::vector<bool> has_normal(points.size());
+  for (const std::uint32_t k : needed.points)
+    has_normal[k] = true;
+  for (const pcl::index_t at : needed.evidence) {
+    const std::uint32_t k = needed.points[static_cast<std::size_t>(at)];
+    std::copy_n(&all[2 * k], 2, &some[2 * k]);
+    const auto point = static_cast<std::size_t>(points[k]);
+    const float radius = static_cast<float>(inad_radius) * edges.spacings[point];
+    for (std::size_t other = 0; other < points.size(); ++other)
+      if (const auto i = static_cast<std::size_t>(points[other]);
+          (positionOf(input.points, i) - positionOf(input.points, point)).norm() <
+          radius) {
+        EXPECT_TRUE(has_normal[other]);
+      }
+  }
+  EXPECT_TRUE(sameBits(averageEvidence(input, edges, points, all, 2, wanted),
+                       averageEvidence(input, edges, points, some, 2, wanted)));
 }
 
 TEST(CentralPoints, AreNearestToTheMiddlesOfCells)

@@ -9,6 +9,7 @@
 #include "support/random.h"
 #include "surfaces/face_evidence.h"
 #include "surfaces/face_fit.h"
+#include "surfaces/surface_classification.h"
 
 #include <pcl/point_types.h>
 
@@ -238,9 +239,9 @@ TEST(FaceLinks, DoNotDependOnThreads)
   EXPECT_EQ(one.links, three.links);
 }
 
-/** How many windows each node of the second level has in the first. */
+/** How many windows each node of the next level has in one. */
 std::vector<int>
-windowsOfNodes(double noise)
+windowsOfNodes(std::size_t level, double noise)
 {
   constexpr double spacing = 0.01;
   const Cloud::Ptr cloud = sampled(1.0, 1.0, spacing, noise, [](double u, double v) {
@@ -250,23 +251,54 @@ windowsOfNodes(double noise)
   const float usual = medianSpacing(field.spacings);
   segmentation::FacePyramid faces =
       segmentation::firstFaces(field.points, field, usual, 1);
-  segmentation::addLevels(2, faces, 1);
-  const std::vector<bool> all(faces.levels[0].nodes.size(), true);
-  const segmentation::FaceFits fits = segmentation::fitsOf(faces, 0, all, 1);
-  std::vector<int> windows(faces.levels[1].nodes.size());
+  segmentation::addLevels(level + 2, faces, 1);
+  const std::vector<bool> all(faces.levels[level].nodes.size(), true);
+  const segmentation::FaceFits fits = segmentation::fitsOf(faces, level, all, 1);
+  std::vector<int> windows(faces.levels[level + 1].nodes.size());
   for (std::size_t i = 0; i < fits.size(); ++i)
-    windows[faces.levels[0].parents[i]] += fits[i] ? 1 : 0;
+    windows[faces.levels[level].parents[i]] += fits[i] ? 1 : 0;
   return windows;
 }
 
 TEST(FaceWindows, OneForEachNodeOfTheNextLevel)
 {
-  for (const double noise : {0.0, 0.004}) {
-    SCOPED_TRACE(noise);
-    const std::vector<int> windows = windowsOfNodes(noise);
-    EXPECT_EQ(std::count(windows.begin(), windows.end(), 1),
-              static_cast<std::ptrdiff_t>(windows.size()));
-  }
+  for (const std::size_t level : {0, 1})
+    for (const double noise : {0.0, 0.004}) {
+      SCOPED_TRACE(level);
+      SCOPED_TRACE(noise);
+      const std::vector<int> windows = windowsOfNodes(level, noise);
+      EXPECT_EQ(std::count(windows.begin(), windows.end(), 1),
+                static_cast<std::ptrdiff_t>(windows.size()));
+    }
+}
+
+TEST(FaceFits, RankedIsTheNthElement)
+{
+  Random random(78);
+  for (const std::size_t count : {1, 2, 8, 35, 100})
+    for (int trial = 0; trial < 20; ++trial) {
+      std::vector<float> values;
+      for (std::size_t k = 0; k < count; ++k) // repeats, too
+        values.push_back(
+            std::abs(std::round(10.0f * static_cast<float>(random.normal()))));
+      for (const std::size_t rank : {std::size_t{0}, count / 2, count - 1}) {
+        std::vector<float> sorted = values;
+        std::sort(sorted.begin(), sorted.end());
+        EXPECT_EQ(segmentation::ranked(values, rank), sorted[rank]);
+      }
+    }
+}
+
+TEST(JoinedEvidence, WhereAllAroundIsFlatTheModelAddsNothing)
+{
+  const std::vector<float> of_model{5.0f, -5.0f, 5.0f, -5.0f};
+  const segmentation::FaceEvidence of_faces{{-1.0f, -1.0f, 1.0f, -1.0f},
+                                            {1.0f, 1.0f, 1.0f, 0.5f}};
+  const std::vector<float> joined = detail::joinedEvidence(of_model, of_faces);
+  EXPECT_EQ(joined[1], -1.0f);
+  EXPECT_EQ(joined[3], -1.0f);
+  EXPECT_EQ(joined[5], 1.0f) << "nothing for curved";
+  EXPECT_EQ(joined[7], -3.0f) << "at most so much for planar";
 }
 
 TEST(FaceWindows, NoiseOfALevelWithoutThemDoesNotBoundTheNext)

@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 namespace pcl::detail {
 namespace {
@@ -194,8 +195,12 @@ levelOf(double noise,
   const std::vector<float> first = angles(0);
   if (!first.empty() && median(first) <= stable && areOnSteps())
     return {max_noise, 1.0};
-  const NoiseLevel level = levelOfScatter(
-      noise, [&](std::size_t at) { return flattestOf(at == 0 ? first : angles(at)); });
+  std::array<std::optional<float>, levels.size()> known{flattestOf(first)};
+  const NoiseLevel level = levelOfScatter(noise, [&](std::size_t at) {
+    if (!known[at])
+      known[at] = flattestOf(angles(at));
+    return *known[at];
+  });
   const double of_plates = level.level > 0.0 ? thickness() : 0.0;
   return of_plates > 0.0 ? withinPlates(level, of_plates) : level;
 }

@@ -7,6 +7,7 @@
 #include "common/finite.h"
 #include "common/gathered.h"
 #include "common/parallel.h"
+#include "geometry/cells_around.h"
 #include "geometry/point_grid.h"
 #include "geometry/voxel_means.h"
 
@@ -45,27 +46,39 @@ levelOf(float spacing)
              : no_level;
 }
 
+// Of cells, than the reach: what is rounded is not missed.
+constexpr double wider = 1.01;
+
 /** Points of a level, to find the denser ones near them. */
 class Level {
 public:
-  Level(const XYZView& points, const std::vector<std::size_t>& members, double spacing)
+  Level(const XYZView& points,
+        const std::vector<std::size_t>& members,
+        double spacing,
+        unsigned threads)
   : reach_(static_cast<float>(reach_spacings * spacing))
-  , grid_(viewOfPositions(positionsAt(points, members)), reach_)
-  {}
+  , grid_(viewOfPositions(positionsAt(points, members)), reach_, threads)
+  , cells_(wider * reach_spacings * spacing, 1, members.size())
+  {
+    for (const std::size_t i : members)
+      cells_.add(segmentation::positionOf(points, i));
+  }
 
   bool
   isNear(const float* point) const
   {
     std::size_t count = 0;
-    return grid_.anyWithin(
-        Eigen::Map<const Eigen::Vector3f>(point),
-        reach_,
-        [&](std::uint32_t, const Eigen::Vector3f&) { return ++count == min_points; });
+    const Eigen::Map<const Eigen::Vector3f> place(point);
+    return cells_.mayHold(place) &&
+           grid_.anyWithin(place, reach_, [&](std::uint32_t, const Eigen::Vector3f&) {
+             return ++count == min_points;
+           });
   }
 
 private:
   float reach_; ///< meters
   segmentation::PointGrid grid_;
+  segmentation::CellsAround cells_; ///< most points are near none
 };
 
 /** The level that each point should have: its own, or a step below that of sparser
@@ -88,11 +101,15 @@ wantedLevels(const XYZView& points, const std::vector<int>& levels, unsigned thr
     if (of_level.size() < min_points)
       continue;
     const int below = level - max_level_step;
-    const Level sparse(points, of_level, spacingOf(level));
+    const auto is_denser = [below](int wanted_level) {
+      return wanted_level != no_level && wanted_level < below;
+    };
+    if (std::none_of(wanted.begin(), wanted.end(), is_denser))
+      continue;
+    const Level sparse(points, of_level, spacingOf(level), threads);
     std::vector<char> is_near_sparse(wanted.size());
     kernels::parallelForEach(wanted.size(), threads, [&](std::size_t i) {
-      is_near_sparse[i] =
-          wanted[i] != no_level && wanted[i] < below && sparse.isNear(points[i]);
+      is_near_sparse[i] = is_denser(wanted[i]) && sparse.isNear(points[i]);
     });
     for (std::size_t i = 0; i < wanted.size(); ++i)
       if (is_near_sparse[i]) {
