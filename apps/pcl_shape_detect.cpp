@@ -87,6 +87,7 @@ run(const Arguments& arguments)
   const Wanted results = wanted(arguments);
   DetectionSettings settings;
   settings.resolution = resolutionOf(arguments);
+  settings.one_resolution = arguments.has("one_resolution");
   return runFilterWithLines(arguments, [&](CloudFile& file, Report& report) {
     return detect(file, settings, results, arguments, report);
   });
@@ -109,6 +110,7 @@ main(int argc, char** argv)
       .option("lines", "F", "write the creases as lines to the JSON file F")
       .flag("normals", "write normal_x normal_y normal_z curvature too");
   addResolutionOption(command_line);
+  command_line.flag("one_resolution", "the same for all of the cloud, as in tiles");
   addFilterOptions(command_line);
   return runApp(command_line, argc, argv, run);
 }

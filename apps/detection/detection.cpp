@@ -21,16 +21,26 @@ using FieldEstimation = pcl::ShapeFieldEstimation<pcl::PointXYZ>;
 
 /** Note the resolution of a field, and print why it is not the one that was set. */
 void
-reportResolution(const std::string& path, double of_field, double given, Report& report)
+reportResolution(const std::string& path,
+                 const pcl::ShapeField& field,
+                 double given,
+                 Report& report)
 {
-  report.setNumber("parameters", "resolution", of_field);
-  if (of_field == given)
+  report.setNumber("parameters", "resolution", field.resolution);
+  if (field.resolution == given)
     return;
   std::ostringstream text;
-  text << path
-       << ": note: neighbors share noise that is larger than the distances between "
-          "points: the result is that of -resolution "
-       << of_field;
+  text << path << ": note: ";
+  if (field.finest_resolution < field.resolution) {
+    report.setNumber("parameters", "finest_resolution", field.finest_resolution);
+    text << "noise grows with the distances between points: resolutions are "
+         << field.finest_resolution << " where these are least, to " << field.resolution
+         << " m; -one_resolution of pcl_shape_detect takes one for all";
+  }
+  else
+    text << "neighbors share noise that is larger than the distances between points: "
+            "the result is that of -resolution "
+         << field.resolution;
   logLine(text.str());
 }
 
@@ -47,7 +57,7 @@ compute(FieldEstimation& estimation,
   estimation.setNumberOfThreads(threads);
   const auto field = pcl::make_shared<pcl::ShapeField>();
   withPclErrors(path, [&] { return estimation.compute(*field); });
-  reportResolution(path, field->resolution, resolution, report);
+  reportResolution(path, *field, resolution, report);
   reportUnknown(path, *field, threads, report);
   return field;
 }
@@ -178,6 +188,7 @@ fieldOf(CloudFile& file,
   report.setCount("parameters", "threads", arguments.threads());
   FieldEstimation estimation;
   estimation.setEdgesOnly(edges_only);
+  estimation.setOneResolution(settings.one_resolution);
   if (settings.has_model && edges_only)
     estimation.setEdgeModel(settings.model);
   else if (settings.has_model)

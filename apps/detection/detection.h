@@ -36,9 +36,10 @@ struct DetectionSettings {
   bool paper = false;
   bool has_model = false; ///< one was given with -model
   double threshold = 0.5;
-  double resolution = 0.0;   ///< meters, 0 for the cloud's own; default method
-  INADParameters parameters; ///< of the paper's method
-  pcl::ShapeModel model;     ///< of the paper's method, or the one given
+  double resolution = 0.0;     ///< meters, 0 for the cloud's own; default method
+  bool one_resolution = false; ///< for all of the cloud
+  INADParameters parameters;   ///< of the paper's method
+  pcl::ShapeModel model;       ///< of the paper's method, or the one given
 };
 
 /** \brief Settings from the command line and the model file.

@@ -294,6 +294,10 @@ bindCloud(FieldClass& field)
           [](const Detection& d) { return d.field->resolution; },
           "Meters; 0 for the cloud's own.")
       .def_property_readonly(
+          "finest_resolution",
+          [](const Detection& d) { return d.field->finest_resolution; },
+          "Of its densest zone; less than resolution only if noise grows with spacing.")
+      .def_property_readonly(
           "offset",
           [](const Detection& d) {
             return arrayOf(

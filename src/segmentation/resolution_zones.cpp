@@ -8,10 +8,10 @@
 #include "common/gathered.h"
 #include "common/number_text.h"
 #include "common/statistics.h"
-#include "features/spacing/local_spacing.h"
 #include "features/noise/noise_level.h"
 #include "features/noise/normal_scatter.h"
 #include "features/noise/part_noise.h"
+#include "features/spacing/local_spacing.h"
 #include "features/spacing/points_near.h"
 #include "features/spacing/some_points.h"
 #include "geometry/cell_loop.h"
@@ -191,7 +191,6 @@ spacingAt(const Places& places, const std::vector<float>& distances)
   CloudNumbers& numbers = measured.numbers;
   numbers.spacing = medianSpacing(std::move(own));
   numbers.distance = static_cast<double>(numbers.spacing);
-  setMeasured({}, Bounds::of(viewOfPositions(places.positions)), numbers);
   return measured;
 }
 

@@ -127,9 +127,8 @@ private:
     const bool was_noisy = coarse_.resolution > request_.resolution;
     if (!request_.one_resolution &&
         (was_noisy || mayHaveZones(field.points, field.spacings, request_.threads)))
-      zones_ = resolutionZones(request_,
-                               measured.distances ? *measured.distances : distances_,
-                               was_noisy);
+      zones_ = resolutionZones(
+          request_, measured.distances ? *measured.distances : distances_, was_noisy);
     return zones_.empty();
   }
 

@@ -78,8 +78,8 @@ struct ShapeField {
   std::vector<std::vector<float>> likelihoods; ///< of every class; NaN unknown
 
   double resolution = 0.0; ///< meters, 0 for the cloud's own; at least the one set
-  double finest_resolution = 0.0; ///< likewise, of the zone that is looked at from
-                                  ///< nearest; less than the other if there are several
+  double finest_resolution = 0.0; ///< of its densest zone; less than the other only if
+                                  ///< the noise grows with the distances between points
   /** \brief What the values were computed for, if these are not the cloud's own points:
    * the voxel means at the resolution, the points of another search surface, or, if
    * points are equal, one for each place.

@@ -97,7 +97,8 @@ public:
    *
    * Where neighbors share noise that is larger than the distances between points, as
    * where points lie on the steps of a depth camera, a coarser one than this is taken:
-   * ShapeField::resolution. Your own normals and setCloudNumbers() keep it as it is
+   * ShapeField::resolution; where noise grows with the distances between points, a
+   * finer one for what is near. Your own normals and setCloudNumbers() keep it as it is
    * set.
    * \param[in] meters between points; 0 (default) for the cloud's own */
   void
@@ -110,6 +111,20 @@ public:
   getResolution() const
   {
     return resolution_;
+  }
+
+  /** \brief Look at all of the cloud from equally far away, whatever its noise, as
+   * tiles do. \param[in] one_resolution false (default) if the noise may decide */
+  void
+  setOneResolution(bool one_resolution)
+  {
+    one_resolution_ = one_resolution;
+  }
+
+  bool
+  getOneResolution() const
+  {
+    return one_resolution_;
   }
 
   /** \brief Two classes made in DENSITY mode, an edge and the rest, instead of
@@ -197,6 +212,7 @@ private:
   shared_ptr<const void> normals_owner_;
   XYZView normals_;
   double resolution_ = 0.0;
+  bool one_resolution_ = false;
   std::optional<ShapeModel> edge_model_;
   std::optional<ShapeModel> surface_model_;
   std::optional<CloudNumbers> numbers_;

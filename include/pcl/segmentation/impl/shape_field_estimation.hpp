@@ -29,12 +29,12 @@ struct FieldRequest {
   shared_ptr<const void> surface_owner;
   FinderMaker makeFinder; ///< empty for the sweep
   SweepIndex::Ptr index;
-  XYZView normals;          ///< of the surface
-  bool has_normals = false; ///< else they are estimated
-  double resolution = 0.0;  ///< meters, 0 for the surface's own
-  bool one_resolution = false;
-  ShapeModel edge_model;    ///< an edge, the rest
-  ShapeModel surface_model; ///< several classes
+  XYZView normals;             ///< of the surface
+  bool has_normals = false;    ///< else they are estimated
+  double resolution = 0.0;     ///< meters, 0 for the surface's own
+  bool one_resolution = false; ///< for all of the surface, whatever its noise
+  ShapeModel edge_model;       ///< an edge, the rest
+  ShapeModel surface_model;    ///< several classes
   bool edges_only = false;
   std::optional<CloudNumbers> of_cloud; ///< of which the surface is a part
   unsigned threads = 0;
@@ -68,6 +68,7 @@ ShapeFieldEstimation<PointT>::request() const
   request.normals = normals_;
   request.has_normals = normals_owner_ != nullptr;
   request.resolution = resolution_;
+  request.one_resolution = one_resolution_;
   request.edge_model = getEdgeModel();
   request.surface_model = getSurfaceModel();
   request.edges_only = edges_only_;
