@@ -1,4 +1,4 @@
-"""The tables of doc/performance.md from the results of scripts/benchmark.sh."""
+"""The tables of doc/performance.md from the results of scripts/measure/benchmark.sh."""
 import re
 import textwrap
 

@@ -34,8 +34,8 @@ reportResolution(const std::string& path,
   if (field.finest_resolution < field.resolution) {
     report.setNumber("parameters", "finest_resolution", field.finest_resolution);
     text << "noise grows with the distances between points: resolutions are "
-         << field.finest_resolution << " where these are least, to " << field.resolution
-         << " m; -one_resolution of pcl_shape_detect takes one for all";
+         << field.finest_resolution << " m where these are least, to "
+         << field.resolution << " m";
   }
   else
     text << "neighbors share noise that is larger than the distances between points: "

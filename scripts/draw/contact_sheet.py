@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Put pictures beside and below each other, each below its title, in few colors.
 
-Usage: contact_sheet.py OUT.png COLUMNS WIDTH COLORS TITLE=PICTURE.png ...
+Usage: scripts/draw/contact_sheet.py OUT.png COLUMNS WIDTH COLORS TITLE=PICTURE.png ...
 WIDTH is that of each picture, pixels. Needs python3-pil.
 """
 import sys

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Write a picture with fewer colors, a smaller file.
 
-Usage: fewer_colors.py IN.png OUT.png COLORS
+Usage: scripts/draw/fewer_colors.py IN.png OUT.png COLORS
 Needs python3-pil.
 """
 import sys

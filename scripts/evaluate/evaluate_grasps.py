@@ -5,7 +5,7 @@
 goes to standard output. Objects are those of the truth; pcl_shape_evaluate -task grasps judges the first grasp of each.
 Usage: scripts/evaluate/evaluate_grasps.py BUILD_DIR DATA_DIR [CUP_RADIUS]
        scripts/evaluate/evaluate_grasps.py BUILD_DIR -generated [CUP_RADIUS]   # generated scenes only, without data
-DATA_DIR is that of scripts/evaluate_sensors.py. Needs python3-numpy and python3-scipy.
+DATA_DIR is that of scripts/evaluate/evaluate_sensors.py. Needs python3-numpy and python3-scipy.
 """
 import json
 import pathlib

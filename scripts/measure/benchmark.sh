@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Run all benchmarks and write their results to one JSON file, for scripts/plot_benchmarks.py.
+# Run all benchmarks and write their results to one JSON file, for scripts/measure/plot_benchmarks.py.
 # Usage: scripts/measure/benchmark.sh BUILD_DIR OUT.json [DATA]
 # DATA is a PCD file, or a directory whose osd/ has learn4.pcd and so on; without it a generated
 # scene takes their place. Generated clouds (a sheet, a laser scan) are used in any case.

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 pcl_shape contributors
 """A landscape, a room, a street and a sheet of any number of points, in several files.
 
-For scripts/measure_tiles.py. But for the landscape's, some points are not finite, some equal, some far away.
+For scripts/measure/measure_tiles.py. But for the landscape's, some points are not finite, some equal, some far away.
 """
 import math
 

@@ -46,7 +46,7 @@ SERIES = [
         *named(SEGMENTATION + "impl/{}*", "shape_field", "shape_detection", "shape_edge", "shape_back"),
         *named("src/segmentation/{}*", "cloud_reach", "compiled_estimations", "faces_of_parts",
                "field_of_points", "field_places", "field_stages", "known_parts", "means_of_parts", "shape_detection",
-               "shape_field", "uneven_field", "unknown_points"),
+               "shape_field", "uneven_field", "unknown_points", "resolution_zones", "zoned_field"),
         "tools/scene/**/*", "test/features/*", "test/geometry/*", "test/edges/*",
         *named("test/segmentation/{}*", "bumpy_plane", "detect", "field_of", "measured_numbers", "test_adaptive",
                "test_coincident", "test_detection", "test_generated", "test_known", "test_own", "test_paper",
@@ -55,6 +55,7 @@ SERIES = [
     ("`ShapeInstanceSegmentation`", [
         "src/instances/**/*", SEGMENTATION + "*instance*", SEGMENTATION + "impl/*instance*", "src/segmentation/*instance*",
         "test/surfaces/*", "test/instances/*", "test/segmentation/test_parts_of_clouds.cpp",
+        "test/segmentation/test_resolution_zones.cpp",
         "tools/upstream/shape_instance_segmentation.cpp", "doc/tutorials/content/shape_instances.rst"]),
 ]
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Zones of a cloud by spacing: how coarse the noise there makes each of them.
+// A depth camera's noise grows with the range, as the spacing of points does. This
+// divides such a cloud by spacing into zones, and finds the resolution that each needs:
+// see doc/method.md, Zones.
 
 #include "segmentation/resolution_zones.h"
 
@@ -26,17 +28,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <utility>
 
 namespace pcl::detail {
 namespace {
 
 using namespace segmentation;
 
-// A depth camera's steps grow with the square of the range, from one band to the next
-// to twice their height: less than what tells steps that are too fine from too wide.
+// From one to the next a depth camera's steps grow to twice their height. One
+// resolution serves both: means are that much finer than what they would lose.
 constexpr double bands_per_octave = 2.0;
 constexpr int no_band = std::numeric_limits<int>::min();
 // In distances to the 12th neighbor: a cell is small beside what stands before a wall,
@@ -45,12 +49,13 @@ constexpr double cell_distances = 8.0;
 // Of the points, in a band: fewer, say a chair's leg, go with the next one.
 constexpr double min_share = 0.02;
 constexpr std::size_t min_places = 100; // whose noise can be told
-// Radians: white noise of a thousandth of the spacing bends normals by more.
+// Radians; less is no noise that could be measured.
 constexpr float silent = 1e-3f;
-constexpr double flattest = 0.1; // of the places, see noiseLevelOf()
+constexpr double flattest = 0.1; // of the angles, see noiseLevelOf()
 // Bands whose resolutions differ by less are one zone: each zone is a field.
 constexpr double same_zone = 1.5;
-// Local spacings over that of the cloud: a band sparser, as they are softened.
+// Local spacings over that of the cloud. They grow with the root of distances, which
+// are 1.4 times as large in the next band.
 constexpr float sparser = 1.2f;
 constexpr std::size_t some_places = 300; // a tenth of them is known to 2 %
 
@@ -72,7 +77,7 @@ bandsOf(const XYZView& points, const std::vector<float>& distances, unsigned thr
   const auto setBand = [&](const auto begin, const auto end, std::size_t) {
     std::vector<float> known;
     for (auto at = begin; at != end; ++at)
-      if (std::isfinite(distances[at->point]))
+      if (std::isfinite(distances[at->point]) && distances[at->point] > 0.0f)
         known.push_back(distances[at->point]);
     if (known.empty())
       return;
@@ -84,7 +89,7 @@ bandsOf(const XYZView& points, const std::vector<float>& distances, unsigned thr
   return bands;
 }
 
-/** Consecutive bands. */
+/** Consecutive bands that have enough points: half an octave of spacing, or more. */
 struct Range {
   int first = 0, last = 0;
   std::size_t points = 0;
@@ -96,8 +101,8 @@ struct Range {
   }
 };
 
-/** The bands with enough points, each with the fewer ones of sparser or, at the end,
- * denser bands before it. */
+/** The bands, from the densest on. One with too few points is joined with the next
+ * sparser one; the last, if it has too few, with the one before it. */
 std::vector<Range>
 rangesOf(const std::vector<int>& bands)
 {
@@ -146,8 +151,9 @@ isSilent(const std::vector<float>& angles)
   return !angles.empty() && quantile(angles, flattest) < silent;
 }
 
-/** In disparity noise steps overlap, and look like both sides of a plate; but plates
- * are not thicker where there are fewer points. */
+/** Noise of stereo and structured light is in disparities. Their steps overlap, and
+ * look like both sides of a plate; but plates are not thicker where points are sparse.
+ */
 void
 leavePlatesOut(NoiseMeasures& noise)
 {
@@ -156,7 +162,7 @@ leavePlatesOut(NoiseMeasures& noise)
   noise.thicknesses.clear();
 }
 
-/** Whether normals of neighbors are the same at some of the points. */
+/** Whether neighbors' normals are the same at a tenth of a sample of the points. */
 bool
 isSilentAt(const std::vector<std::size_t>& indices,
            const XYZView& points,
@@ -230,14 +236,17 @@ public:
   , ranges_(rangesOf(bands_))
   {}
 
-  /** Whether some of it is at half of the usual range: there noise is a quarter. */
+  /** Whether some of it has half of the usual spacing: at half of the range a depth
+   * camera's noise is a quarter. */
   bool
-  reachFarther() const
+  hasMuchDenserPart() const
   {
     constexpr int half = static_cast<int>(-bands_per_octave);
     return !ranges_.empty() && ranges_.front().last <= half;
   }
 
+  /** What is denser than the first noisy range keeps the resolution that is set; each
+   * range from there on begins with that of the one before, as distances grow. */
   std::vector<ResolutionZone>
   find() const
   {
@@ -250,7 +259,7 @@ public:
           {{ranges_.begin(), ranges_.begin() + static_cast<std::ptrdiff_t>(first)},
            request_.resolution});
     double resolution = request_.resolution;
-    double finest = 0.0; // of the last zone
+    double finest = 0.0; // of the ranges of the last zone
     for (std::size_t k = first; k < ranges_.size(); ++k) {
       resolution = resolutionOf(ranges_[k], resolution);
       if (k == first || resolution > same_zone * finest) {
@@ -275,9 +284,11 @@ private:
     double resolution = 0.0; ///< meters
   };
 
-  /** The band at which noise begins to be beyond what radii can grow for: denser ones
-   * do not have it, sparser ones do, but for as few points as possible. What is silent
-   * may be either: a shape, or steps that are wider than what is looked at. */
+  /** The range at which noise begins to be beyond what radii can grow for: the one that
+   * the fewest points contradict, those of denser ranges with such noise and of sparser
+   * ones with less. What is silent contradicts nothing: it is a shape, or steps that
+   * are wider than what is looked at. If fewer contradict none at all, there is none.
+   */
   std::size_t
   firstTooNoisy() const
   {
@@ -320,8 +331,8 @@ private:
   {
     if (measured.places < min_places)
       return 0.0;
-    const double share =
-        static_cast<double>(range.points) / static_cast<double>(bands_.size());
+    const double share = static_cast<double>(range.points) /
+                         static_cast<double>(countFinite(request_.surface));
     return coarserResolution(
         measured.numbers,
         static_cast<std::uint64_t>(static_cast<double>(measured.places) / share),
@@ -372,19 +383,24 @@ private:
     return near;
   }
 
-  /** With the noise of its noisiest band: in a mixture it is that of the flattest. */
+  /** With the noise of its noisiest range: measured over all of them, it would be that
+   * of the flattest one. */
   ResolutionZone
   zoneOf(const Zone& zone) const
   {
     CloudNumbers noisiest;
+    double most_distance = 0.0;
     for (const Range& range : zone.ranges) {
       const CloudNumbers numbers = measure(range, zone.resolution).numbers;
+      most_distance = std::max(most_distance, numbers.distance);
       if (numbers.noise_level >= noisiest.noise_level)
         noisiest = numbers;
     }
+    noisiest.distance = most_distance;
+    noisiest.spacing = static_cast<float>(most_distance);
     const Range all{zone.ranges.front().first, zone.ranges.back().last, 0};
     const double reach = reachOf(noisiest, request_.edge_model).edges +
-                         reachOfMeans(noisiest.distance, zone.resolution);
+                         reachOfMeans(most_distance, zone.resolution);
     Places places = placesOf(all, pointsNear(all, reach), zone.resolution);
     CloudNumbers numbers = spacingAt(places, distancesTo12th(places)).numbers;
     numbers.noise = noisiest.noise;
@@ -422,7 +438,7 @@ mayHaveZones(const XYZView& points,
       sparse.push_back(i);
     else if (spacings[i] * sparser < usual)
       dense.push_back(i);
-  const double enough = min_share * static_cast<double>(points.size);
+  const double enough = min_share * static_cast<double>(countFinite(points));
   return static_cast<double>(std::min(dense.size(), sparse.size())) >= enough &&
          isSilentAt(sparse, points, spacings, threads) &&
          !isSilentAt(dense, points, spacings, threads);
@@ -431,12 +447,12 @@ mayHaveZones(const XYZView& points,
 std::vector<ResolutionZone>
 resolutionZones(const FieldRequest& request,
                 const std::vector<float>& distances,
-                bool has_resolution)
+                bool is_coarse)
 {
   const Zones zones(request,
                     distances.empty() ? distancesToTwelfth(neighborhoodsOf(request))
                                       : distances);
-  return has_resolution && !zones.reachFarther() ? std::vector<ResolutionZone>()
+  return is_coarse && !zones.hasMuchDenserPart() ? std::vector<ResolutionZone>()
                                                  : zones.find();
 }
 

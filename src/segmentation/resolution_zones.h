@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// Zones of a cloud by spacing: how coarse the noise there makes each of them.
+// Divides a cloud whose noise grows with the spacing into zones with resolutions of
+// their own.
 
 #pragma once
 
@@ -12,7 +13,7 @@
 
 namespace pcl::detail {
 
-/** \brief A part of a cloud that is looked at from equally far away. */
+/** \brief A part of a cloud that has one resolution. */
 struct ResolutionZone {
   double resolution = 0.0;   ///< meters, 0 for points
   CloudNumbers numbers;      ///< of its own points or means
@@ -20,9 +21,9 @@ struct ResolutionZone {
   std::vector<bool> is_own;  ///< of each of them
 };
 
-/** \brief Whether the noise may be another where a cloud is sparse: there its normals
- * show steps, or no noise at all. A depth camera's noise grows with the range, as the
- * distances between points do. \param[in] spacings one for each point, meters */
+/** \brief Whether a cloud seems to have no noise at all where it is sparse, but has
+ * some where it is dense: steps are wider there than neighborhoods. \param[in] spacings
+ * one for each point, meters */
 bool mayHaveZones(const XYZView& points,
                   const std::vector<float>& spacings,
                   unsigned threads);
@@ -30,9 +31,10 @@ bool mayHaveZones(const XYZView& points,
 /** \brief The zones of the request's surface, denser ones first; none if all of it has
  * the same noise, if it does not grow with the spacing, or if one resolution shows
  * nearly as much. \param[in] distances of the points to their 12th neighbors; none if
- * they are not known \param[in] has_resolution one resolution would serve most of it */
+ * they are not known \param[in] is_coarse a coarser resolution was chosen for all of it
+ */
 std::vector<ResolutionZone> resolutionZones(const FieldRequest& request,
                                             const std::vector<float>& distances,
-                                            bool has_resolution);
+                                            bool is_coarse);
 
 } // namespace pcl::detail

@@ -100,7 +100,7 @@ public:
   {
     const auto toEdges = [this](const MeasuredCloud& measured,
                                 const ShapeField& field) {
-      return request_.has_normals || isFineEnough(measured, field);
+      return request_.has_normals || request_.of_cloud || isFineEnough(measured, field);
     };
     Base base = request_.resolution == 0.0
                     ? Base{fieldOfPoints(request_, toEdges), false}

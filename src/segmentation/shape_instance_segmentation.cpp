@@ -42,7 +42,7 @@ membersOf(const InstanceRequest& request)
 {
   const ShapeField& field = request.field;
   std::vector<std::int32_t> points(request.indices.begin(), request.indices.end());
-  if (field.resolution == 0.0) {
+  if (field.resolution == 0.0 || !field.base) {
     std::vector<std::int32_t> themselves(points.size());
     std::iota(themselves.begin(), themselves.end(), 0);
     return {field, std::move(points), std::move(themselves)};

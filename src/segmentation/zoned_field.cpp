@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// The field of a cloud whose parts are looked at at resolutions of their own.
+// The field of a cloud whose zones have resolutions of their own.
 
 #include "segmentation/zoned_field.h"
 
@@ -10,6 +10,9 @@
 #include "segmentation/field_stages.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <utility>
 
 namespace pcl::detail {
@@ -17,7 +20,9 @@ namespace {
 
 using namespace segmentation;
 
-/** The field of a zone's places and of those around them. */
+/** The field of a zone's places and of those around them: all that its edges depend on.
+ * Faces end there; their classes do, too, but for windows that are cut. A zone is of a
+ * few octaves of spacings, which is no uneven cloud (see fieldOfPoints()). */
 ShapeField
 fieldOfZone(const FieldRequest& request, const ResolutionZone& zone)
 {
@@ -57,7 +62,7 @@ appendCreases(const ShapeField& from,
 } // namespace
 
 ShapeField
-zonedField(const FieldRequest& request, std::vector<ResolutionZone> zones)
+zonedField(const FieldRequest& request, const std::vector<ResolutionZone>& zones)
 {
   ShapeField field;
   const auto positions = std::make_shared<std::vector<float>>();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// The field of a cloud whose parts are looked at at resolutions of their own.
+// The field of a cloud whose zones have resolutions of their own.
 
 #pragma once
 
@@ -11,6 +11,7 @@
 namespace pcl::detail {
 
 /** \brief The field of the places of all zones, each with what its zone says of it. */
-ShapeField zonedField(const FieldRequest& request, std::vector<ResolutionZone> zones);
+ShapeField zonedField(const FieldRequest& request,
+                      const std::vector<ResolutionZone>& zones);
 
 } // namespace pcl::detail

@@ -153,7 +153,7 @@ TEST(EdgeTypesOfScenes, CreasesAndCornersOfADepthCamera)
   for (const std::uint64_t seed : {201U, 202U, 203U, 204U, 205U, 206U, 207U, 208U})
     for (const float moved : {0.0f, 0.001f, 0.002f, 0.003f})
       addCameraScene(seed, moved, shares);
-  ASSERT_GT(shares.corners.all, 150);
+  ASSERT_GT(shares.corners.all, 4 * 150);
   EXPECT_GE(shares.creases.value(), 0.99);
   EXPECT_GE(shares.corners.value(), 0.67);
   EXPECT_GE(shares.right_corners.value(), 0.80);

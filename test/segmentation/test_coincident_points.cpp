@@ -59,6 +59,7 @@ TEST(CoincidentPoints, StraysAndFillersChangeNoOtherPoint)
   const Cloud::Ptr alone = corner();
   const ShapeField expected = fieldOf(alone);
   ASSERT_FALSE(expected.creases.empty());
+  ASSERT_FALSE(expected.likelihoods.empty());
   for (const PointXYZ& stray :
        {PointXYZ(0, 0, 0), PointXYZ(50, -30, -20), PointXYZ(1e9f, -1e8f, 1e5f)})
     for (const std::size_t times : {1U, 2000U}) {
@@ -70,6 +71,7 @@ TEST(CoincidentPoints, StraysAndFillersChangeNoOtherPoint)
         values.resize(alone->size());
         return values;
       };
+      EXPECT_EQ(expected.creases.size(), field.creases.size());
       EXPECT_EQ(expected.noise, field.noise);
       EXPECT_EQ(expected.noise_level, field.noise_level);
       EXPECT_TRUE(sameBits(expected.spacings, others(field.spacings)));

@@ -239,7 +239,7 @@ TEST(UnevenField, PointsHaveTheEdgesOfAllPointsOrThoseOfMeans)
       detail::evenSpacingsOf(detail::distancesToTwelfth(neighborhoods));
   detail::NoiseLevel noise;
   detail::Conditions conditions;
-  conditions.to_edges = [&](const detail::MeasuredCloud& means) {
+  conditions.to_edges = [&](const detail::MeasuredCloud& means, const ShapeField&) {
     noise = means.noise;
     return true;
   };
@@ -261,7 +261,7 @@ TEST(UnevenField, PointsHaveTheEdgesOfAllPointsOrThoseOfMeans)
   const ShapeField all =
       detail::fieldOf(of_all, nullptr, neighborhoods, {true, &spacings});
   const ShapeField field =
-      detail::fieldOfPoints(request, [](const auto& /*cloud*/) { return true; });
+      detail::fieldOfPoints(request, [](const auto&, const auto&) { return true; });
   std::size_t beside = 0;
   for (std::size_t i = 0; i < cloud->size(); ++i) {
     ASSERT_GE(stands_for[i], 0) << i;

@@ -113,8 +113,8 @@ public:
     return resolution_;
   }
 
-  /** \brief Look at all of the cloud from equally far away, whatever its noise, as
-   * tiles do. \param[in] one_resolution false (default) if the noise may decide */
+  /** \brief One resolution for all of the cloud, as tiles have, even where noise grows
+   * with the spacing. \param[in] one_resolution false (default) for zones there */
   void
   setOneResolution(bool one_resolution)
   {
