@@ -236,19 +236,20 @@ public:
   , ranges_(rangesOf(bands_))
   {}
 
-  /** Whether some of it has half of the usual spacing: at half of the range a depth
-   * camera's noise is a quarter. */
+  /** Whether some of it has half of the usual spacing (at half of the range a depth
+   * camera's noise is a quarter), and needs no more than half of a resolution. */
   bool
-  hasMuchDenserPart() const
+  showMoreThan(double resolution)
   {
     constexpr int half = static_cast<int>(-bands_per_octave);
-    return !ranges_.empty() && ranges_.front().last <= half;
+    return !ranges_.empty() && ranges_.front().last <= half &&
+           2.0 * resolutionOf(ranges_.front(), request_.resolution) <= resolution;
   }
 
   /** What is denser than the first noisy range keeps the resolution that is set; each
    * range from there on begins with that of the one before, as distances grow. */
   std::vector<ResolutionZone>
-  find() const
+  find()
   {
     const std::size_t first = firstTooNoisy();
     if (first == ranges_.size())
@@ -290,12 +291,12 @@ private:
    * are wider than what is looked at. If fewer contradict none at all, there is none.
    */
   std::size_t
-  firstTooNoisy() const
+  firstTooNoisy()
   {
     const std::size_t bands = ranges_.size();
     std::vector<std::size_t> noisy(bands, 0), fine(bands, 0); // points
     for (std::size_t k = 0; k < bands; ++k) {
-      const Measured measured = measure(ranges_[k], request_.resolution);
+      const Measured& measured = measure(ranges_[k], request_.resolution);
       if (coarser(measured, ranges_[k], request_.resolution) > 0.0)
         noisy[k] = ranges_[k].points;
       else if (!measured.is_silent)
@@ -316,7 +317,7 @@ private:
 
   /** \param[in] least meters */
   double
-  resolutionOf(const Range& range, double least) const
+  resolutionOf(const Range& range, double least)
   {
     double resolution = least;
     while (const double next = coarser(measure(range, resolution), range, resolution))
@@ -339,8 +340,18 @@ private:
         resolution);
   }
 
+  /** Each range at each resolution is measured once. */
+  const Measured&
+  measure(const Range& range, double resolution)
+  {
+    const auto [found, is_new] = measured_.try_emplace({range.first, resolution});
+    if (is_new)
+      found->second = measuredNew(range, resolution);
+    return found->second;
+  }
+
   Measured
-  measure(const Range& range, double resolution) const
+  measuredNew(const Range& range, double resolution) const
   {
     const Range around{range.first - 1, range.last + 1};
     pcl::Indices points;
@@ -386,12 +397,12 @@ private:
   /** With the noise of its noisiest range: measured over all of them, it would be that
    * of the flattest one. */
   ResolutionZone
-  zoneOf(const Zone& zone) const
+  zoneOf(const Zone& zone)
   {
     CloudNumbers noisiest;
     double most_distance = 0.0;
     for (const Range& range : zone.ranges) {
-      const CloudNumbers numbers = measure(range, zone.resolution).numbers;
+      const CloudNumbers& numbers = measure(range, zone.resolution).numbers;
       most_distance = std::max(most_distance, numbers.distance);
       if (numbers.noise_level >= noisiest.noise_level)
         noisiest = numbers;
@@ -422,6 +433,7 @@ private:
   std::vector<float> distances_; ///< of each point to its 12th neighbor
   std::vector<int> bands_;       ///< of each point
   std::vector<Range> ranges_;
+  std::map<std::pair<int, double>, Measured> measured_; ///< by first band, resolution
 };
 
 } // namespace
@@ -447,13 +459,13 @@ mayHaveZones(const XYZView& points,
 std::vector<ResolutionZone>
 resolutionZones(const FieldRequest& request,
                 const std::vector<float>& distances,
-                bool is_coarse)
+                double coarse)
 {
-  const Zones zones(request,
-                    distances.empty() ? distancesToTwelfth(neighborhoodsOf(request))
-                                      : distances);
-  return is_coarse && !zones.hasMuchDenserPart() ? std::vector<ResolutionZone>()
-                                                 : zones.find();
+  Zones zones(request,
+              distances.empty() ? distancesToTwelfth(neighborhoodsOf(request))
+                                : distances);
+  return coarse > 0.0 && !zones.showMoreThan(coarse) ? std::vector<ResolutionZone>()
+                                                     : zones.find();
 }
 
 } // namespace pcl::detail

@@ -31,10 +31,10 @@ bool mayHaveZones(const XYZView& points,
 /** \brief The zones of the request's surface, denser ones first; none if all of it has
  * the same noise, if it does not grow with the spacing, or if one resolution shows
  * nearly as much. \param[in] distances of the points to their 12th neighbors; none if
- * they are not known \param[in] is_coarse a coarser resolution was chosen for all of it
- */
+ * they are not known \param[in] coarse the resolution
+ * that was chosen for all of it, meters; 0 for none */
 std::vector<ResolutionZone> resolutionZones(const FieldRequest& request,
                                             const std::vector<float>& distances,
-                                            bool is_coarse);
+                                            double coarse);
 
 } // namespace pcl::detail

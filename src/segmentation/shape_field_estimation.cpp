@@ -127,8 +127,9 @@ private:
     const bool was_noisy = coarse_.resolution > request_.resolution;
     if (!request_.one_resolution &&
         (was_noisy || mayHaveZones(field.points, field.spacings, request_.threads)))
-      zones_ = resolutionZones(
-          request_, measured.distances ? *measured.distances : distances_, was_noisy);
+      zones_ = resolutionZones(request_,
+                               measured.distances ? *measured.distances : distances_,
+                               was_noisy ? coarse_.resolution : 0.0);
     return zones_.empty();
   }
 
