@@ -247,9 +247,10 @@ public:
   }
 
   /** What is denser than the first noisy range keeps the resolution that is set; each
-   * range from there on begins with that of the one before, as distances grow. */
+   * range from there on begins with that of the one before, as distances grow.
+   * \param[in] most meters */
   std::vector<ResolutionZone>
-  find()
+  find(double most)
   {
     const std::size_t first = firstTooNoisy();
     if (first == ranges_.size())
@@ -262,14 +263,15 @@ public:
     double resolution = request_.resolution;
     double finest = 0.0; // of the ranges of the last zone
     for (std::size_t k = first; k < ranges_.size(); ++k) {
-      resolution = resolutionOf(ranges_[k], resolution);
+      resolution = std::min(most, resolutionOf(ranges_[k], resolution));
       if (k == first || resolution > same_zone * finest) {
         zones.emplace_back();
         finest = resolution;
       }
       zones.back().ranges.push_back(ranges_[k]);
       zones.back().resolution = resolution;
-      resolution = twoDigits(std::exp2(1.0 / bands_per_octave) * resolution);
+      resolution =
+          std::min(most, twoDigits(std::exp2(1.0 / bands_per_octave) * resolution));
     }
     std::vector<ResolutionZone> found;
     if (zones.size() < 2)
@@ -464,8 +466,10 @@ resolutionZones(const FieldRequest& request,
   Zones zones(request,
               distances.empty() ? distancesToTwelfth(neighborhoodsOf(request))
                                 : distances);
-  return coarse > 0.0 && !zones.showMoreThan(coarse) ? std::vector<ResolutionZone>()
-                                                     : zones.find();
+  if (coarse == 0.0)
+    return zones.find(std::numeric_limits<double>::infinity());
+  return zones.showMoreThan(coarse) ? zones.find(coarse)
+                                    : std::vector<ResolutionZone>();
 }
 
 } // namespace pcl::detail
