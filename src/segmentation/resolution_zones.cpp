@@ -322,8 +322,11 @@ private:
   resolutionOf(const Range& range, double least)
   {
     double resolution = least;
-    while (const double next = coarser(measure(range, resolution), range, resolution))
+    double next = coarser(measure(range, resolution), range, resolution);
+    while (next > 0.0) {
       resolution = next;
+      next = coarser(measure(range, resolution), range, resolution);
+    }
     return resolution;
   }
 
