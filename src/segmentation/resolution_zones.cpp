@@ -52,7 +52,7 @@ constexpr std::size_t min_places = 100; // whose noise can be told
 // Radians; less is no noise that could be measured.
 constexpr float silent = 1e-3f;
 constexpr double flattest = 0.1; // of the angles, see noiseLevelOf()
-// Bands whose resolutions differ by less are one zone: each zone is a field.
+// Ranges whose resolutions differ by less are one zone: each zone is a field.
 constexpr double same_zone = 1.5;
 // Local spacings over that of the cloud. They grow with the root of distances, which
 // are 1.4 times as large in the next band.
@@ -63,7 +63,10 @@ constexpr std::size_t some_places = 300; // a tenth of them is known to 2 %
 std::vector<int>
 bandsOf(const XYZView& points, const std::vector<float>& distances, unsigned threads)
 {
+  std::vector<int> bands(points.size, no_band);
   const auto usual = static_cast<double>(medianSpacing(distances));
+  if (!(usual > 0.0)) // squares of such distances are less than a float can hold
+    return bands;
   const double size = cell_distances * usual;
   const auto along = [size](float x) {
     constexpr double most = 1 << 30;
@@ -73,7 +76,6 @@ bandsOf(const XYZView& points, const std::vector<float>& distances, unsigned thr
       sortedByCell(points, threads, [&](const float* p) -> Cell {
         return {along(p[2]), along(p[1]), along(p[0])};
       });
-  std::vector<int> bands(points.size, no_band);
   const auto setBand = [&](const auto begin, const auto end, std::size_t) {
     std::vector<float> known;
     for (auto at = begin; at != end; ++at)
@@ -330,8 +332,9 @@ private:
     return resolution;
   }
 
-  /** Of the cloud as if all of it were like this band: it tells whether points are
-   * closer than a sensor can tell apart. */
+  /** The next resolution, 0 for none. The number of places is that of the cloud if all
+   * of it were like this range: it tells whether they are closer than a sensor can tell
+   * apart. */
   double
   coarser(const Measured& measured, const Range& range, double resolution) const
   {

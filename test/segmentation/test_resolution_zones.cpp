@@ -117,6 +117,7 @@ TEST(ResolutionZones, ShowWhatIsNearMoreClosely)
   }
   const ShapeField other = oneResolution(cloud);
   EXPECT_EQ(other.finest_resolution, other.resolution);
+  EXPECT_LE(field.resolution, other.resolution);
   EXPECT_LT(edgesOf(other, {1.1, -2 * half_width}, 0.015, 0.003).right, near.right);
 }
 
@@ -168,6 +169,7 @@ TEST(ResolutionZones, AreTheSameWithUnknownPoints)
 {
   const auto cloud = nearAndFar();
   const ShapeField field = edgeFieldOf(cloud);
+  ASSERT_LT(field.finest_resolution, field.resolution);
   const std::size_t points = cloud->size();
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   cloud->insert(cloud->end(), 2 * points, PointXYZ(nan, nan, nan));
