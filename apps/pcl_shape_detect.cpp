@@ -5,6 +5,7 @@
 #include "cli/command_line.h"
 #include "cli/filter_app.h"
 #include "detection/detection.h"
+#include "detection/instances.h"
 #include "detection/results.h"
 
 namespace {

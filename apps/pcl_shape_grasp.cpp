@@ -7,16 +7,16 @@
 #include "cli/pcl_errors.h"
 #include "detection/detection.h"
 #include "io/files.h"
-#include "results/result_files.h"
 #include "results/selection.h"
 
 #include <pcl/segmentation/suction_grasp_estimation.h>
+
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cstdio>
 #include <optional>
 #include <sstream>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -24,6 +24,14 @@ namespace {
 using namespace pcl::app;
 using Estimation = pcl::SuctionGraspEstimation<pcl::PointXYZ>;
 using Grasps = std::vector<pcl::SuctionGrasp>;
+using Json = nlohmann::ordered_json;
+
+/** What is to be grasped, and how. */
+struct Target {
+  std::optional<std::uint32_t> object; ///< its number, if there are several targets
+  pcl::IndicesPtr points;
+  Grasps grasps; ///< the best first
+};
 
 constexpr std::uint64_t default_grasps = 10;
 constexpr std::uint64_t grasp_limit = 1000000; // more than any list is read for
@@ -76,32 +84,27 @@ setViewPoint(Estimation& estimation, const CloudFile& file, const Arguments& arg
 }
 
 /** The points to grasp, or those of each object. */
-std::vector<std::pair<TargetGrasps, pcl::IndicesPtr>>
+std::vector<Target>
 targetsOf(const CloudFile& file,
           const pcl::PointCloud<pcl::PointXYZ>& points,
           const Arguments& arguments)
 {
-  std::vector<std::pair<TargetGrasps, pcl::IndicesPtr>> targets;
-  if (!arguments.has("each")) {
-    targets.emplace_back(TargetGrasps(), selectedPoints(file, points, arguments));
-    return targets;
-  }
-  for (const auto& [object, indices] : selectedObjects(file, points, arguments)) {
-    TargetGrasps target;
-    target.object = object;
-    targets.emplace_back(target, indices);
-  }
+  if (!arguments.has("each"))
+    return {{std::nullopt, selectedPoints(file, points, arguments), {}}};
+  std::vector<Target> targets;
+  for (const auto& [object, indices] : selectedObjects(file, points, arguments))
+    targets.push_back({object, indices, {}});
   return targets;
 }
 
-std::vector<TargetGrasps>
+std::vector<Target>
 findGrasps(Estimation& estimation,
            const CloudFile& file,
            const Arguments& arguments,
            Report& report)
 {
   const auto points = pointsOf(file);
-  auto targets = targetsOf(file, *points, arguments);
+  std::vector<Target> targets = targetsOf(file, *points, arguments);
   estimation.setInputCloud(points);
   estimation.setShapeField(surfaceFieldOf(file,
                                           points,
@@ -110,15 +113,11 @@ findGrasps(Estimation& estimation,
                                           arguments.threads(),
                                           report));
   setViewPoint(estimation, file, arguments);
-  std::vector<TargetGrasps> found;
-  for (auto& [target, indices] : targets) {
-    target.points = indices->size();
-    estimation.setIndices(indices);
-    withPclErrors(file.path,
-                  [&, &grasps = target.grasps] { return estimation.compute(grasps); });
-    found.push_back(std::move(target));
+  for (Target& target : targets) {
+    estimation.setIndices(target.points);
+    withPclErrors(file.path, [&] { return estimation.compute(target.grasps); });
   }
-  return found;
+  return targets;
 }
 
 void
@@ -142,21 +141,67 @@ print(const Grasps& grasps)
 }
 
 void
-print(const std::vector<TargetGrasps>& targets)
+print(const std::vector<Target>& targets)
 {
-  for (const TargetGrasps& target : targets) {
+  for (const Target& target : targets) {
     if (target.object)
-      std::printf("object %u, %zu points:\n", *target.object, target.points);
+      std::printf("object %u, %zu points:\n", *target.object, target.points->size());
     print(target.grasps);
   }
 }
 
+Json
+graspToJson(const pcl::SuctionGrasp& grasp, const std::optional<std::uint32_t>& object)
+{
+  Json problems = Json::array();
+  for (const pcl::SealProblem problem : grasp.problems)
+    problems.push_back(pcl::nameOf(problem));
+  Json json = object ? Json{{"object", *object}} : Json::object();
+  json.update({{"position", vectorToJson(grasp.position.data())},
+               {"approach", vectorToJson(grasp.approach.data())},
+               {"score", grasp.score},
+               {"seals", grasp.seals()},
+               {"problems", problems},
+               {"surface", grasp.surface == 1 ? "planar" : "curved"},
+               {"likelihood", grasp.likelihood},
+               {"covered", grasp.covered},
+               {"border_distance", grasp.border_distance},
+               {"edge_distance", grasp.edge_distance},
+               {"obstacle_distance", grasp.obstacle_distance},
+               {"margin", grasp.margin},
+               {"sag", grasp.sag},
+               {"sag_allowed", grasp.sag_allowed},
+               {"residual", grasp.residual},
+               {"residual_allowed", grasp.residual_allowed},
+               {"convergence",
+                {{"converged", grasp.converged},
+                 {"iterations", grasp.iterations},
+                 {"starts", grasp.starts},
+                 {"bandwidth", grasp.bandwidth},
+                 {"moved", grasp.moved}}}});
+  return json;
+}
+
+/** The contents of the -json file, as doc/files.md describes it. */
+std::string
+graspsToJson(const std::string& app,
+             const Report& report,
+             const std::vector<Target>& targets)
+{
+  Json json = Json::parse(toJson(app, report));
+  json["grasps"] = Json::array();
+  for (const Target& target : targets)
+    for (const pcl::SuctionGrasp& grasp : target.grasps)
+      json["grasps"].push_back(graspToJson(grasp, target.object));
+  return dumpJson(json);
+}
+
 void
-reportCounts(const std::vector<TargetGrasps>& targets, Report& report)
+reportCounts(const std::vector<Target>& targets, Report& report)
 {
   std::uint64_t points = 0, grasps = 0, sealing = 0;
-  for (const TargetGrasps& target : targets) {
-    points += target.points;
+  for (const Target& target : targets) {
+    points += target.points->size();
     grasps += target.grasps.size();
     for (const pcl::SuctionGrasp& grasp : target.grasps)
       sealing += grasp.seals() ? 1 : 0;
@@ -185,7 +230,7 @@ run(const Arguments& arguments)
   reportViewPoint(file, arguments, report);
   reportSelection(arguments, report);
   reportPoints(*pointsOf(file), report);
-  const std::vector<TargetGrasps> targets = report.time(
+  const std::vector<Target> targets = report.time(
       "grasps", [&] { return findGrasps(estimation, file, arguments, report); });
   reportCounts(targets, report);
   writeJson(arguments, graspsToJson(arguments.app(), report, targets));

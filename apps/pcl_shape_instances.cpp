@@ -5,8 +5,8 @@
 #include "cli/command_line.h"
 #include "cli/filter_app.h"
 #include "detection/detection.h"
+#include "detection/instances.h"
 #include "detection/model_file.h"
-#include "detection/results.h"
 #include "io/errors.h"
 
 #include <algorithm>

@@ -144,4 +144,10 @@ toJson(const std::string& app,
   return dumpJson(json);
 }
 
+nlohmann::ordered_json
+vectorToJson(const float* v)
+{
+  return {v[0], v[1], v[2]};
+}
+
 } // namespace pcl::app

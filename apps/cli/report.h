@@ -100,4 +100,7 @@ std::string toJson(const std::string& app,
  * \param[in] indent -1 for one line */
 std::string dumpJson(const nlohmann::ordered_json& json, int indent = 2);
 
+/** \brief x, y and z. */
+nlohmann::ordered_json vectorToJson(const float* v);
+
 } // namespace pcl::app

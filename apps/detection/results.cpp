@@ -7,7 +7,8 @@
 #include "cli/filter_app.h"
 #include "cli/pcl_errors.h"
 #include "io/files.h"
-#include "results/result_files.h"
+
+#include <nlohmann/json.hpp>
 
 #include <optional>
 
@@ -37,6 +38,25 @@ reportLines(const std::vector<pcl::CreaseLine>& lines, Report& report)
     length += line.length;
   report.setCount("lines", "count", lines.size());
   report.setNumber("lines", "length", length);
+}
+
+/** The contents of the -lines file, as doc/files.md describes it. */
+std::string
+linesToJson(const CloudFile& input, const std::vector<CreaseLine>& lines)
+{
+  constexpr double degrees_per_radian = 180.0 / 3.14159265358979323846;
+  using Json = nlohmann::ordered_json;
+  Json json = {{"format", "pcl_shape lines"}, {"version", 1}, {"input", input.path}};
+  if (input.offset != std::array<double, 3>{})
+    json["offset"] = input.offset;
+  json["lines"] = Json::array();
+  for (const CreaseLine& line : lines)
+    json["lines"].push_back({{"length", line.length},
+                             {"angle_degrees", line.angle * degrees_per_radian},
+                             {"spacing", line.spacing},
+                             {"closed", line.closed},
+                             {"points", line.points}});
+  return dumpJson(json, -1);
 }
 
 } // namespace
@@ -99,27 +119,6 @@ addSurfaces(CloudFile& file,
     for (std::size_t c = 0; c < names.size(); ++c)
       setField(file, "likelihood_" + names[c], likelihoods[c]);
   setField(file, "surface", surface);
-}
-
-void
-addInstances(CloudFile& file, InstanceSegmentation& segmentation, Report& report)
-{
-  std::vector<pcl::ShapeInstance> instances;
-  withPclErrors(file.path, [&] {
-    return report.time("instances", [&] { return segmentation.segment(instances); });
-  });
-  std::vector<std::uint32_t> labels(file.size(), 0);
-  std::uint64_t labeled = 0;
-  for (std::size_t k = 0; k < instances.size(); ++k) {
-    for (const pcl::index_t index : instances[k].indices)
-      labels[static_cast<std::size_t>(index)] = static_cast<std::uint32_t>(k + 1);
-    labeled += instances[k].indices.size();
-  }
-  report.setCount("counts", "instances", instances.size());
-  report.setCount("counts", "points in them", labeled);
-  reportInstances(
-      instances, segmentation.getClass(), segmentation.getClasses(), report);
-  setField(file, "instance", labels);
 }
 
 int

@@ -10,7 +10,6 @@
 
 #include <pcl/segmentation/shape_back_projection.h>
 #include <pcl/segmentation/shape_edge_detection.h>
-#include <pcl/segmentation/shape_instance_segmentation.h>
 
 #include <functional>
 #include <vector>
@@ -43,12 +42,6 @@ void addSurfaces(CloudFile& file,
                  SurfaceDetector& detector,
                  const DetectionSettings& settings,
                  Report& report);
-
-using InstanceSegmentation = pcl::ShapeInstanceSegmentation<pcl::PointXYZ>;
-
-/** \brief Add the field instance. \param[in] segmentation ready for segment()
- * \throws InputError with the reason if the cloud is refused */
-void addInstances(CloudFile& file, InstanceSegmentation& segmentation, Report& report);
 
 /** \brief Adds fields to a cloud. \return its creases, if -lines is given */
 using LineFilter =

@@ -82,7 +82,7 @@ replacePending(const char* old_value, const char* new_value)
 }
 
 [[noreturn]] void
-fail(const std::string& path, const std::string& why)
+failToWrite(const std::string& path, const std::string& why)
 {
   throw InputError(path + ": cannot be written: " + why +
                    "; expected a file in a directory that exists and is writable");
@@ -95,14 +95,14 @@ resolve(const std::string& path)
   std::error_code error;
   const fs::path resolved = fs::weakly_canonical(path, error);
   if (error)
-    fail(path, error.message());
+    failToWrite(path, error.message());
   const fs::file_status status = fs::status(resolved, error);
   if (fs::is_directory(status))
-    fail(path, "it is a directory");
+    failToWrite(path, "it is a directory");
   if (fs::exists(status) && !fs::is_regular_file(status))
-    fail(path, "it is not a regular file");
+    failToWrite(path, "it is not a regular file");
   if (fs::exists(status) && ::access(resolved.c_str(), W_OK) != 0)
-    fail(path, std::strerror(errno));
+    failToWrite(path, std::strerror(errno));
   return resolved.string();
 }
 
@@ -190,7 +190,7 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path)
     if (descriptor_ >= 0)
       replacePending(nullptr, temporary_.c_str());
     else if (errno != EINTR && (errno != EEXIST || attempt >= max_attempts))
-      fail(path_, std::strerror(errno));
+      failToWrite(path_, std::strerror(errno));
   }
   if (struct stat old{}; ::stat(target_.c_str(), &old) == 0)
     ::fchmod(descriptor_, old.st_mode & 07777);
@@ -213,7 +213,7 @@ AtomicFile::write(std::string_view contents)
   if (temporary_.empty())
     for_standard_output_ += contents;
   else if (const int error = writeAll(descriptor_, contents))
-    fail(path_, std::strerror(error));
+    failToWrite(path_, std::strerror(error));
 }
 
 void
@@ -228,7 +228,7 @@ AtomicFile::commit()
   }
   const int closed = ::close(std::exchange(descriptor_, -1));
   if (closed != 0 || std::rename(temporary_.c_str(), target_.c_str()) != 0)
-    fail(path_, std::strerror(errno));
+    failToWrite(path_, std::strerror(errno));
   is_committed_ = true;
 }
 

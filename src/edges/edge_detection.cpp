@@ -4,16 +4,9 @@
 
 #include "edges/edge_detection.h"
 
-#include "common/finite.h"
-#include "common/gathered.h"
-#include "common/parallel.h"
 #include "edges/crease_continuation.h"
 #include "edges/crease_votes.h"
-#include "edges/edge_band.h"
 #include "features/models/class_evidence.h"
-#include "geometry/voxel_means.h"
-
-#include <pcl/features/impl/neighborhoods.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -33,27 +26,14 @@ constexpr float needed_per_noise = 5.0f;
 // Where the fits of two planes are judged, too, crowded creases can share their voters.
 constexpr float needed_less_if_fits_count = 4.0f;
 
-// Half of the points are left, so that creases stay, and the noise that a few neighbors
-// share is another one.
-constexpr double next_voxel = 0.7; // spacings
-// From the mean of a voxel to the 12th on a plane that fills its voxels.
-constexpr double means_distance = 1.9; // voxels
-
 /** Sets normals, and gives the evidence at each point. */
 std::vector<float>
-evidenceOf(const FieldInput& input, const ShapeModel& model, ShapeField& field)
+evidenceOf(const FieldInput& input, const ShapeEvidence& densities, ShapeField& field)
 {
   AdaptiveINAD inad = adaptiveINAD(
-      input, field.spacings, withNoise(model.parameters(), field.noise_level));
+      input, field.spacings, withNoise(densities.parameters(), field.noise_level));
   field.normals = std::move(inad.normals);
-  const ShapeEvidence densities(model);
-  std::vector<float> evidence(input.points.size);
-  kernels::parallelForEach(evidence.size(), input.threads, [&](std::size_t i) {
-    float logs[2];
-    densities.logDensities(inad.mu_sigma[2 * i], inad.mu_sigma[2 * i + 1], logs);
-    evidence[i] = logs[0] - logs[1];
-  });
-  return evidence;
+  return densities.firstOverSecond(inad.mu_sigma, input.threads);
 }
 
 float
@@ -112,10 +92,10 @@ agreementsOf(const FieldInput& input,
              const MeasuredCloud& measured,
              const PointGrid& grid,
              float whiteness,
-             const ShapeModel& model,
+             const ShapeEvidence& densities,
              ShapeField& field)
 {
-  const std::vector<float> evidence = evidenceOf(input, model, field);
+  const std::vector<float> evidence = evidenceOf(input, densities, field);
   field.edge_likelihood.reserve(evidence.size());
   for (const float e : evidence)
     field.edge_likelihood.push_back(
@@ -127,32 +107,19 @@ agreementsOf(const FieldInput& input,
 std::vector<CreasePoint>
 creasesOfNextLevel(const FieldInput& input,
                    const MeasuredCloud& measured,
-                   const ShapeModel& model,
+                   const ShapeEvidence& densities,
                    double noise)
 {
-  CloudNumbers numbers;
-  numbers.spacing = measured.spacing;
-  numbers.noise = noise;
-  const NextLevel level = nextLevel(numbers);
-  const std::vector<float> means = voxelMeans(input.points, level.size, input.threads);
-  const XYZView points = viewOfPositions(means);
-  const Neighborhoods neighborhoods(points, input.threads);
-  const FieldInput of_means{neighborhoods, points, {}, input.threads};
-  ShapeField field;
-  field.spacings = input.is_even ? localSpacings(neighborhoods, true)
-                                 : localSpacings(neighborhoods, level.numbers);
-  field.noise = level.numbers.noise;
-  field.noise_level = level.numbers.noise_level;
-  const float spacing = level.numbers.spacing;
-  const MeasuredCloud measured_means{spacing, {field.noise_level, 1.0}, points.size};
+  MeansOfCloud means = meansOfCloud(input, measured, noise);
+  const FieldInput of_means{*means.neighborhoods, means.points, {}, input.threads};
   constexpr float whiteness = 0.0f;
   return creasesAmong(agreementsOf(of_means,
-                                   measured_means,
-                                   gridOf(of_means, measured_means),
+                                   means.measured,
+                                   gridOf(of_means, means.measured),
                                    whiteness,
-                                   model,
-                                   field),
-                      neededEvidence(whiteness, field.noise_level));
+                                   densities,
+                                   means.field),
+                      neededEvidence(whiteness, means.field.noise_level));
 }
 
 /** True edges of a level are edges of the next one, the steps of a sensor are not.
@@ -178,56 +145,21 @@ weakenWhatDoesNotPersist(const std::vector<CreasePoint>& next,
 
 } // namespace
 
-MeasuredCloud
-measureCloud(const FieldInput& input, ShapeField& field)
-{
-  return measureCloud(input,
-                      input.of_cloud
-                          ? localSpacings(input.neighborhoods, *input.of_cloud)
-                          : localSpacings(input.neighborhoods, input.is_even),
-                      field);
-}
-
-MeasuredCloud
-measureCloud(const FieldInput& input, std::vector<float> spacings, ShapeField& field)
-{
-  const CloudNumbers* const of_cloud = input.of_cloud;
-  field.spacings = std::move(spacings);
-  const float spacing = spacingOfCloud(input, field.spacings);
-  MeasuredCloud measured{spacing, {}, countFinite(input.points)};
-  field.noise =
-      of_cloud ? of_cloud->noise : noiseOf(input.neighborhoods, field.spacings);
-  // Of normals of one's own it is not known which noise is left in them.
-  measured.noise =
-      of_cloud ? NoiseLevel{of_cloud->noise_level, of_cloud->noise_correlation}
-      : input.normals.size > 0
-          ? NoiseLevel{field.noise, 1.0}
-          : noiseLevelOf(
-                input.neighborhoods, field.spacings, field.noise, input.threads);
-  field.noise_level = measured.noise.level;
-  return measured;
-}
-
-void
-setNoiseLevel(const NoiseLevel& noise, CloudNumbers& numbers)
-{
-  numbers.noise_level = noise.level;
-  numbers.noise_correlation = noise.correlation;
-}
-
 void
 findEdges(const FieldInput& input,
           const MeasuredCloud& measured,
-          const ShapeModel& model,
+          const ShapeEvidence& densities,
           ShapeField& field)
 {
   const float whiteness = whitenessOf(measured.noise.correlation, field.noise);
   const PointGrid grid = gridOf(input, measured);
   std::vector<Agreement> agreements =
-      agreementsOf(input, measured, grid, whiteness, model, field);
+      agreementsOf(input, measured, grid, whiteness, densities, field);
   if (measured.noise.correlation > 0.0 && input.normals.size == 0)
     weakenWhatDoesNotPersist(
-        creasesOfNextLevel(input, measured, model, field.noise), measured, agreements);
+        creasesOfNextLevel(input, measured, densities, field.noise),
+        measured,
+        agreements);
   const float needed = neededEvidence(whiteness, field.noise_level);
   continueCreases(needed,
                   faintEvidence(needed, whiteness),
@@ -236,20 +168,6 @@ findEdges(const FieldInput& input,
                   agreements);
   markBands(agreements, needed, grid, field);
   field.creases = creasesAmong(agreements, needed);
-}
-
-NextLevel
-nextLevel(const CloudNumbers& numbers)
-{
-  NextLevel level;
-  level.size = next_voxel * static_cast<double>(numbers.spacing);
-  level.numbers.distance = means_distance * level.size;
-  level.numbers.spacing = static_cast<float>(level.numbers.distance);
-  // As thick as it was, for neighbors share it.
-  level.numbers.noise = numbers.noise / (means_distance * next_voxel);
-  level.numbers.noise_level = level.numbers.noise;
-  level.numbers.noise_correlation = 1.0;
-  return level;
 }
 
 float

@@ -4,52 +4,33 @@
 
 #pragma once
 
-#include "features/adaptive_inad.h"
-#include "features/noise/noise_level.h"
-#include "geometry/point_grid.h"
+#include "edges/measured_cloud.h"
 
-#include <pcl/features/shape_model.h>
-#include <pcl/segmentation/shape_field.h>
+namespace pcl {
 
-#include <vector>
+namespace segmentation {
 
-namespace pcl::detail {
+/** \brief How far edge points are from their crease, in spacings. Without noise it is
+ * two mean distances between points; with noise, the width that INAD can tell apart. */
+inline float
+edgeBand(double noise)
+{
+  return 1.02f + 4.0f * static_cast<float>(noise);
+}
 
-/** \brief What finding edges needs to know of a cloud. */
-struct MeasuredCloud {
-  float spacing; ///< the median, meters
-  NoiseLevel noise;
-  std::size_t places; ///< that are finite
-  const std::vector<float>* distances =
-      nullptr; ///< of the points to their 12th neighbors, if these are known
-};
+} // namespace segmentation
 
-/** \brief Measure a cloud: sets the spacings, noise and noise level of a field. */
-MeasuredCloud measureCloud(const FieldInput& input, ShapeField& field);
+namespace detail {
 
-/** \brief The same with spacings that are known. */
-MeasuredCloud
-measureCloud(const FieldInput& input, std::vector<float> spacings, ShapeField& field);
-
-/** \brief Sets the noise level among the numbers of a cloud. */
-void setNoiseLevel(const NoiseLevel& noise, CloudNumbers& numbers);
+class ShapeEvidence;
 
 /** \brief Find the creases of a cloud: sets normals, edge likelihood and creases. See
  * doc/method.md for the steps.
- * \param[in] model two classes, the first of which is the edge */
+ * \param[in] evidence of two classes, the first of which is the edge */
 void findEdges(const FieldInput& input,
                const MeasuredCloud& measured,
-               const ShapeModel& model,
+               const ShapeEvidence& evidence,
                ShapeField& field);
-
-/** \brief The voxel means of a cloud whose creases say which of the cloud's persist. */
-struct NextLevel {
-  double size = 0.0;    ///< of a voxel, meters
-  CloudNumbers numbers; ///< that are expected of the means
-};
-
-/** \param[in] numbers of the cloud */
-NextLevel nextLevel(const CloudNumbers& numbers);
 
 /** \brief How much the fits of two planes count, and whether creases are followed: 0
  * where neighbors share noise, to 1. At the limit of the noise that is measured, it is
@@ -60,4 +41,5 @@ float whitenessOf(double correlation, double noise);
  * local spacing and the cloud's. */
 float persistenceSpacings();
 
-} // namespace pcl::detail
+} // namespace detail
+} // namespace pcl

@@ -6,7 +6,7 @@
 
 #include "common/finite.h"
 #include "common/parallel.h"
-#include "edges/edge_band.h"
+#include "edges/edge_detection.h"
 
 #include <algorithm>
 #include <cmath>

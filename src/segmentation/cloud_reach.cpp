@@ -4,7 +4,6 @@
 
 #include "edges/crease_continuation.h"
 #include "edges/crease_votes.h"
-#include "edges/edge_band.h"
 #include "edges/edge_detection.h"
 #include "edges/edge_types.h"
 #include "features/noise/noise_level.h"

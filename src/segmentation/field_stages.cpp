@@ -5,6 +5,7 @@
 #include "segmentation/field_stages.h"
 
 #include "common/gathered.h"
+#include "features/models/class_evidence.h"
 #include "surfaces/surface_classification.h"
 
 namespace pcl::detail {
@@ -51,7 +52,7 @@ fieldOf(const FieldRequest& request,
                                      : measureCloud(input, field);
   if (!conditions.to_edges(measured, field))
     return field;
-  findEdges(input, measured, request.edge_model, field);
+  findEdges(input, measured, ShapeEvidence(request.edge_model), field);
   if (conditions.to_surfaces(field) && !request.edges_only)
     classifySurfaces(input, request.surface_model, field);
   return field;

@@ -4,9 +4,11 @@
 
 #include "common/gathered.h"
 #include "edges/edge_detection.h"
+#include "features/models/class_evidence.h"
 #include "features/noise/part_noise.h"
 #include "features/spacing/local_spacing.h"
 
+#include <pcl/features/shape_model.h>
 #include <pcl/segmentation/known_parts.h>
 #include <pcl/features/impl/neighborhoods.hpp>
 
@@ -66,7 +68,7 @@ edgesOf(const KnownPart& part,
   field.points = part.places;
   const MeasuredCloud measured =
       measureCloud(input, spacingsOf(part.distances, numbers), field);
-  findEdges(input, measured, ShapeModel::defaultEdges(), field);
+  findEdges(input, measured, ShapeEvidence(ShapeModel::defaultEdges()), field);
   return field;
 }
 

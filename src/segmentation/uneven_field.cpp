@@ -6,7 +6,7 @@
 
 #include "common/gathered.h"
 #include "common/statistics.h"
-#include "edges/edge_band.h"
+#include "edges/edge_detection.h"
 #include "geometry/point_grid.h"
 
 #include <cmath>
@@ -17,7 +17,6 @@ namespace {
 
 using namespace segmentation;
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 // The spacing of means over that of the points that they stand for: less is chance.
 constexpr float coarser = 1.5f;
 // Of the points around a crease, for a sparse face beside a dense one has few of them:
@@ -67,7 +66,8 @@ public:
   {
     field_.classes = means_.classes;
     for (const std::vector<float>& of_means : means_.likelihoods)
-      field_.likelihoods.push_back(gathered(of_means, stands_for_, nan));
+      field_.likelihoods.push_back(
+          gathered(of_means, stands_for_, std::numeric_limits<float>::quiet_NaN()));
   }
 
   /** Where dense and sparse faces meet, it may be that only the means show the crease.

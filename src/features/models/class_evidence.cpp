@@ -4,6 +4,10 @@
 
 #include "features/models/class_evidence.h"
 
+#include "common/parallel.h"
+
+#include <pcl/features/shape_model.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -88,7 +92,8 @@ between(double position, std::size_t bins)
 } // namespace
 
 ShapeEvidence::ShapeEvidence(const ShapeModel& model)
-: mu_bins_(model.classes().front().histogram.muBins())
+: parameters_(model.parameters())
+, mu_bins_(model.classes().front().histogram.muBins())
 , sigma_bins_(model.classes().front().histogram.sigmaBins())
 , mu_bin_(model.classes().front().histogram.muRange() / static_cast<double>(mu_bins_))
 , sigma_bin_(model.classes().front().histogram.sigmaRange() /
@@ -115,6 +120,19 @@ ShapeEvidence::logDensities(float mu, float sigma, float* values) const
     };
     *values++ = along(i.first) * (1.0f - i.share) + along(i.second) * i.share;
   }
+}
+
+std::vector<float>
+ShapeEvidence::firstOverSecond(const std::vector<float>& mu_sigma,
+                               unsigned threads) const
+{
+  std::vector<float> evidence(mu_sigma.size() / 2);
+  kernels::parallelForEach(evidence.size(), threads, [&](std::size_t i) {
+    float logs[2];
+    logDensities(mu_sigma[2 * i], mu_sigma[2 * i + 1], logs);
+    evidence[i] = logs[0] - logs[1];
+  });
+  return evidence;
 }
 
 } // namespace pcl::detail

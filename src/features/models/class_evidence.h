@@ -4,11 +4,16 @@
 
 #pragma once
 
-#include <pcl/features/shape_model.h>
+#include <pcl/features/inad_parameters.h>
 
+#include <cstddef>
 #include <vector>
 
-namespace pcl::detail {
+namespace pcl {
+
+class ShapeModel;
+
+namespace detail {
 
 /** \brief Logarithms of the smoothed densities of a model's classes, ready for look-up.
  *
@@ -26,10 +31,23 @@ public:
     return tables_.size();
   }
 
+  /** \brief Those that the model was made with. */
+  const INADParameters&
+  parameters() const
+  {
+    return parameters_;
+  }
+
   /** \brief The logarithm of each class's density, 1/rad^2; all NaN for NaN. */
   void logDensities(float mu, float sigma, float* values) const;
 
+  /** \brief Of two classes ln(density of the first / of the second); NaN unknown.
+   * \param[in] mu_sigma two for each point \param[in] threads 0 for all cores */
+  std::vector<float> firstOverSecond(const std::vector<float>& mu_sigma,
+                                     unsigned threads) const;
+
 private:
+  INADParameters parameters_;
   std::size_t mu_bins_;
   std::size_t sigma_bins_;
   double mu_bin_;    ///< radians
@@ -37,4 +55,5 @@ private:
   std::vector<std::vector<float>> tables_;
 };
 
-} // namespace pcl::detail
+} // namespace detail
+} // namespace pcl
