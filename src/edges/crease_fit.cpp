@@ -41,20 +41,20 @@ farthestFrom(const Vector3f& direction, const std::vector<Vector3f>& normals)
 std::vector<char>
 groupNormals(const std::vector<Vector3f>& normals)
 {
-  Matrix3f all = Matrix3f::Zero();
+  Scatter<float> all;
   for (const Vector3f& n : normals)
-    all += n * n.transpose();
-  Vector3f first = farthestFrom(principalAxis(all, 2), normals);
+    all.add(n);
+  Vector3f first = farthestFrom(principalAxis(all.matrix(), 2), normals);
   Vector3f second = farthestFrom(first, normals);
   std::vector<char> group(normals.size());
   for (int round = 0; round < normal_rounds; ++round) {
-    Matrix3f of_first = Matrix3f::Zero(), of_second = Matrix3f::Zero();
+    Scatter<float> of_first, of_second;
     for (std::size_t i = 0; i < normals.size(); ++i) {
       group[i] = std::abs(normals[i].dot(second)) > std::abs(normals[i].dot(first));
-      (group[i] ? of_second : of_first) += normals[i] * normals[i].transpose();
+      (group[i] ? of_second : of_first).add(normals[i]);
     }
-    first = principalAxis(of_first, 2);
-    second = principalAxis(of_second, 2);
+    first = principalAxis(of_first.matrix(), 2);
+    second = principalAxis(of_second.matrix(), 2);
   }
   return group;
 }
