@@ -62,8 +62,9 @@ fitAt(const InstanceInput& input,
     return {};
   const Vector3f mean = sum / static_cast<float>(count);
   const Vector3f normal = normals.normalized();
-  const float variance = normal.dot(squares.matrix() * normal) / static_cast<float>(count) -
-                         normal.dot(mean) * normal.dot(mean);
+  const float variance =
+      normal.dot(squares.matrix() * normal) / static_cast<float>(count) -
+      normal.dot(mean) * normal.dot(mean);
   const float spacing = input.spacings[i];
   return {position + mean,
           normal,
