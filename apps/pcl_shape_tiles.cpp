@@ -20,10 +20,6 @@
 
 #include <nlohmann/json.hpp>
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -351,18 +347,6 @@ private:
   std::optional<pcl::tiling::Position> chosen_offset_;
   Report report_;
 };
-
-/** What a tile has freed is for the next one. Large blocks would go back to the system,
- * which clears each of their pages when it gives them again. */
-void
-keepFreedMemory()
-{
-#ifdef __GLIBC__
-  constexpr int blocks_of_their_own = 0, never = -1;
-  mallopt(M_MMAP_MAX, blocks_of_their_own);
-  mallopt(M_TRIM_THRESHOLD, never);
-#endif
-}
 
 void
 checkArguments(const Arguments& arguments)

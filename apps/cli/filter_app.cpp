@@ -8,6 +8,10 @@
 #include "io/any_cloud.h"
 #include "io/errors.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -110,6 +114,16 @@ isModel(const Arguments& arguments, const std::string& path)
 } // namespace
 
 void
+keepFreedMemory()
+{
+#ifdef __GLIBC__
+  constexpr int blocks_of_their_own = 0, never = -1;
+  mallopt(M_MMAP_MAX, blocks_of_their_own);
+  mallopt(M_TRIM_THRESHOLD, never);
+#endif
+}
+
+void
 addCommonOptions(CommandLine& command_line, bool is_parallel)
 {
   command_line
@@ -151,6 +165,7 @@ runFilter(const Arguments& arguments, const Filter& filter)
 {
   arguments.threads();
   checkInputOptions(arguments);
+  keepFreedMemory();
   return arguments.hasBoth("input_dir", "output_dir") ? runDirectory(arguments, filter)
                                                       : runOne(arguments, filter);
 }

@@ -28,6 +28,10 @@ void addFormatOption(CommandLine& command_line);
 
 PCDFormat outputFormat(const Arguments& arguments);
 
+/** \brief What a step or a tile has freed is for the next one. Large blocks would go
+ * back to the system, which clears each of their pages when it gives them again. */
+void keepFreedMemory();
+
 /** \brief -threads and -json, which every app has. \param[in] is_parallel whether
  * -threads has an effect */
 void addCommonOptions(CommandLine& command_line, bool is_parallel = true);

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <cstring>
@@ -54,6 +55,23 @@ toText(const std::array<double, 3>& vector)
   return text;
 }
 
+template <typename Value>
+Value
+valueAt(const CloudFile& cloud, std::size_t point, const pcl::PCLPointField& field)
+{
+  Value value;
+  std::memcpy(&value, cloud.at(point, field), sizeof(value));
+  return value;
+}
+
+bool
+areFloats(const std::array<pcl::PCLPointField, 3>& fields)
+{
+  return std::all_of(fields.begin(), fields.end(), [](const auto& field) {
+    return field.datatype == pcl::PCLPointField::FLOAT32;
+  });
+}
+
 /** A coordinate of a point as it is before it becomes a float. */
 double
 beforeFloat(const CloudFile& cloud,
@@ -62,9 +80,9 @@ beforeFloat(const CloudFile& cloud,
             double offset)
 {
   return visitType(field.datatype, [&](auto value) {
-    std::memcpy(&value, cloud.at(point, field), sizeof(value));
     constexpr bool is_float = std::is_same_v<decltype(value), float>;
-    return static_cast<double>(value) - (is_float ? 0.0 : offset);
+    return static_cast<double>(valueAt<decltype(value)>(cloud, point, field)) -
+           (is_float ? 0.0 : offset);
   });
 }
 
@@ -73,11 +91,19 @@ warnOfRounding(const Arguments& arguments, const CloudFile& cloud)
 {
   const auto &x = *findField(cloud, "x"), &y = *findField(cloud, "y"),
              &z = *findField(cloud, "z");
-  const double step = pcl::destructiveFloatSpacing(cloud.size(), [&](std::size_t i) {
+  const auto pointAt = [&](std::size_t i) {
     return std::array<double, 3>{beforeFloat(cloud, i, x, cloud.offset[0]),
                                  beforeFloat(cloud, i, y, cloud.offset[1]),
                                  beforeFloat(cloud, i, z, cloud.offset[2])};
-  });
+  };
+  const auto floatsAt = [&](std::size_t i) {
+    return std::array<double, 3>{valueAt<float>(cloud, i, x),
+                                 valueAt<float>(cloud, i, y),
+                                 valueAt<float>(cloud, i, z)};
+  };
+  const bool are_floats = areFloats({x, y, z});
+  const double step = are_floats ? pcl::destructiveFloatSpacing(cloud.size(), floatsAt)
+                                 : pcl::destructiveFloatSpacing(cloud.size(), pointAt);
   if (step == 0.0)
     return;
   char text[128]; // two numbers of up to 12 characters

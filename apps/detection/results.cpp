@@ -81,8 +81,7 @@ addEdges(CloudFile& file,
     for (const pcl::index_t index : members.front().indices)
       edge[static_cast<std::size_t>(index)] = 1;
     reportClasses(detector.getClasses(), members, report);
-    setField(file, "edge_likelihood", likelihoods[0]);
-    setField(file, "edge", edge);
+    setColumns(file, {{"edge_likelihood", likelihoods[0]}, {"edge", edge}});
   }
   if (results.types)
     addTypes(file, edges.types, report);
@@ -114,11 +113,12 @@ addSurfaces(CloudFile& file,
     for (const pcl::index_t index : members[c].indices)
       surface[static_cast<std::size_t>(index)] = static_cast<std::uint32_t>(c + 1);
   reportClasses(names, members, report);
-  setField(file, "likelihood", likelihoods.front());
+  std::vector<Column> columns{{"likelihood", likelihoods.front()}};
   if (settings.has_model && settings.model.classes().size() > 1)
     for (std::size_t c = 0; c < names.size(); ++c)
-      setField(file, "likelihood_" + names[c], likelihoods[c]);
-  setField(file, "surface", surface);
+      columns.push_back({"likelihood_" + names[c], likelihoods[c]});
+  columns.push_back({"surface", surface});
+  setColumns(file, columns);
 }
 
 int

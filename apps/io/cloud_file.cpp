@@ -118,37 +118,6 @@ runsOf(const std::vector<FieldSource>& sources)
   return runs;
 }
 
-/** The new values of a field, packed. */
-struct Column {
-  std::string name;
-  std::uint8_t datatype;
-  const void* values;
-  std::size_t size;
-};
-
-/** Append or replace fields, in one pass over the points. */
-void
-setColumns(CloudFile& cloud, const std::vector<Column>& columns)
-{
-  std::vector<FieldSource> sources = sourcesOf(cloud);
-  for (const Column& column : columns) {
-    if (column.size != cloud.size())
-      throw std::logic_error(cloud.path + ": " + std::to_string(column.size) +
-                             " values for a field of " + std::to_string(cloud.size()) +
-                             " points");
-    const auto found = std::find_if(sources.begin(), sources.end(), [&](const auto& s) {
-      return s.field.name == column.name;
-    });
-    FieldSource& source = found == sources.end() ? sources.emplace_back() : *found;
-    source.field.name = column.name;
-    source.field.datatype = column.datatype;
-    source.field.count = 1;
-    source.values = static_cast<const std::uint8_t*>(column.values);
-    source.step = valueSize(column.datatype);
-  }
-  setFields(cloud, sources);
-}
-
 const std::vector<std::string_view> known_names =
     splitWords("x y z normal_x normal_y normal_z curvature rgb rgba intensity");
 
@@ -414,10 +383,31 @@ labelsOf(const CloudFile& cloud, const std::string& field)
 }
 
 void
+setColumns(CloudFile& cloud, const std::vector<Column>& columns)
+{
+  std::vector<FieldSource> sources = sourcesOf(cloud);
+  for (const Column& column : columns) {
+    if (column.size != cloud.size())
+      throw std::logic_error(cloud.path + ": " + std::to_string(column.size) +
+                             " values for a field of " + std::to_string(cloud.size()) +
+                             " points");
+    const auto found = std::find_if(sources.begin(), sources.end(), [&](const auto& s) {
+      return s.field.name == column.name;
+    });
+    FieldSource& source = found == sources.end() ? sources.emplace_back() : *found;
+    source.field.name = column.name;
+    source.field.datatype = column.datatype;
+    source.field.count = 1;
+    source.values = static_cast<const std::uint8_t*>(column.values);
+    source.step = valueSize(column.datatype);
+  }
+  setFields(cloud, sources);
+}
+
+void
 setField(CloudFile& cloud, const std::string& name, const std::vector<float>& values)
 {
-  setColumns(cloud,
-             {{name, pcl::PCLPointField::FLOAT32, values.data(), values.size()}});
+  setColumns(cloud, {{name, values}});
 }
 
 void
@@ -425,7 +415,7 @@ setField(CloudFile& cloud,
          const std::string& name,
          const std::vector<std::uint32_t>& values)
 {
-  setColumns(cloud, {{name, pcl::PCLPointField::UINT32, values.data(), values.size()}});
+  setColumns(cloud, {{name, values}});
 }
 
 void
@@ -442,8 +432,7 @@ setNormals(CloudFile& cloud, const pcl::PointCloud<pcl::Normal>& normals)
   const char* const names[] = {"normal_x", "normal_y", "normal_z", "curvature"};
   std::vector<Column> columns;
   for (std::size_t c = 0; c < values.size(); ++c)
-    columns.push_back(
-        {names[c], pcl::PCLPointField::FLOAT32, values[c].data(), values[c].size()});
+    columns.push_back({names[c], values[c]});
   setColumns(cloud, columns);
 }
 

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl::app {
@@ -141,7 +142,33 @@ std::vector<double> numbersOf(const CloudFile& cloud, const std::string& field);
  */
 std::vector<std::uint32_t> labelsOf(const CloudFile& cloud, const std::string& field);
 
-/** \brief Append a field, or replace the one of that name, whatever its type. */
+/** \brief The values of a field to be, one for each point. */
+struct Column {
+  Column(std::string name, const std::vector<float>& values)
+  : name(std::move(name))
+  , datatype(pcl::PCLPointField::FLOAT32)
+  , values(values.data())
+  , size(values.size())
+  {}
+
+  Column(std::string name, const std::vector<std::uint32_t>& values)
+  : name(std::move(name))
+  , datatype(pcl::PCLPointField::UINT32)
+  , values(values.data())
+  , size(values.size())
+  {}
+
+  std::string name;
+  std::uint8_t datatype;
+  const void* values; ///< they must live until they are set
+  std::size_t size;
+};
+
+/** \brief Append fields, or replace those of these names, whatever their types, in one
+ * pass over the points. */
+void setColumns(CloudFile& cloud, const std::vector<Column>& columns);
+
+/** \brief The same of one field. */
 void
 setField(CloudFile& cloud, const std::string& name, const std::vector<float>& values);
 

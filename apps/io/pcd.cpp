@@ -22,6 +22,7 @@
 #include <cstring>
 #include <lzf.h>
 #include <map>
+#include <memory>
 
 namespace pcl::app {
 namespace {
@@ -410,16 +411,27 @@ valuesInText(const CloudFile& cloud)
   return values;
 }
 
+/** Memory that is not set to 0 first. */
+template <typename T>
+std::unique_ptr<T[]>
+rawArray(std::size_t size)
+{
+  return std::unique_ptr<T[]>(new T[size]);
+}
+
 /** The points as columns, one field after the other. */
-std::vector<std::uint8_t>
+std::unique_ptr<std::uint8_t[]>
 columnsOf(const CloudFile& cloud)
 {
-  std::vector<std::uint8_t> columns(cloud.blob.data.size());
-  std::uint8_t* to = columns.data();
+  auto columns = rawArray<std::uint8_t>(cloud.blob.data.size());
+  std::uint8_t* to = columns.get();
   for (const auto& field : cloud.blob.fields) {
     const std::size_t bytes = valueSize(field.datatype) * field.count;
     for (std::size_t i = 0; i < cloud.size(); ++i, to += bytes)
-      std::memcpy(to, cloud.at(i, field), bytes);
+      if (bytes == sizeof(float)) // no call for so little
+        std::memcpy(to, cloud.at(i, field), sizeof(float));
+      else
+        std::memcpy(to, cloud.at(i, field), bytes);
   }
   return columns;
 }
@@ -427,20 +439,18 @@ columnsOf(const CloudFile& cloud)
 void
 appendCompressed(const CloudFile& cloud, std::string& text)
 {
-  const std::vector<std::uint8_t> columns = columnsOf(cloud);
+  const std::size_t size = cloud.blob.data.size();
   // What has no repetition grows by a byte for every 32; the rest is LibLZF's reserve.
   const auto most = static_cast<std::uint32_t>(
-      std::min<std::uint64_t>(columns.size() + columns.size() / 32 + 16, max_bytes));
-  std::array<std::uint32_t, 2> sizes{0, static_cast<std::uint32_t>(columns.size())};
-  const std::size_t begin = text.size();
-  text.resize(begin + sizeof(sizes) + most);
-  char* const data = text.data() + begin + sizeof(sizes);
-  sizes[0] = lzf_compress(columns.data(), sizes[1], data, most);
+      std::min<std::uint64_t>(size + size / 32 + 16, max_bytes));
+  std::array<std::uint32_t, 2> sizes{0, static_cast<std::uint32_t>(size)};
+  const auto compressed = rawArray<char>(most);
+  sizes[0] = lzf_compress(columnsOf(cloud).get(), sizes[1], compressed.get(), most);
   if (sizes[0] == 0)
     throw InputError(cloud.path + ": the points have 4 GiB when compressed; must be "
                                   "less (see -format binary)");
-  std::memcpy(data - sizeof(sizes), sizes.data(), sizeof(sizes));
-  text.resize(begin + sizeof(sizes) + sizes[0]);
+  text.append(reinterpret_cast<const char*>(sizes.data()), sizeof(sizes));
+  text.append(compressed.get(), sizes[0]);
 }
 
 void

@@ -19,10 +19,10 @@ namespace {
 using Eigen::Matrix3f;
 using Eigen::Vector3f;
 
-constexpr int normal_rounds = 3;    // they only give the planes a start
-constexpr int plane_rounds = 5;     // few neighborhoods change after that
-constexpr int min_plane_points = 5; // fewer are no plane, as for normals
-constexpr float parallel = 0.05f;   // sine, 3 degrees: the line is anywhere
+constexpr int normal_rounds = 3;            // they only give the planes a start
+constexpr int plane_rounds = 5;             // few neighborhoods change after that
+constexpr std::size_t min_plane_points = 5; // fewer are no plane, as for normals
+constexpr float parallel = 0.05f;           // sine, 3 degrees: the line is anywhere
 constexpr float half_turn = 3.14159265f;
 // Spacings. Without noise neither is exact; what is less than this is no difference.
 constexpr double min_deviation = 0.03;
@@ -41,31 +41,30 @@ farthestFrom(const Vector3f& direction, const std::vector<Vector3f>& normals)
 std::vector<char>
 groupNormals(const std::vector<Vector3f>& normals)
 {
-  Matrix3f all = Matrix3f::Zero();
+  Scatter<float> all;
   for (const Vector3f& n : normals)
-    all += n * n.transpose();
-  Vector3f first = farthestFrom(principalAxis(all, 2), normals);
+    all.add(n);
+  Vector3f first = farthestFrom(principalAxis(all.matrix(), 2), normals);
   Vector3f second = farthestFrom(first, normals);
   std::vector<char> group(normals.size());
   for (int round = 0; round < normal_rounds; ++round) {
-    Matrix3f of_first = Matrix3f::Zero(), of_second = Matrix3f::Zero();
+    std::array<Scatter<float>, 2> of_groups;
     for (std::size_t i = 0; i < normals.size(); ++i) {
       group[i] = std::abs(normals[i].dot(second)) > std::abs(normals[i].dot(first));
-      (group[i] ? of_second : of_first) += normals[i] * normals[i].transpose();
+      of_groups[static_cast<std::size_t>(group[i])].add(normals[i]);
     }
-    first = principalAxis(of_first, 2);
-    second = principalAxis(of_second, 2);
+    first = principalAxis(of_groups[0].matrix(), 2);
+    second = principalAxis(of_groups[1].matrix(), 2);
   }
   return group;
 }
 
 Plane<float>
-planeOf(const std::vector<Vector3f>& points, const std::vector<char>& group, char which)
+planeOf(const std::vector<Vector3f>& points)
 {
   return fitPlane<float>([&](const auto& visit) {
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (group[i] == which)
-        visit(points[i]);
+    for (const Vector3f& point : points)
+      visit(point);
   });
 }
 
@@ -116,10 +115,7 @@ double
 quadricSquares(const std::vector<Vector3f>& points)
 {
   using Vector6d = Eigen::Matrix<double, 6, 1>;
-  const Plane<float> plane = fitPlane<float>([&](const auto& visit) {
-    for (const Vector3f& point : points)
-      visit(point);
-  });
+  const Plane<float> plane = planeOf(points);
   const Vector3f u = plane.normal.unitOrthogonal(), v = plane.normal.cross(u);
   Eigen::Matrix<double, 6, 6> products = Eigen::Matrix<double, 6, 6>::Zero();
   Vector6d heights = Vector6d::Zero();
@@ -147,12 +143,18 @@ fitCrease(const Patch& patch)
     return std::nullopt;
   std::vector<char> group = groupNormals(patch.normals);
   Plane<float> first, second;
+  std::array<std::vector<Vector3f>, 2> of_groups;
+  for (std::vector<Vector3f>& of_group : of_groups)
+    of_group.reserve(points.size());
   for (int round = 0; round < plane_rounds; ++round) {
-    if (std::count(group.begin(), group.end(), 0) < min_plane_points ||
-        std::count(group.begin(), group.end(), 1) < min_plane_points)
+    for (std::vector<Vector3f>& of_group : of_groups)
+      of_group.clear();
+    for (std::size_t i = 0; i < points.size(); ++i)
+      of_groups[static_cast<std::size_t>(group[i])].push_back(points[i]);
+    if (std::min(of_groups[0].size(), of_groups[1].size()) < min_plane_points)
       return std::nullopt;
-    first = planeOf(points, group, 0);
-    second = planeOf(points, group, 1);
+    first = planeOf(of_groups[0]);
+    second = planeOf(of_groups[1]);
     bool changed = false;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const char nearer = second.distance(points[i]) < first.distance(points[i]);

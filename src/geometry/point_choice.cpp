@@ -4,13 +4,30 @@
 
 #include "geometry/point_choice.h"
 
+#include "common/radix_sort.h"
 #include "geometry/cell_loop.h"
 #include "geometry/point_grid.h"
 
 #include <algorithm>
+#include <cstring>
+#include <limits>
 #include <tuple>
 
 namespace pcl::segmentation {
+namespace {
+
+/** Bits that are in the order of finite floats; of both zeros the same. */
+std::uint32_t
+sortedBitsOf(float value)
+{
+  constexpr std::uint32_t sign = 0x80000000U;
+  value += 0.0f;
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  return (bits & sign) != 0 ? ~bits : bits | sign;
+}
+
+} // namespace
 
 bool
 isBefore(const XYZView& points, std::uint32_t a, std::uint32_t b)
@@ -22,18 +39,20 @@ isBefore(const XYZView& points, std::uint32_t a, std::uint32_t b)
 void
 sortByPosition(const XYZView& points, std::vector<std::uint32_t>& indices)
 {
-  // Their x beside the indices: few comparisons need the points.
-  struct Entry {
-    float x;
-    std::uint32_t index;
-  };
-  std::vector<Entry> entries;
+  // By x as sorted bits; only those of one x need y and z.
+  kernels::RawVector<kernels::Keyed<std::uint32_t>> entries;
   entries.reserve(indices.size());
   for (const std::uint32_t i : indices)
-    entries.push_back({points[i][0], i});
-  std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
-    return a.x != b.x ? a.x < b.x : isBefore(points, a.index, b.index);
-  });
+    entries.push_back({sortedBitsOf(points[i][0]), i});
+  constexpr unsigned threads = 1;
+  kernels::radixSort(entries, std::numeric_limits<std::uint32_t>::digits, threads);
+  for (auto begin = entries.begin(), end = begin; begin != entries.end(); begin = end) {
+    while (end != entries.end() && end->key == begin->key)
+      ++end;
+    std::sort(begin, end, [&](const auto& a, const auto& b) {
+      return isBefore(points, a.index, b.index);
+    });
+  }
   for (std::size_t k = 0; k < indices.size(); ++k)
     indices[k] = entries[k].index;
 }

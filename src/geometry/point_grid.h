@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace pcl::segmentation {
@@ -91,6 +92,13 @@ public:
     return indices_;
   }
 
+  /** \brief Becomes the grid of the points in their order(). */
+  void
+  renumber()
+  {
+    std::iota(indices_.begin(), indices_.end(), 0U);
+  }
+
 private:
   struct CellBox {
     Eigen::Array3i low, high; ///< low above high if there is no cell with points
@@ -150,12 +158,33 @@ private:
     }
     if (cells.begin == cells.end)
       return cells;
-    const auto first = keys_.begin() + static_cast<std::ptrdiff_t>(cells.begin);
-    const auto last = keys_.begin() + static_cast<std::ptrdiff_t>(cells.end);
-    const auto low = std::lower_bound(first, last, keyOf(low_x, y, z));
-    const auto high = std::upper_bound(low, last, keyOf(high_x, y, z));
-    return {static_cast<std::size_t>(low - keys_.begin()),
-            static_cast<std::size_t>(high - keys_.begin())};
+    const std::size_t low = firstFrom(keyOf(low_x, y, z), cells);
+    const std::uint64_t last_key = keyOf(high_x, y, z);
+    std::size_t high = low; // mostly few cells later
+    while (high < cells.end && keys_[high] <= last_key)
+      ++high;
+    return {low, high};
+  }
+
+  /** The first cell of some with this key or a larger one. As keys are integers in
+   * ascending order, only as many cells come into question as keys are left out. */
+  std::size_t
+  firstFrom(std::uint64_t key, const CellRange& cells) const
+  {
+    const std::uint64_t first_key = keys_[cells.begin], last_key = keys_[cells.end - 1];
+    if (key <= first_key)
+      return cells.begin;
+    if (key > last_key)
+      return cells.end;
+    const std::uint64_t last = cells.end - 1 - cells.begin;
+    std::uint64_t low = last - std::min(last, last_key - key);
+    std::uint64_t count = std::min(last, key - first_key) - low;
+    while (count > 0) { // no branch waits for a key
+      const std::uint64_t half = (count + 1) / 2;
+      low += keys_[cells.begin + low + half - 1] < key ? half : 0;
+      count -= half;
+    }
+    return cells.begin + low;
   }
 
   /** The place of a row of cells among those from the first to the last with points. */

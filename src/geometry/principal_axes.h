@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include "geometry/scatter.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <cmath>
@@ -55,12 +57,9 @@ fitPlane(const ForEach& forEach)
     ++count;
   });
   plane.center /= static_cast<Scalar>(count);
-  Eigen::Matrix<Scalar, 3, 3> scatter = Eigen::Matrix<Scalar, 3, 3>::Zero();
-  forEach([&](const Vector& point) {
-    const Vector d = point - plane.center;
-    scatter += d * d.transpose();
-  });
-  plane.normal = principalAxis(scatter, 0);
+  Scatter<Scalar> scatter;
+  forEach([&](const Vector& point) { scatter.add(point - plane.center); });
+  plane.normal = principalAxis(scatter.matrix(), 0);
   return plane;
 }
 

@@ -86,15 +86,16 @@ isLikely(std::size_t points, std::size_t high_points)
 }
 
 float
-gridCell(const InstanceInput& input)
+gridCell(float median_spacing)
 {
-  return grid_spacings * medianSpacing(input);
+  return grid_spacings * median_spacing;
 }
 
 InstanceLabels
-findComponents(const InstanceInput& input, const InstanceLimits& limits)
+findComponents(const InstanceInput& input,
+               const PointGrid& grid,
+               const InstanceLimits& limits)
 {
-  const PointGrid grid(input.points, gridCell(input));
   Labels labels = smoothPieces(input, grid, membersOf(input, limits.low, false));
   dropUnlikely(input, limits.high, labels);
   growLabels(input, grid, {membersOf(input, limits.low, true), true}, labels);
@@ -103,9 +104,10 @@ findComponents(const InstanceInput& input, const InstanceLimits& limits)
 }
 
 InstanceLabels
-findObjects(const InstanceInput& input, const InstanceLimits& limits)
+findObjects(const InstanceInput& input,
+            const PointGrid& grid,
+            const InstanceLimits& limits)
 {
-  const PointGrid grid(input.points, gridCell(input));
   std::vector<char> members = membersOf(input, 0.0, false);
   const std::vector<Support> planes = supportPlanes(input, grid, members);
   for (const Support& plane : planes)

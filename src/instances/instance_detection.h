@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include "geometry/point_grid.h"
+
 #include <pcl/segmentation/shape_instance_segmentation.h>
 
 #include <cstdint>
@@ -38,14 +40,18 @@ std::vector<char> membersOf(const InstanceInput& input, double low, bool with_ed
 bool isLikely(std::size_t points, std::size_t high_points);
 
 /** \brief The size of the cells that points are visited in, meters. */
-float gridCell(const InstanceInput& input);
+float gridCell(float median_spacing);
 
 /** \brief Connected components of a class over its likelihood. See doc/instances.md for
- * the steps. */
-InstanceLabels findComponents(const InstanceInput& input, const InstanceLimits& limits);
+ * the steps. \param[in] grid of the points, of such cells */
+InstanceLabels findComponents(const InstanceInput& input,
+                              const segmentation::PointGrid& grid,
+                              const InstanceLimits& limits);
 
 /** \brief Whole objects on a support, likewise. */
-InstanceLabels findObjects(const InstanceInput& input, const InstanceLimits& limits);
+InstanceLabels findObjects(const InstanceInput& input,
+                           const segmentation::PointGrid& grid,
+                           const InstanceLimits& limits);
 
 /** \brief Fit a primitive to some points of a cloud by RANSAC with a fixed seed
  * (pcl::SampleConsensus), and refine it by least squares.

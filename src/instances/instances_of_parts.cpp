@@ -134,7 +134,7 @@ std::vector<InstanceNode>
 InstancesOfParts::nodes(const std::vector<InstancePoint>& points, std::size_t own) const
 {
   const InstanceInput input = inputOf(points, numbers_, threads_);
-  const PointGrid grid(input.points, gridCell(input));
+  const PointGrid grid(input.points, gridCell(medianSpacing(input)));
   std::vector<InstanceNode> nodes;
   for (const SurfaceNode& node :
        surfaceNodes(input, grid, membersOf(input, limits_.low, false)))
@@ -228,7 +228,7 @@ InstancesOfParts::grow(const std::vector<InstancePoint>& points,
                        std::vector<std::int32_t> labels) const
 {
   const InstanceInput input = inputOf(points, numbers_, threads_);
-  const PointGrid grid(input.points, gridCell(input));
+  const PointGrid grid(input.points, gridCell(medianSpacing(input)));
   growLabels(input, grid, {membersOf(input, limits_.low, true), true}, labels);
   return labels;
 }

@@ -4,8 +4,10 @@
 
 #include "segmentation/field_places.h"
 
+#include "common/finite.h"
 #include "common/gathered.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl::detail {
@@ -26,6 +28,31 @@ knownPoints(const ShapeField& field, const DistinctPoints& distinct)
 
 } // namespace
 
+DistinctPoints
+distinctPoints(const ShapeField& field)
+{
+  if (!field.base) // else equal points would have one
+    return {};
+  DistinctPoints distinct;
+  distinct.place = field.base_points;
+  distinct.first.assign(field.base->points.size, -1);
+  for (std::size_t i = 0; i < field.points.size; ++i) {
+    const std::int32_t place = distinct.place[i];
+    const float* const p = field.points[i];
+    const bool is_there =
+        place >= 0 &&
+        std::equal(p, p + 3, field.base->points[static_cast<std::size_t>(place)]);
+    if (!is_there && (place < 0 || kernels::isFinite(p))) // means stand for points
+      return pcl::distinctPoints(field.points);
+    std::int32_t& first = distinct.first[static_cast<std::size_t>(place)];
+    if (first < 0)
+      first = static_cast<std::int32_t>(i);
+  }
+  const bool is_of_these =
+      std::count(distinct.first.begin(), distinct.first.end(), -1) == 0;
+  return is_of_these ? distinct : pcl::distinctPoints(field.points);
+}
+
 std::vector<float>
 unsignedZeros(std::vector<float> values)
 {
@@ -34,10 +61,10 @@ unsignedZeros(std::vector<float> values)
   return values;
 }
 
-FieldPlaces::FieldPlaces(const ShapeField& field) : given_(field)
+FieldPlaces::FieldPlaces(const ShapeField& field)
+: given_(field)
+, distinct_(distinctPoints(field))
 {
-  if (field.base)
-    distinct_ = distinctPoints(field.points);
   if (!hasRepeats())
     return;
   const std::vector<std::size_t> from = knownPoints(field, distinct_);

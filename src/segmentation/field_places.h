@@ -16,6 +16,9 @@ namespace pcl::detail {
 /** \brief The values with zeros that are positive. */
 std::vector<float> unsignedZeros(std::vector<float> values);
 
+/** \brief The places of a field's points. If its base is of these, it knows them. */
+DistinctPoints distinctPoints(const ShapeField& field);
+
 /** \brief What detectors work on: a field without equal points. Each place has the
  * values of its points; if only some of them are known, theirs. */
 class FieldPlaces {

@@ -7,6 +7,7 @@
 #include "common/statistics.h"
 #include "features/spacing/local_spacing.h"
 #include "features/spacing/some_points.h"
+#include "segmentation/field_places.h"
 
 #include <pcl/features/distinct_points.h>
 #include <pcl/segmentation/unknown_points.h>
@@ -50,11 +51,11 @@ struct Places {
 
 Places
 placesOf(const XYZView& points,
+         const DistinctPoints& distinct,
          const std::vector<float>& values,
          const NeighborhoodSize& size)
 {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  const DistinctPoints distinct = distinctPoints(points);
   std::vector<std::size_t> place_at(
       distinct.hasRepeats() ? distinct.first.size() : points.size, none);
   Places places;
@@ -126,20 +127,19 @@ countReasons(const Places& places,
   }
 }
 
-} // namespace
-
 UnknownPoints
-unknownPoints(const XYZView& points,
-              const std::vector<float>& values,
-              const NeighborhoodSize& size,
-              unsigned threads)
+unknownAmong(const XYZView& points,
+             const DistinctPoints& distinct,
+             const std::vector<float>& values,
+             const NeighborhoodSize& size,
+             unsigned threads)
 {
   if (values.size() != points.size)
     throw std::invalid_argument("there are " + std::to_string(values.size()) +
                                 " values of " + std::to_string(points.size) +
                                 " points: one for each is needed");
   UnknownPoints result;
-  const Places places = placesOf(points, values, size);
+  const Places places = placesOf(points, distinct, values, size);
   for (std::size_t i = 0; i < places.points.size(); ++i) {
     result.finite += places.points[i];
     result.unknown += places.unknown[i];
@@ -174,6 +174,17 @@ unknownPoints(const XYZView& points,
   }
   countReasons(places, asked, of_asked, threads, result);
   return result;
+}
+
+} // namespace
+
+UnknownPoints
+unknownPoints(const XYZView& points,
+              const std::vector<float>& values,
+              const NeighborhoodSize& size,
+              unsigned threads)
+{
+  return unknownAmong(points, distinctPoints(points), values, size, threads);
 }
 
 UnknownPoints
@@ -215,8 +226,11 @@ unknownPoints(const ShapeField& field, unsigned threads)
   for (const float spacing : field.spacings)
     radii.push_back(std::max(spacings * (std::isfinite(spacing) ? spacing : usual),
                              std::numeric_limits<float>::min()));
-  return unknownPoints(
-      field.points, values, NeighborhoodSize::ofRadii(radii.data()), threads);
+  return unknownAmong(field.points,
+                      detail::distinctPoints(field),
+                      values,
+                      NeighborhoodSize::ofRadii(radii.data()),
+                      threads);
 }
 
 } // namespace pcl

@@ -85,13 +85,11 @@ addNode(const XYZView& points,
   node.position = first + node.position / node.count;
   node.normal.normalize();
   node.spacing /= node.count;
-  Matrix3f scatter = Matrix3f::Zero();
-  for (const std::uint32_t i : members) {
-    const Vector3f offset = positionOf(points, i) - node.position;
-    scatter += offset * offset.transpose();
-  }
+  Scatter<float> scatter;
+  for (const std::uint32_t i : members)
+    scatter.add(positionOf(points, i) - node.position);
   level.nodes.push_back(node);
-  level.scatters.push_back(scatter);
+  level.scatters.push_back(scatter.matrix());
 }
 
 /** Nodes of some cells, and the point that stands for each. */

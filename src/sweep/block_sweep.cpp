@@ -152,12 +152,16 @@ bool
 BlockSweep::findNearest(SweepBlock& block, RunFinder& finder, double& reach) const
 {
   const KernelTable& kernels = chosenKernels();
+  constexpr double step = 1.5; // about twice the points of a surface
+  // After a stray, far from all others, the next block must not hold the whole cloud.
+  constexpr double max_edges = 8.0;
+  const double most = std::max(max_edges * queries.edge, step * reach);
   bool is_far_enough = true;
   setRadius(block, squared(reach));
   // Beyond the largest float every distance has been looked at.
   while (!kernels.nearest(block, neighborhood.k) && !std::isinf(squared(reach))) {
     is_far_enough = false;
-    reach *= 1.5; // about twice the points of a surface
+    reach *= step;
     const auto& runs = finder.find(block.box, reach);
     block.runs = runs.data();
     block.run_count = runs.size();
@@ -168,7 +172,8 @@ BlockSweep::findNearest(SweepBlock& block, RunFinder& finder, double& reach) con
     if (std::isfinite(block.kth_d2[i]))
       largest = std::max(largest, block.kth_d2[i]);
   // Seldom too short for the next block; not 0, which would never grow.
-  reach = std::max(1.1 * std::sqrt(static_cast<double>(largest)), 1e-3 * queries.edge);
+  reach = std::clamp(
+      1.1 * std::sqrt(static_cast<double>(largest)), 1e-3 * queries.edge, most);
   return is_far_enough;
 }
 

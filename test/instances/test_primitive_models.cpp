@@ -39,10 +39,11 @@ sampleOf(const Surface& surface)
   return sample;
 }
 
-/** Each hypothesis is counted as PCL does it, if it is the best so far. */
+/** Each hypothesis is counted as PCL does it, if it is the best so far, and optimized
+ * as PCL does it. */
 template <typename Counting, typename Counted>
 void
-expectCountsOfPCL(Counting model, const std::vector<std::vector<float>>& hypotheses)
+expectResultsOfPCL(Counting model, const std::vector<std::vector<float>>& hypotheses)
 {
   std::size_t most = 0, ended = 0;
   for (const std::vector<float>& hypothesis : hypotheses) {
@@ -54,6 +55,10 @@ expectCountsOfPCL(Counting model, const std::vector<std::vector<float>>& hypothe
       EXPECT_EQ(count, right);
     }
     EXPECT_LE(count, std::max(right, most));
+    Eigen::VectorXf of_pcl, optimized;
+    model.Counted::optimizeModelCoefficients(*model.getIndices(), coefficients, of_pcl);
+    model.optimizeModelCoefficients(*model.getIndices(), coefficients, optimized);
+    EXPECT_TRUE(optimized.isApprox(of_pcl, 1e-3f)) << optimized << "\n\n" << of_pcl;
     ended += count < right;
     most = std::max(most, right);
   }
@@ -61,28 +66,36 @@ expectCountsOfPCL(Counting model, const std::vector<std::vector<float>>& hypothe
   EXPECT_GT(ended, 0U) << "none ended early";
 }
 
-TEST(CountingModel, CountsAsPCLUntilItCannotBeTheBest)
+TEST(CountingModel, CountsAndOptimizesAsPCL)
 {
   Random random(12);
   const PrimitiveSample flat = sampleOf(floorPatch(0, 0, 3, 20, 20));
   const PrimitiveSample ball = sampleOf(sphere(900, 4.0, random));
   const PrimitiveSample can = sampleOf(cylinder(900, 4.0, 10.0, random));
-  std::vector<std::vector<float>> planes, balls, cans;
+  const PrimitiveSample horn = sampleOf(cone(900, 10.0, random));
+  std::vector<std::vector<float>> planes, balls, cans, horns;
   for (const float off : {0.05f, 0.02f, 0.0f, 0.01f, 0.04f}) {
     planes.push_back({off, 0.0f, std::sqrt(1.0f - off * off), -3.0f});
     balls.push_back({off, 2.0f * off, 0.0f, 4.0f + off});
-    cans.push_back({off, 0.0f, 1.0f, off, 0.0f, std::sqrt(1.0f - off * off), 4.0f});
+    const float upright = std::sqrt(1.0f - off * off);
+    cans.push_back({off, 0.0f, 1.0f, off, 0.0f, upright, 4.0f});
+    horns.push_back({off, 0.0f, 0.0f, off, 0.0f, upright, float(M_PI / 6.0)});
   }
   using Point = PointXYZ;
-  expectCountsOfPCL<segmentation::PlaneModel, SampleConsensusModelPlane<Point>>(
+  expectResultsOfPCL<segmentation::PlaneModel, SampleConsensusModelPlane<Point>>(
       segmentation::PlaneModel(flat.points), planes);
-  expectCountsOfPCL<segmentation::SphereModel, SampleConsensusModelSphere<Point>>(
+  expectResultsOfPCL<segmentation::SphereModel, SampleConsensusModelSphere<Point>>(
       segmentation::SphereModel(ball.points), balls);
   segmentation::CylinderModel of_can(can.points);
   of_can.setInputNormals(can.normals);
   of_can.setNormalDistanceWeight(0.0);
-  expectCountsOfPCL<segmentation::CylinderModel,
-                    SampleConsensusModelCylinder<Point, Normal>>(of_can, cans);
+  expectResultsOfPCL<segmentation::CylinderModel,
+                     SampleConsensusModelCylinder<Point, Normal>>(of_can, cans);
+  segmentation::ConeModel of_horn(horn.points);
+  of_horn.setInputNormals(horn.normals);
+  of_horn.setNormalDistanceWeight(0.0);
+  expectResultsOfPCL<segmentation::ConeModel, SampleConsensusModelCone<Point, Normal>>(
+      of_horn, horns);
 }
 
 TEST(PrimitiveModel, FitsExactSurfaces)

@@ -271,7 +271,8 @@ TEST(SupportPlanes, WhatIsSmearedIsOfNoObject)
   input.view_point = {0.0f, 0.0f, 1000.0f};
   pcl::InstanceLimits limits;
   limits.min_points = 100;
-  const Labels labels = pcl::detail::findObjects(input, limits);
+  const PointGrid grid(input.points, pcl::detail::gridCell(medianSpacing(input)));
+  const Labels labels = pcl::detail::findObjects(input, grid, limits);
   const std::size_t of_floor = scene.size() - boxOnABump().size();
   EXPECT_EQ(0, labels[of_floor]) << "the lid";
   const std::vector<Support> supports = supportsOf(scene);

@@ -107,6 +107,10 @@ private:
   add(std::size_t i, std::uint64_t hash)
   {
     const float* const p = points_[i];
+    if (i > 0 && areEqual(p, points_[i - 1])) { // mostly, if there are many repeats
+      distinct_.place.push_back(distinct_.place.back());
+      return;
+    }
     const auto next = static_cast<std::int32_t>(distinct_.first.size());
     std::int32_t place = next;
     if (kernels::isFinite(p)) {

@@ -65,6 +65,9 @@ collect(const InstanceInput& input,
         std::vector<Meeting>& meetings)
 {
   const Vector3f p = positionOf(input.points, i);
+  const float reach = contact_reach * input.spacings[i];
+  if (!cells.mayHaveOther(p, reach, grown[i]))
+    return;
   const Eigen::Array3f cell = (p.array() / cell_size).floor();
   std::array<std::int32_t, 8> seen{};
   std::size_t count = 0;
@@ -80,9 +83,6 @@ collect(const InstanceInput& input,
                         {p.x(), p.y(), p.z()},
                         input.spacings[i]});
   };
-  const float reach = contact_reach * input.spacings[i];
-  if (!cells.mayHaveOther(p, reach, grown[i]))
-    return;
   grid.forEachRangeWithin(p, reach, [&](std::uint32_t begin, std::uint32_t end) {
     if (!runs.hasOther(begin, end, grown[i]))
       return;

@@ -31,11 +31,10 @@ lengthOf(const SurfaceSample& sample)
   for (const auto& point : points)
     mean += point.getVector3fMap().cast<double>();
   mean /= static_cast<double>(points.size());
-  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-  for (const auto& point : points) {
-    const Eigen::Vector3d from = point.getVector3fMap().cast<double>() - mean;
-    scatter += from * from.transpose();
-  }
+  Scatter<double> sums;
+  for (const auto& point : points)
+    sums.add(point.getVector3fMap().cast<double>() - mean);
+  const Eigen::Matrix3d scatter = sums.matrix();
   const Eigen::Vector3d axis = principalAxis(scatter, 2);
   const double variance = axis.dot(scatter * axis) / static_cast<double>(points.size());
   return std::sqrt(12.0 * variance) * sample.unit;

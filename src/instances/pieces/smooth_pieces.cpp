@@ -7,6 +7,7 @@
 #include "common/disjoint_sets.h"
 #include "common/parallel.h"
 #include "geometry/point_choice.h"
+#include "geometry/scatter.h"
 #include "instances/label_growth.h"
 #include "instances/pieces/piece_splitting.h"
 
@@ -44,7 +45,7 @@ fitAt(const InstanceInput& input,
   const Vector3f position = positionOf(input.points, i);
   const Vector3f own = normalOf(input, i);
   Vector3f sum = Vector3f::Zero(), normals = sum;
-  Eigen::Matrix3f squares = Eigen::Matrix3f::Zero();
+  Scatter<float> squares;
   int count = 0;
   points.forEachWithin(
       position, fit_spacings * input.spacings[i], [&](std::uint32_t j, float) {
@@ -52,7 +53,7 @@ fitAt(const InstanceInput& input,
           return;
         const Vector3f between = positionOf(input.points, j) - position;
         sum += between;
-        squares += between * between.transpose();
+        squares.add(between);
         const Vector3f normal = normalOf(input, j);
         normals += normal.dot(own) < 0.0f ? Vector3f(-normal) : normal;
         ++count;
@@ -61,8 +62,9 @@ fitAt(const InstanceInput& input,
     return {};
   const Vector3f mean = sum / static_cast<float>(count);
   const Vector3f normal = normals.normalized();
-  const float variance = normal.dot(squares * normal) / static_cast<float>(count) -
-                         normal.dot(mean) * normal.dot(mean);
+  const float variance =
+      normal.dot(squares.matrix() * normal) / static_cast<float>(count) -
+      normal.dot(mean) * normal.dot(mean);
   const float spacing = input.spacings[i];
   return {position + mean,
           normal,

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// PCL's models of planes, cylinders and spheres, with a faster count of the points on
-// them.
+// PCL's models of planes, cylinders, spheres and cones, with a faster count of the
+// points on them and faster least squares.
 
 #pragma once
 
 #include <pcl/point_types.h>
+#include <pcl/sample_consensus/sac_model_cone.h>
 #include <pcl/sample_consensus/sac_model_cylinder.h>
 #include <pcl/sample_consensus/sac_model_plane.h>
 #include <pcl/sample_consensus/sac_model_sphere.h>
@@ -60,6 +61,10 @@ public:
   std::size_t countWithinDistance(const Eigen::VectorXf& coefficients,
                                   double threshold) const override;
 
+  void optimizeModelCoefficients(const Indices& inliers,
+                                 const Eigen::VectorXf& coefficients,
+                                 Eigen::VectorXf& optimized) const override;
+
 private:
   CountedPoints points_;
 };
@@ -68,6 +73,7 @@ using PlaneModel = CountingModel<SampleConsensusModelPlane<PointXYZ>>;
 using SphereModel = CountingModel<SampleConsensusModelSphere<PointXYZ>>;
 /** \brief Normals weigh nothing. */
 using CylinderModel = CountingModel<SampleConsensusModelCylinder<PointXYZ, Normal>>;
+using ConeModel = CountingModel<SampleConsensusModelCone<PointXYZ, Normal>>;
 
 template <>
 std::size_t PlaneModel::countWithinDistance(const Eigen::VectorXf&, double) const;
@@ -75,5 +81,7 @@ template <>
 std::size_t SphereModel::countWithinDistance(const Eigen::VectorXf&, double) const;
 template <>
 std::size_t CylinderModel::countWithinDistance(const Eigen::VectorXf&, double) const;
+template <>
+std::size_t ConeModel::countWithinDistance(const Eigen::VectorXf&, double) const;
 
 } // namespace pcl::segmentation

@@ -7,7 +7,6 @@
 #include "instances/primitives/counting_models.h"
 
 #include <pcl/sample_consensus/ransac.h>
-#include <pcl/sample_consensus/sac_model_cone.h>
 
 #include <algorithm>
 #include <array>
@@ -24,7 +23,6 @@ using Eigen::Vector3f;
 using Eigen::VectorXf;
 using Point = pcl::PointXYZ;
 using Model = pcl::SampleConsensusModel<Point>;
-using Cone = pcl::SampleConsensusModelCone<Point, pcl::Normal>;
 
 // 3 of 10 points on a cylinder: 500 draws miss it with a probability of 10^-20.
 constexpr int max_iterations = 500;
@@ -221,7 +219,7 @@ double
 coneResidual(const PrimitiveSample& sample)
 {
   constexpr double none = std::numeric_limits<double>::infinity();
-  const Model::Ptr model = modelWithNormals<Cone>(sample);
+  const Model::Ptr model = modelWithNormals<ConeModel>(sample);
   std::optional<VectorXf> coefficients = drawn(model, sample.first_tolerance);
   if (!coefficients || !optimize(*model, *model->getIndices(), *coefficients))
     return none;

@@ -7,6 +7,7 @@
 #include "common/disjoint_sets.h"
 #include "common/statistics.h"
 #include "geometry/point_grid.h"
+#include "instances/label_cells.h"
 #include "instances/label_runs.h"
 #include "instances/primitives/primitives.h"
 
@@ -38,6 +39,8 @@ constexpr float min_cosine = 0.7f;
 // A stereo camera makes a table twice as wavy as others do.
 constexpr float max_offset = 2.0f * max_ripple;
 constexpr float sigmas = 3.0f, sigma_of_median = 1.4826f; // of normal errors
+constexpr std::size_t first_step = 4; // of a cell's nodes, two or three
+constexpr float coarse_cells = 4.0f;  // reaches, so that few boxes are in several
 constexpr int fits = 2; // to what is on the plane, and to what is on that of these
 
 double
@@ -82,38 +85,47 @@ nodesOn(const Nodes& nodes, const SupportPlane& support)
   return on;
 }
 
-/** Nodes within reach of each other. One node of each row of cells is enough to tell
- * most sets: only ranges with several of these are looked at. */
+/** Nodes within reach of each other. Neighbors in the grid, and for some nodes one of
+ * each row of cells, are enough to tell most sets: then only nodes and ranges with
+ * several of these around are looked at. */
 DisjointSets
 connected(const Nodes& nodes, float unit)
 {
   const PointGrid grid(positionsOf(nodes), linkReach() * unit);
+  const std::vector<std::uint32_t>& order = grid.order();
   DisjointSets sets(nodes.size());
-  const auto isNear = [&](const SurfaceNode& node, std::uint32_t other) {
-    const float reach = linkReach() * node.spacing;
-    return (nodes[other].position - node.position).squaredNorm() < reach * reach;
+  const auto reachOf = [&](std::uint32_t k) { return linkReach() * nodes[k].spacing; };
+  const auto uniteNear = [&](std::uint32_t k, std::uint32_t other) {
+    const float reach = reachOf(k);
+    if ((nodes[other].position - nodes[k].position).squaredNorm() < reach * reach)
+      sets.unite(k, other);
   };
   const auto forEachRange = [&](std::uint32_t k, const auto& visit) {
-    grid.forEachRangeWithin(nodes[k].position, linkReach() * nodes[k].spacing, visit);
+    grid.forEachRangeWithin(nodes[k].position, reachOf(k), visit);
   };
-  for (std::uint32_t k = 0; k < nodes.size(); ++k)
-    forEachRange(k, [&](std::uint32_t begin, std::uint32_t end) {
-      const std::uint32_t middle = begin + (end - begin) / 2;
-      if (const std::uint32_t other = grid.order()[middle]; isNear(nodes[k], other))
-        sets.unite(k, other);
-    });
+  for (std::size_t at = 0; at < order.size(); ++at) {
+    if (at > 0)
+      uniteNear(order[at], order[at - 1]);
+    if (at % first_step == 0)
+      forEachRange(order[at], [&](std::uint32_t begin, std::uint32_t end) {
+        uniteNear(order[at], order[begin + (end - begin) / 2]);
+      });
+  }
   Labels labels(nodes.size());
   for (std::uint32_t k = 0; k < nodes.size(); ++k)
     labels[k] = static_cast<std::int32_t>(sets.find(k));
   const LabelRuns runs(grid, labels);
-  for (std::uint32_t k = 0; k < nodes.size(); ++k)
+  const LabelCells cells(positionsOf(nodes), labels, coarse_cells * linkReach() * unit);
+  for (const std::uint32_t k : order) {
+    if (!cells.mayHaveOther(nodes[k].position, reachOf(k), labels[k]))
+      continue;
     forEachRange(k, [&](std::uint32_t begin, std::uint32_t end) {
       if (!runs.hasOther(begin, end, labels[k]))
         return;
       for (std::uint32_t at = begin; at < end; ++at)
-        if (const std::uint32_t other = grid.order()[at]; isNear(nodes[k], other))
-          sets.unite(k, other);
+        uniteNear(k, order[at]);
     });
+  }
   return sets;
 }
 

@@ -11,6 +11,7 @@
 #include "instances/supports/support_surroundings.h"
 
 #include <cstdint>
+#include <limits>
 
 namespace pcl::segmentation {
 namespace {
@@ -42,19 +43,30 @@ supportOf(const SupportPart& part,
 {
   const PointGrid grid(positionsOf(part.nodes), around_spacings * unit);
   std::vector<char> is_on(is_free.size(), 0), is_smeared(is_free.size(), 0);
-  kernels::parallelForEach(is_free.size(), input.threads, [&](std::size_t i) {
-    if (!is_free[i])
-      return;
+  const auto look = [&](std::size_t i, Vector3f& last) {
     const Vector3f position = positionOf(input.points, i);
     const SurfaceNode node{position, normalOf(input, i), input.spacings[i]};
     const bool may_be_on = isOn(node, part.support);
     if (!may_be_on && !isSmear(node, part.support))
       return;
     const float reach = (may_be_on ? around_spacings : smear_spacings) * node.spacing;
-    const bool is_near = isNear(position, grid, reach);
+    const bool is_near =
+        (last - position).squaredNorm() < reach * reach ||
+        grid.anyWithin(position, reach, [&](std::uint32_t, const Vector3f& found) {
+          last = found;
+          return true;
+        });
     is_on[i] = is_near && may_be_on;
     is_smeared[i] = is_near && !may_be_on;
-  });
+  };
+  kernels::parallelForRanges(
+      is_free.size(), input.threads, [&](std::size_t begin, std::size_t end) {
+        // Mostly near the next point, too.
+        Vector3f last = Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
+        for (std::size_t i = begin; i < end; ++i)
+          if (is_free[i])
+            look(i, last);
+      });
   Support support{part.support.plane, part.support.offset, {}, {}};
   for (std::uint32_t i = 0; i < is_on.size(); ++i) {
     if (is_on[i]) {
