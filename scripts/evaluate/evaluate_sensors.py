@@ -25,6 +25,7 @@ from pcd_fields import CODES, read_pcd  # noqa: E402
 
 SAMPLINGS = {"pds0": "even", "pds15": "even, .15 s", "pds40": "even, .40 s", "rnd15": "random, .15 s"}
 MIN_OBJECT = 300  # points; smaller ones do not count
+BESIDE_CREASE = 4  # spacings; the given parts have no class there
 NEAREST = 24  # the peer's neighbors: about as many as the default mode's normals see without noise
 
 
@@ -273,7 +274,7 @@ def generated_scores(apps, cloud):
     is_part = "thin_s" in truth
     counts = edge_points(truth) if is_part else truth["edge"] != 255
     scores = [f1(edge[counts] == 1, truth["edge"][counts] == 1)]
-    counts = surface_points(truth) if is_part else (truth["surface"] == 1) | (truth["surface"] == 2)
+    counts = surface_points(truth) & (truth["crease_s"] > BESIDE_CREASE) if is_part else (truth["surface"] == 1) | (truth["surface"] == 2)
     for number in (1, 2):
         of_class = truth["surface"][counts] == number
         is_enough = numpy.count_nonzero(of_class) > 500

@@ -6,6 +6,7 @@
 
 #include "common/finite.h"
 #include "common/parallel.h"
+#include "common/statistics.h"
 #include "features/spacing/local_spacing.h"
 #include "surfaces/face_fit.h"
 #include "surfaces/face_noise.h"
@@ -28,10 +29,11 @@ constexpr float same_window = 0.5f; // cosine of 60 degrees: beyond, a quadric i
 // Rounding and the sampling of exact data, in spacings: less is never noise.
 constexpr float min_noise = 0.03f;
 
-// A window's quadric holds for its middle if the residual is noise, or a tenth of the
-// bulge: of a fold between two planes it is a sixth.
+// A window's quadric holds for its middle if the residual is noise, or a small share of
+// the bulge: of a fold between two planes it is a sixth, of a cylinder that turns by 90
+// degrees a hundredth.
 constexpr float max_residual = 2.5f;
-constexpr float unexplained_share = 0.1f;
+constexpr float unexplained_share = 0.07f;
 constexpr float min_inliers = 0.7f;
 constexpr float max_offset = 4.0f; // in noise: what one node in 10,000 is off
 constexpr float offset_share = 0.2f;
@@ -46,6 +48,12 @@ constexpr float min_bulge = 5.0f;
 constexpr float min_errors = 4.0f;
 constexpr float steepness = 3.0f; // of the evidence, for the logarithm of these ratios
 constexpr float max_evidence = 4.0f;
+// Few nodes may be on a quadric by chance: the noise around counts as so many degrees
+// of freedom of their residual, and Student's distribution tells how large its error
+// is.
+constexpr double noise_freedom = 3.0;
+// A bulge that is not certain says little against one: the model may decide.
+constexpr float min_uncertain_evidence = -1.0f;
 // Noise that averages out is in the standard error. What does not is at the next
 // levels.
 constexpr std::size_t noise_levels = 2;
@@ -124,17 +132,31 @@ holds(const FaceFit& fit, float noise)
          fit.center_cosine > min_cosine;
 }
 
+/** The bulge that chance does not make. \param[in] noise at the node's level */
+float
+certainBulge(const FaceFit& fit, float noise)
+{
+  const double residual = fit.residual, freedom = fit.freedom + noise_freedom;
+  const double pooled = std::sqrt(
+      (fit.freedom * residual * residual + noise_freedom * noise * noise) / freedom);
+  return static_cast<float>(fit.bulge_error * pooled / residual *
+                            studentDeviations(min_errors, freedom));
+}
+
 /** \param[in] noise at the node's level \param[in] waves the noise at larger ones */
 float
 evidenceOf(const FaceFit& fit, float noise, float waves)
 {
   const float excess = fit.residual * fit.residual - excess_residual * noise * noise;
   const float unexplained = std::max(waves, std::sqrt(std::max(0.0f, excess)));
-  const float ratio = std::min({fit.turn() / min_turn,
-                                fit.bulge / (min_bulge * unexplained),
-                                fit.bulge / (min_errors * fit.bulge_error)});
-  // 0 for an exact plane: its logarithm is cut off like any other.
-  return std::clamp(steepness * std::log(ratio), -max_evidence, max_evidence);
+  // Ratios are 0 for an exact plane: their logarithms are cut off like any other.
+  const float bend =
+      steepness *
+      std::log(std::min(fit.turn() / min_turn, fit.bulge / (min_bulge * unexplained)));
+  const float certain =
+      std::max(steepness * std::log(fit.bulge / certainBulge(fit, noise)),
+               min_uncertain_evidence);
+  return std::clamp(std::min(bend, certain), -max_evidence, max_evidence);
 }
 
 bool

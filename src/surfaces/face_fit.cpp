@@ -20,8 +20,11 @@ using Eigen::Vector2d;
 using Eigen::Vector3f;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-constexpr std::size_t min_nodes = 8;     // two more than a quadric has coefficients
-constexpr double coefficients = 6.0;     // of a quadric
+constexpr std::size_t min_nodes = 8; // two more than a quadric has coefficients
+constexpr double coefficients = 6.0; // of a quadric
+// A quadric can pass through six of up to twelve nodes, half of them or more: the
+// median of the residuals would be 0, and those that are off would lose all weight.
+constexpr std::size_t min_nodes_to_weigh = 13;
 constexpr int rounds = 3;                // of weights: a fourth moves little
 constexpr float biweight_reach = 4.685f; // 95 % efficient for normal noise
 constexpr float deviation_of_median = 1.4826f;
@@ -220,9 +223,9 @@ FaceFitter::describe() const
     inliers += weights_[k] > min_weight * shares_[k] ? share : 0.0;
   }
   const Vector6d& c = solution_;
+  const double freedom = std::max(1.0, weight - coefficients);
   const double residual =
-      std::max(std::sqrt(squares / std::max(1.0, weight - coefficients)),
-               static_cast<double>(min_residual));
+      std::max(std::sqrt(squares / freedom), static_cast<double>(min_residual));
 
   // In units of the spread along each direction the largest curvature is the largest
   // bulge, so that a strip does not bulge most across itself, where nodes say little.
@@ -246,6 +249,7 @@ FaceFitter::describe() const
       cell * static_cast<float>(residual *
                                 std::sqrt(gradient.dot(equations_.solve(gradient))));
   fit.residual = cell * static_cast<float>(residual);
+  fit.freedom = static_cast<float>(freedom);
   fit.inliers = static_cast<float>(inliers / shares);
   fit.center_offset = cell * static_cast<float>(std::abs(c[0]));
   fit.center_cosine =
@@ -261,7 +265,8 @@ FaceFitter::fit(const std::vector<std::uint32_t>& window)
   place(window);
   setShares(window);
   weights_ = shares_;
-  for (int round = 0; round < rounds; ++round) {
+  const int rounds_of_window = window.size() < min_nodes_to_weigh ? 1 : rounds;
+  for (int round = 0; round < rounds_of_window; ++round) {
     if (round > 0)
       setWeights();
     if (!solve())

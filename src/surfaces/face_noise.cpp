@@ -15,6 +15,9 @@ namespace {
 
 constexpr std::size_t min_residuals = 20; // of which a quartile is worth something
 constexpr double share = 0.25;
+// Of the cloud fewer: where a solid is crowded, most large windows hold several faces,
+// and those that hold one tell the noise.
+constexpr double share_of_cloud = 0.1;
 // Where all faces are rough, or all are parts of one solid, the cloud's noise bounds
 // it.
 constexpr float min_of_cloud = 0.6f;
@@ -59,7 +62,7 @@ noiseCell(double cell, double spacing)
 std::uint64_t
 rankOfNoise(std::uint64_t residuals)
 {
-  return static_cast<std::uint64_t>(share * static_cast<double>(residuals));
+  return static_cast<std::uint64_t>(share_of_cloud * static_cast<double>(residuals));
 }
 
 float
@@ -69,7 +72,7 @@ noiseOfCloud(const FaceFits& fits)
   for (const std::optional<FaceFit>& fit : fits)
     if (fit)
       all.push_back(fit->residual);
-  return all.empty() ? 0.0f : quantile(std::move(all), share);
+  return all.empty() ? 0.0f : quantile(std::move(all), share_of_cloud);
 }
 
 std::vector<bool>

@@ -25,8 +25,8 @@ constexpr float noise_cell_spacings = 24.0f;
  */
 double noiseCell(double cell, double spacing);
 
-/** \brief The noise of a whole cloud at a level: the first quartile of its residuals.
- */
+/** \brief The noise of a whole cloud at a level: what a tenth of its residuals are
+ * below. */
 float noiseOfCloud(const FaceFits& fits);
 
 /** \brief How many residuals are below it, of so many, at least one. */

@@ -13,6 +13,8 @@
 
 #include <pcl/point_types.h>
 
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -326,6 +328,76 @@ TEST(FaceWindows, NoiseOfALevelWithoutThemDoesNotBoundTheNext)
   EXPECT_FALSE(sameBits(curved(noise), curved(0.1f * noise))) << "a bound";
 }
 
+TEST(FaceWindows, ATenthOfTheResidualsIsTheNoiseOfACloud)
+{
+  segmentation::FaceFits fits(100);
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    fits[i] = FaceFit();
+    fits[i]->residual = static_cast<float>(i);
+  }
+  EXPECT_EQ(segmentation::noiseOfCloud(fits), 10.0f);
+  EXPECT_EQ(segmentation::rankOfNoise(100), 10U);
+}
+
+/** The evidence of a flat cloud's nodes if all windows were like this one. */
+float
+evidenceOfAll(const FaceFit& fit, float noise)
+{
+  const Cloud::Ptr cloud = sampled(0.5, 0.5, 0.01, 0.0, [](double u, double v) {
+    return Eigen::Vector3d(u, v, 1.0);
+  });
+  const ShapeField field = edgeFieldOf(cloud);
+  const float usual = medianSpacing(field.spacings);
+  const auto faces = segmentation::firstFaces(field.points, field, usual, 1);
+  return segmentation::faceEvidence(
+             faces,
+             {segmentation::FaceFits(faces.levels.front().nodes.size(), fit)},
+             {noise * usual},
+             usual,
+             1)
+      .curved.front();
+}
+
+TEST(FaceWindows, ABulgeThatIsNotCertainSaysLittle)
+{
+  FaceFit fit;
+  fit.half_width = 0.1f;
+  fit.bulge = 0.02f; // a turn by 46 degrees
+  fit.residual = 0.0005f;
+  fit.inliers = fit.center_cosine = 1.0f;
+  fit.freedom = 30.0f;
+  fit.bulge_error = 0.001f; // of twenty
+  EXPECT_GT(evidenceOfAll(fit, 0.05f), 2.0f);
+  fit.bulge_error = 0.02f;
+  EXPECT_EQ(evidenceOfAll(fit, 0.05f), -1.0f) << "the model decides";
+  fit.bulge = 0.001f; // a turn by 2 degrees
+  EXPECT_EQ(evidenceOfAll(fit, 0.05f), -4.0f) << "flat in any case";
+}
+
+TEST(FaceWindows, FewNodesMustBendMore)
+{
+  FaceFit fit;
+  fit.half_width = 0.1f;
+  fit.bulge = 0.02f;
+  fit.residual = 0.0005f;
+  fit.inliers = fit.center_cosine = 1.0f;
+  fit.bulge_error = 0.003f; // of nearly seven
+  fit.freedom = 30.0f;
+  EXPECT_GT(evidenceOfAll(fit, 0.05f), 1.0f);
+  fit.freedom = 1.0f;
+  EXPECT_LT(evidenceOfAll(fit, 0.05f), 0.0f);
+}
+
+TEST(Statistics, StudentsDistributionHasLongerTails)
+{
+  const double rare = cdf(complement(boost::math::normal(), 4.0));
+  for (const double freedom : {6.0, 7.5, 12.0, 40.0, 1000.0}) {
+    const double exact = quantile(complement(boost::math::students_t(freedom), rare));
+    EXPECT_NEAR(segmentation::studentDeviations(4.0, freedom), exact, 0.03 * exact)
+        << freedom;
+  }
+}
+
 /** Nodes of one window on a paraboloid whose curvature along x is 1 / radius. */
 FaceLevel
 paraboloid(float radius)
@@ -388,6 +460,25 @@ TEST(FaceFit, NodesOfFewPointsSayLess)
   EXPECT_NEAR(fit->turn(), 0.8f, 0.05f);
   EXPECT_LT(fit->residual, 0.1f);
   EXPECT_GT(fit->inliers, 0.9f);
+}
+
+TEST(FaceFit, FewNodesAreNotFittedExactly)
+{
+  // Twelve nodes, six more than coefficients: by chance hardly ever less than .1 noise.
+  constexpr float noise = 0.1f;
+  Random random(5);
+  for (int draw = 0; draw < 200; ++draw) {
+    FaceLevel level = paraboloid(10.0f);
+    std::vector<std::uint32_t> window;
+    for (std::uint32_t i = 0; window.size() < 12; i += 4)
+      window.push_back(i);
+    for (const std::uint32_t i : window)
+      level.nodes[i].position.z() += noise * static_cast<float>(random.normal());
+    const auto fit = segmentation::FaceFitter(level).fit(window);
+    ASSERT_TRUE(fit);
+    EXPECT_GT(fit->residual, 0.1f * noise) << draw;
+    EXPECT_NEAR(fit->freedom, 6.0f, 1e-4f);
+  }
 }
 
 TEST(FaceFit, NodesThatDoNotDetermineIt)
