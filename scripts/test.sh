@@ -14,8 +14,6 @@ options=(-DCMAKE_BUILD_TYPE=Release -DPCL_SHAPE_WERROR=ON
          "-DPCL_SHAPE_TEST_DATA=${PCL_SHAPE_TEST_DATA:-}")
 if command -v ccache >/dev/null; then
   options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-else
-  options+=(-DPCL_SHAPE_UNITY_BUILD=ON)
 fi
 jobs=$(nproc)
 cmake -S . -B "$build" -G Ninja "${options[@]}"
