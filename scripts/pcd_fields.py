@@ -1,4 +1,4 @@
-"""Read PCD files without PCL: the values of each field as bytes. Used by compare_results.py."""
+"""Read PCD files without PCL: the values of each field as bytes. Used by other scripts."""
 import re
 import struct
 

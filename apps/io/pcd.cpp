@@ -23,6 +23,7 @@
 #include <lzf.h>
 #include <map>
 #include <memory>
+#include <stdexcept>
 
 namespace pcl::app {
 namespace {
@@ -433,6 +434,8 @@ columnsOf(const CloudFile& cloud)
       else
         std::memcpy(to, cloud.at(i, field), bytes);
   }
+  if (to != columns.get() + cloud.blob.data.size())
+    throw std::logic_error("the points of a cloud have bytes of no field");
   return columns;
 }
 

@@ -274,7 +274,10 @@ def generated_scores(apps, cloud):
     is_part = "thin_s" in truth
     counts = edge_points(truth) if is_part else truth["edge"] != 255
     scores = [f1(edge[counts] == 1, truth["edge"][counts] == 1)]
-    counts = surface_points(truth) & (truth["crease_s"] > BESIDE_CREASE) if is_part else (truth["surface"] == 1) | (truth["surface"] == 2)
+    if is_part:
+        counts = surface_points(truth) & (truth["crease_s"] > BESIDE_CREASE)
+    else:
+        counts = (truth["surface"] == 1) | (truth["surface"] == 2)
     for number in (1, 2):
         of_class = truth["surface"][counts] == number
         is_enough = numpy.count_nonzero(of_class) > 500

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""CPU time of pcl_shape_edge_detection on a cloud with repeated points, over that without.
+# SPDX-License-Identifier: BSD-3-Clause
+# SPDX-FileCopyrightText: 2026 pcl_shape contributors
+"""How much longer pcl_shape_edge_detection takes on a cloud with repeated points, in CPU time.
 
 Usage: scripts/measure/measure_repeats.py BUILD_DIR CLOUD.pcd [-threads N] [-repeat N]
-Clouds take turns. One line of JSON goes to standard output: the least seconds of the
-finite points of the cloud, and for each kind of repeats those with them over these.
+CLOUD.pcd has x y z of float. Clouds take turns. One line of JSON goes to standard output: the
+least seconds for its finite points, and for each kind of repeats the ratio to these.
 Needs python3-numpy.
 """
 import argparse
@@ -41,21 +43,36 @@ KINDS = {"once": lambda points: points,
 
 def cpu_seconds(command):
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run(command, check=True, capture_output=True)
+    try:
+        run = subprocess.run(command, capture_output=True, text=True)
+    except OSError as error:
+        sys.exit(f"{command[0]}: {error.strerror}")
+    if run.returncode != 0:
+        sys.exit(run.stderr.strip())
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
 def main():
-    parser = argparse.ArgumentParser(allow_abbrev=False)
+    parser = argparse.ArgumentParser(allow_abbrev=False, description=__doc__.partition("\n")[0])
     parser.add_argument("build")
     parser.add_argument("cloud", type=pathlib.Path)
     parser.add_argument("-threads", default="1")
     parser.add_argument("-repeat", type=int, default=5)
     arguments = parser.parse_args()
-    columns = read_pcd(arguments.cloud)[1]
+    if arguments.repeat < 1:
+        parser.error(f"-repeat {arguments.repeat}: it must be at least 1")
+    try:
+        lines, columns = read_pcd(arguments.cloud)
+    except OSError as error:
+        sys.exit(f"{arguments.cloud}: {error.strerror}")
+    kinds = dict(zip(lines["FIELDS"].split(), zip(lines["TYPE"].split(), lines["SIZE"].split())))
+    if any(kinds.get(axis) != ("F", "4") for axis in "xyz"):
+        sys.exit(f"{arguments.cloud}: it must have x y z of TYPE F and SIZE 4")
     points = numpy.stack([numpy.frombuffer(columns[axis], "<f4") for axis in "xyz"], axis=1)
     points = points[numpy.isfinite(points).all(axis=1)]
+    if not len(points):
+        sys.exit(f"{arguments.cloud}: it has no finite points")
     seconds = {kind: [] for kind in KINDS}
     with tempfile.TemporaryDirectory() as directory:
         for kind, repeated in KINDS.items():

@@ -42,7 +42,7 @@ finiteOf(std::vector<float> values)
  * deviations. Inverts the approximation of Peizer and Pratt (1968), A normal
  * approximation for binomial, F, beta, and other common, related tail probabilities,
  * within 8 % for four deviations and 4 degrees of freedom or more, 3 % from 6.
- * \param[in] freedom degrees of freedom, more than 1 */
+ * \param[in] freedom degrees of freedom, 4 or more */
 inline double
 studentDeviations(double deviations, double freedom)
 {

@@ -26,10 +26,10 @@ class ShapeEvidence;
 
 /** \brief Find the creases of a cloud: sets normals, edge likelihood and creases. See
  * doc/method.md for the steps.
- * \param[in] evidence of two classes, the first of which is the edge */
+ * \param[in] densities of two classes, the first of which is the edge */
 void findEdges(const FieldInput& input,
                const MeasuredCloud& measured,
-               const ShapeEvidence& evidence,
+               const ShapeEvidence& densities,
                ShapeField& field);
 
 /** \brief How much the fits of two planes count, and whether creases are followed: 0

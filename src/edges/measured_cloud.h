@@ -45,6 +45,10 @@ NextLevel nextLevel(const CloudNumbers& numbers);
 
 /** \brief The next level of a cloud, and what is expected of it. */
 struct MeansOfCloud {
+  MeansOfCloud() = default;
+  MeansOfCloud(MeansOfCloud&&) = default; // a copy's points would be the original's
+  MeansOfCloud& operator=(MeansOfCloud&&) = default;
+
   std::vector<float> positions; ///< three each
   XYZView points;               ///< of them
   std::shared_ptr<const Neighborhoods> neighborhoods;

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace pcl::detail {
 namespace {
@@ -26,6 +28,42 @@ knownPoints(const ShapeField& field, const DistinctPoints& distinct)
   return known;
 }
 
+/** Whether the base has this point there. */
+bool
+isAt(const ShapeField& field, std::size_t i, std::int32_t place)
+{
+  if (place < 0 || static_cast<std::size_t>(place) >= field.base->points.size)
+    return false;
+  const float* const p = field.points[i];
+  const float* const there = field.base->points[static_cast<std::size_t>(place)];
+  return kernels::isFinite(p) ? std::equal(p, p + 3, there) : !kernels::isFinite(there);
+}
+
+/** The places that the base has; nothing if its points are others: means. */
+std::optional<DistinctPoints>
+placesOfBase(const ShapeField& field)
+{
+  const std::size_t size = field.points.size;
+  if (field.base_points.size() != size || field.base->points.size >= size)
+    return std::nullopt;
+  DistinctPoints distinct;
+  distinct.place = field.base_points;
+  distinct.first.assign(field.base->points.size, -1);
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::int32_t place = distinct.place[i];
+    if (!isAt(field, i, place))
+      return std::nullopt;
+    std::int32_t& first = distinct.first[static_cast<std::size_t>(place)];
+    if (first < 0)
+      first = static_cast<std::int32_t>(i);
+  }
+  const auto& first = distinct.first;
+  const bool is_complete = first.empty() || first.front() >= 0;
+  return is_complete && std::is_sorted(first.begin(), first.end())
+             ? std::make_optional(std::move(distinct))
+             : std::nullopt;
+}
+
 } // namespace
 
 DistinctPoints
@@ -33,24 +71,8 @@ distinctPoints(const ShapeField& field)
 {
   if (!field.base) // else equal points would have one
     return {};
-  DistinctPoints distinct;
-  distinct.place = field.base_points;
-  distinct.first.assign(field.base->points.size, -1);
-  for (std::size_t i = 0; i < field.points.size; ++i) {
-    const std::int32_t place = distinct.place[i];
-    const float* const p = field.points[i];
-    const bool is_there =
-        place >= 0 &&
-        std::equal(p, p + 3, field.base->points[static_cast<std::size_t>(place)]);
-    if (!is_there && (place < 0 || kernels::isFinite(p))) // means stand for points
-      return pcl::distinctPoints(field.points);
-    std::int32_t& first = distinct.first[static_cast<std::size_t>(place)];
-    if (first < 0)
-      first = static_cast<std::int32_t>(i);
-  }
-  const bool is_of_these =
-      std::count(distinct.first.begin(), distinct.first.end(), -1) == 0;
-  return is_of_these ? distinct : pcl::distinctPoints(field.points);
+  std::optional<DistinctPoints> places = placesOfBase(field);
+  return places ? *std::move(places) : pcl::distinctPoints(field.points);
 }
 
 std::vector<float>

@@ -48,11 +48,12 @@ constexpr float min_bulge = 5.0f;
 constexpr float min_errors = 4.0f;
 constexpr float steepness = 3.0f; // of the evidence, for the logarithm of these ratios
 constexpr float max_evidence = 4.0f;
-// Few nodes may be on a quadric by chance: the noise around counts as so many degrees
-// of freedom of their residual, and Student's distribution tells how large its error
-// is.
+// Few nodes may be on a quadric by chance: the noise around counts as degrees of
+// freedom of their residual, half as many as a quadric has coefficients, for it may
+// differ here; Student's distribution tells how large the error is.
 constexpr double noise_freedom = 3.0;
-// A bulge that is not certain says little against one: the model may decide.
+// A bulge that is not certain says little against one: about as much as that curved
+// surfaces are a third as frequent (ln 3 = 1.1). The model may decide.
 constexpr float min_uncertain_evidence = -1.0f;
 // Noise that averages out is in the standard error. What does not is at the next
 // levels.

@@ -22,8 +22,9 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 constexpr std::size_t min_nodes = 8; // two more than a quadric has coefficients
 constexpr double coefficients = 6.0; // of a quadric
-// A quadric can pass through six of up to twelve nodes, half of them or more: the
-// median of the residuals would be 0, and those that are off would lose all weight.
+// A quadric can pass through six nodes exactly. Unless more than half are others, the
+// median of the residuals tells nothing of them, and those that are off lose all
+// weight.
 constexpr std::size_t min_nodes_to_weigh = 13;
 constexpr int rounds = 3;                // of weights: a fourth moves little
 constexpr float biweight_reach = 4.685f; // 95 % efficient for normal noise

@@ -22,7 +22,7 @@ struct FaceFit {
   float bulge_error = 0.0f;   ///< standard error, of noise that nodes do not share
   float residual = 0.0f;      ///< of the nodes, r.m.s.
   float freedom = 0.0f;       ///< degrees of freedom of the residual, at least 1
-  float inliers = 0.0f;       ///< share of nodes that count
+  float inliers = 0.0f;       ///< share of nodes that count: all of up to twelve
   float center_offset = 0.0f; ///< of the window's first node from the quadric
   float center_cosine = 0.0f; ///< of the angle between their normals
 

@@ -7,6 +7,7 @@
 #include "common/statistics.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <set>
 
@@ -18,6 +19,8 @@ constexpr double share = 0.25;
 // Of the cloud fewer: where a solid is crowded, most large windows hold several faces,
 // and those that hold one tell the noise.
 constexpr double share_of_cloud = 0.1;
+// The least of few residuals are so by chance.
+constexpr std::uint64_t min_rank = 2;
 // Where all faces are rough, or all are parts of one solid, the cloud's noise bounds
 // it.
 constexpr float min_of_cloud = 0.6f;
@@ -62,7 +65,10 @@ noiseCell(double cell, double spacing)
 std::uint64_t
 rankOfNoise(std::uint64_t residuals)
 {
-  return static_cast<std::uint64_t>(share_of_cloud * static_cast<double>(residuals));
+  const auto rank = [&](double of_all) {
+    return static_cast<std::uint64_t>(of_all * static_cast<double>(residuals));
+  };
+  return std::max(rank(share_of_cloud), std::min(rank(share), min_rank));
 }
 
 float
@@ -72,7 +78,11 @@ noiseOfCloud(const FaceFits& fits)
   for (const std::optional<FaceFit>& fit : fits)
     if (fit)
       all.push_back(fit->residual);
-  return all.empty() ? 0.0f : quantile(std::move(all), share_of_cloud);
+  if (all.empty())
+    return 0.0f;
+  const auto at = all.begin() + static_cast<std::ptrdiff_t>(rankOfNoise(all.size()));
+  std::nth_element(all.begin(), at, all.end());
+  return *at;
 }
 
 std::vector<bool>

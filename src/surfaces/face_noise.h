@@ -26,10 +26,11 @@ constexpr float noise_cell_spacings = 24.0f;
 double noiseCell(double cell, double spacing);
 
 /** \brief The noise of a whole cloud at a level: what a tenth of its residuals are
- * below. */
+ * below, or of few residuals the third or a quarter. */
 float noiseOfCloud(const FaceFits& fits);
 
-/** \brief How many residuals are below it, of so many, at least one. */
+/** \brief How many residuals are below it. \param[in] residuals how many there are, at
+ * least one */
 std::uint64_t rankOfNoise(std::uint64_t residuals);
 
 /** \brief The nodes whose residuals the noise at some nodes is made of. Among them are

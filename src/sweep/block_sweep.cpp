@@ -153,9 +153,10 @@ BlockSweep::findNearest(SweepBlock& block, RunFinder& finder, double& reach) con
 {
   const KernelTable& kernels = chosenKernels();
   constexpr double step = 1.5; // about twice the points of a surface
-  // After a stray, far from all others, the next block must not hold the whole cloud.
-  constexpr double max_edges = 8.0;
-  const double most = std::max(max_edges * queries.edge, step * reach);
+  // After a stray, far from all others, the next block must not hold the whole cloud:
+  // five steps from the edge of a cell, and few blocks need more.
+  constexpr double max_reach_edges = 8.0;
+  const double most = std::max(max_reach_edges * queries.edge, step * reach);
   bool is_far_enough = true;
   setRadius(block, squared(reach));
   // Beyond the largest float every distance has been looked at.

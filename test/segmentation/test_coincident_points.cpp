@@ -53,6 +53,14 @@ TEST(CoincidentPoints, ZerosOfEitherSignAreEqualAndUnknownPointsAreNot)
   EXPECT_EQ((std::vector<std::int32_t>{0, 1, 0, 2, 3, 0}), distinct.place);
 }
 
+TEST(CoincidentPoints, InfinitePointsHavePlacesOfTheirOwnSideBySideAndApart)
+{
+  constexpr float far = std::numeric_limits<float>::infinity();
+  const std::vector<float> points{far, 0, 0, far, 0, 0, 1, 2, 3, far, 0, 0};
+  const DistinctPoints distinct = distinctPoints({points.data(), 3, 4});
+  EXPECT_FALSE(distinct.hasRepeats());
+}
+
 /** Cells of space are where they are, and none of the numbers of the cloud changes. */
 TEST(CoincidentPoints, StraysAndFillersChangeNoOtherPoint)
 {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace pcl::detail {
 namespace {
@@ -126,6 +127,8 @@ std::vector<float>
 ShapeEvidence::firstOverSecond(const std::vector<float>& mu_sigma,
                                unsigned threads) const
 {
+  if (tables_.size() != 2)
+    throw std::logic_error("a ratio of densities needs two classes");
   std::vector<float> evidence(mu_sigma.size() / 2);
   kernels::parallelForEach(evidence.size(), threads, [&](std::size_t i) {
     float logs[2];

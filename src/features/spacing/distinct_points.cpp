@@ -107,13 +107,15 @@ private:
   add(std::size_t i, std::uint64_t hash)
   {
     const float* const p = points_[i];
-    if (i > 0 && areEqual(p, points_[i - 1])) { // mostly, if there are many repeats
+    const bool is_finite = kernels::isFinite(p);
+    // Mostly so, if there are many repeats.
+    if (i > 0 && is_finite && areEqual(p, points_[i - 1])) {
       distinct_.place.push_back(distinct_.place.back());
       return;
     }
     const auto next = static_cast<std::int32_t>(distinct_.first.size());
     std::int32_t place = next;
-    if (kernels::isFinite(p)) {
+    if (is_finite) {
       const Slot tag = hash & ~place_mask;
       std::size_t at = hash & (slots_.size() - 1);
       for (; slots_[at] != 0; at = (at + 1) & (slots_.size() - 1)) {

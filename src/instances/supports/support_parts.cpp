@@ -39,7 +39,7 @@ constexpr float min_cosine = 0.7f;
 // A stereo camera makes a table twice as wavy as others do.
 constexpr float max_offset = 2.0f * max_ripple;
 constexpr float sigmas = 3.0f, sigma_of_median = 1.4826f; // of normal errors
-constexpr std::size_t first_step = 4; // of a cell's nodes, two or three
+constexpr std::size_t first_step = 4; // every fourth node: two or three of a cell's
 constexpr float coarse_cells = 4.0f;  // reaches, so that few boxes are in several
 constexpr int fits = 2; // to what is on the plane, and to what is on that of these
 
