@@ -18,7 +18,7 @@ target_link_libraries(pcl_shape_flann INTERFACE $<TARGET_NAME_IF_EXISTS:FLANN::F
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(Boost REQUIRED)
 find_package(ZLIB REQUIRED) # checksums of tiles
-if(PCL_SHAPE_BUILD_APPS AND PCL_SHAPE_WITH_MPI)
+if(PCL_SHAPE_BUILD_APPS AND PCL_SHAPE_WITH_MPI AND NOT PCL_SHAPE_ONLY_DETECTION)
   find_package(MPI QUIET COMPONENTS CXX)
 endif()
 

@@ -43,6 +43,13 @@ UNFUSED = """if(NOT MSVC)
 endif()
 
 """
+COUNTING = """if(NOT MSVC)
+  # What counts as a point of a primitive must not depend on fused operations. Square roots that
+  # set no errno are vectorized.
+  set_source_files_properties({files}
+    PROPERTIES COMPILE_OPTIONS "-ffp-contract=off;-fno-math-errno")
+endif()
+"""
 HIGHWAY_TARGET = """if(WITH_HIGHWAY AND HIGHWAY_INCLUDE_DIR AND HIGHWAY_LIBRARY)
   target_compile_definitions("${LIB_NAME}" PRIVATE PCL_HAS_HIGHWAY)
   target_include_directories("${LIB_NAME}" SYSTEM PRIVATE ${HIGHWAY_INCLUDE_DIR})
@@ -66,7 +73,7 @@ MODEL_FILES = """  # The default models are part of the library: nothing to find
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${{model_file}})
     file(READ ${{model_file}} PCL_SHAPE_MODEL_${{model}})
   endforeach()
-  configure_file(src/{shape}/features/default_models.cpp.in default_models.cpp @ONLY)
+  configure_file(src/{shape}/features/models/default_models.cpp.in default_models.cpp @ONLY)
   list(APPEND {shape}_srcs "${{CMAKE_CURRENT_BINARY_DIR}}/default_models.cpp")
 """
 IF_JSON, END_IF = "if(TARGET nlohmann_json::nlohmann_json)\n", "endif()\n\n"
@@ -140,6 +147,8 @@ class Module:
             text += appended(self.json["srcs"], f"{SHAPE}_srcs")
             text += MODEL_FILES.format(shape=SHAPE) if models else ""
             text += "" if self.plain["srcs"] else textwrap.indent(PROPERTIES.format(shape=SHAPE).rstrip(), "  ") + "\n"
+            counting = [file for file in self.json["srcs"] if "counting_models" in file]
+            text += textwrap.indent(COUNTING.format(files=lines_of(counting, 4)), "  ") if counting else ""
             text += END_IF
         if not self.plain["srcs"]:
             return text

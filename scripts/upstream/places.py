@@ -42,7 +42,8 @@ REPLACED = [
 ]
 # PCL compiles its classes for more point types, or for none.
 INSTANTIATIONS = re.compile(r"^PCL_INSTANTIATE(?:_PRODUCT)?\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*\)\n", re.M)
-POINT_TYPES = re.compile(r"// Others need PCL_NO_PRECOMPILE\.\n// clang-format off\n(.*)// clang-format on\n", re.S)
+POINT_TYPES = re.compile(r"#ifdef PCL_SHAPE_ONLY_CORE_POINT_TYPES .*?#else\n// Others need PCL_NO_PRECOMPILE\.\n"
+                         r"// clang-format off\n(.*)// clang-format on\n#endif\n", re.S)
 ALL_POINT_TYPES = """#ifdef PCL_ONLY_CORE_POINT_TYPES
 // clang-format off
 {core}// clang-format on

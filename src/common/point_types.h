@@ -6,17 +6,17 @@
 
 #include <pcl/point_types.h>
 
-// Others need PCL_NO_PRECOMPILE.
-// clang-format off
-#ifdef PCL_SHAPE_ONLY_CORE_POINT_TYPES // PCL has an option of this name, too
+#ifdef PCL_SHAPE_ONLY_CORE_POINT_TYPES // PCL_SHAPE_ONLY_DETECTION of CMake
 #define PCL_SHAPE_POINT_TYPES (pcl::PointXYZ)
 #define PCL_SHAPE_NORMAL_TYPES (pcl::Normal)
 #else
+// Others need PCL_NO_PRECOMPILE.
+// clang-format off
 #define PCL_SHAPE_POINT_TYPES \
   (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZRGB)(pcl::PointXYZRGBA)(pcl::PointXYZL) \
   (pcl::PointXYZRGBL)(pcl::PointNormal)(pcl::PointXYZINormal)(pcl::PointXYZRGBNormal) \
   (pcl::PointXYZLNormal)
 #define PCL_SHAPE_NORMAL_TYPES \
   (pcl::Normal)(pcl::PointNormal)(pcl::PointXYZRGBNormal)
-#endif
 // clang-format on
+#endif

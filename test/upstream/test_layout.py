@@ -28,11 +28,29 @@ ROOTS = {
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.M)
 ENDINGS = (".h", ".hpp", ".cpp", ".in")
+# What CMake reads when it configures.
+FOREACH = re.compile(r"foreach\((\w+) ([^)]*)\)\n(.*?)endforeach\(\)", re.S)
+SET = re.compile(r"^\s*set\((\w+) (\S+)\)$", re.M)
+READ = re.compile(r"(?:configure_file\(|file\(READ )(\S+)")
 
 
 def lay_out(tree, *arguments):
     return subprocess.run([ROOT / "scripts" / "upstream" / "lay_out.py", tree, *arguments], capture_output=True,
                           text=True, check=False)
+
+
+def files_read(text, folder):
+    """The files that the CMake list of a folder names in configure_file() and file(READ)."""
+    for name, items, body in FOREACH.findall(text):
+        text += "".join(body.replace(f"${{{name}}}", item) for item in items.split())
+    variables = {"CMAKE_CURRENT_SOURCE_DIR": folder}
+    found = []
+    for line in FOREACH.sub("", text).splitlines():
+        for name, value in variables.items():
+            line = line.replace(f"${{{name}}}", str(value))
+        variables.update(SET.findall(line))
+        found += READ.findall(line)
+    return [folder / name for name in found]
 
 
 class Layout(unittest.TestCase):
@@ -74,6 +92,21 @@ class Layout(unittest.TestCase):
                                     for module in ("features", "segmentation"))
                 self.assertIn(place[len(folder):], lists)
 
+    def test_what_cmake_reads_is_there(self):
+        self.lay()
+        read = files_read(self.text("features/CMakeLists.txt"), self.tree / "features")
+        self.assertCountEqual(["edges.json", "surfaces.json", "default_models.cpp.in"], [path.name for path in read])
+        for module in ("features", "segmentation", "test/features", "test/segmentation", "tools"):
+            for path in files_read(self.text(f"{module}/CMakeLists.txt"), self.tree / module):
+                self.assertTrue(path.is_file(), path)
+
+    def test_what_counts_is_decided_by_unfused_operations(self):
+        self.lay()
+        for module, file in (("features", "features/listed_neighborhoods"), ("features", "sweep/block_sweep"),
+                             ("segmentation", "instances/primitives/counting_models")):
+            self.assertRegex(self.text(f"{module}/CMakeLists.txt"),
+                             rf"set_source_files_properties\([^)]*src/shape/{file}\.cpp[^)]*-ffp-contract=off")
+
     def test_includes_are_found(self):
         self.lay()
         for place in self.laid():
@@ -88,7 +121,8 @@ class Layout(unittest.TestCase):
             text = self.text(place)
             self.assertTrue(text.startswith("/*\n * SPDX-License-Identifier: BSD-3-Clause\n *\n"), place)
             self.assertIn("Point Cloud Library (PCL) - www.pointclouds.org", text)
-            for ours in ("PCL_SHAPE_EXPORTS", "pcl_shape_exports.h", "pcl_shape_alignment.h", "<gtest/gtest.h>"):
+            for ours in ("PCL_SHAPE_EXPORTS", "pcl_shape_exports.h", "pcl_shape_alignment.h", "<gtest/gtest.h>",
+                         "PCL_SHAPE_ONLY_CORE_POINT_TYPES"):
                 self.assertNotIn(ours, text, place)
         self.assertIn("#ifndef PCL_NO_PRECOMPILE\nPCL_INSTANTIATE", self.text("features/src/shape/features/inad.cpp"))
 
