@@ -226,6 +226,7 @@ windowOf(std::uint32_t node, const FaceFit& fit)
 {
   return {node,
           fit.residual,
+          fit.freedom,
           fit.half_width,
           fit.bulge,
           fit.bulge_error,
@@ -241,6 +242,7 @@ fitOf(const FacesAround::Window& window)
           window.bulge,
           window.bulge_error,
           window.residual,
+          window.freedom,
           window.inliers,
           window.center_offset,
           window.center_cosine};

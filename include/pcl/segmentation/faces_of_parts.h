@@ -105,6 +105,7 @@ public:
   struct Window {
     std::uint32_t node = 0;     ///< in its middle, of those of the level
     float residual = 0.0f;      ///< of its nodes from a quadric, r.m.s., meters
+    float freedom = 0.0f;       ///< degrees of freedom of that
     float half_width = 0.0f;    ///< in the direction in which it bends, meters
     float bulge = 0.0f;         ///< of the quadric out of a plane there, meters
     float bulge_error = 0.0f;   ///< standard error of that, meters
