@@ -377,6 +377,20 @@ TEST(FaceWindows, ABulgeThatIsNotCertainSaysLittle)
   EXPECT_EQ(evidenceOfAll(fit, 0.05f), -4.0f) << "flat in any case";
 }
 
+TEST(FaceWindows, AFoldBetweenPlanesSaysNothing)
+{
+  FaceFit fit;
+  fit.half_width = 0.1f;
+  fit.bulge = 0.02f;
+  fit.inliers = fit.center_cosine = 1.0f;
+  fit.freedom = 30.0f;
+  fit.bulge_error = 0.001f;
+  fit.residual = fit.bulge / 6.0f;
+  EXPECT_TRUE(std::isnan(evidenceOfAll(fit, 0.02f)));
+  fit.residual = fit.bulge / 60.0f; // of a cylinder
+  EXPECT_GT(evidenceOfAll(fit, 0.02f), 2.0f);
+}
+
 TEST(FaceWindows, FewNodesMustBendMore)
 {
   FaceFit fit;
