@@ -303,6 +303,27 @@ TEST_F(EvidenceAveraging, AveragesDependOnNeededPointsOnly)
                        averageEvidence(input, edges, points, some, 2, wanted)));
 }
 
+TEST(PointChoice, SortsByPositionAsComparisonsDo)
+{
+  // Of either sign, with many of one x, and zeros of both.
+  const std::vector<float> some{-2.5f, -1.0f, -0.0f, 0.0f, 1e-30f, 0.75f, 1.0f, 3e5f};
+  std::vector<float> positions;
+  for (std::size_t i = 0; i < 600; ++i)
+    positions.push_back(some[(i * i + i / 3) % some.size()]);
+  const XYZView points{positions.data(), 3, positions.size() / 3};
+  std::vector<std::uint32_t> expected(points.size), sorted;
+  std::iota(expected.begin(), expected.end(), 0U);
+  sorted = expected;
+  std::stable_sort(
+      expected.begin(), expected.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return isBefore(points, a, b);
+      });
+  sortByPosition(points, sorted);
+  for (std::size_t k = 0; k < sorted.size(); ++k) // of equal points any is first
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      ASSERT_EQ(points[expected[k]][axis], points[sorted[k]][axis]) << k;
+}
+
 TEST(CentralPoints, AreNearestToTheMiddlesOfCells)
 {
   const float xyz[] = {1.5f,
