@@ -21,10 +21,8 @@ mkdir -p $build
 scripts/install_packages.sh --without-tests $build/packages.log
 echo "Building (log: $build/build.log)"
 if ! {
-  cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DPCL_SHAPE_BUILD_TESTS=OFF \
-    -DPCL_SHAPE_BUILD_BENCHMARKS=OFF -DPCL_SHAPE_BUILD_EXAMPLES=OFF \
-    -DPCL_SHAPE_WITH_VISUALIZATION=OFF -DPCL_SHAPE_WITH_HTML=OFF \
-    -DPCL_SHAPE_ONLY_DETECTION=ON -DPCL_SHAPE_UNITY_BUILD=ON &&
+  cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DPCL_SHAPE_ONLY_DETECTION=ON \
+    -DPCL_SHAPE_UNITY_BUILD=ON &&
     NINJA_STATUS='[%f/%t] ' cmake --build $build --target "${programs[@]/#/pcl_shape_}"
 } 2>&1 | tee $build/build.log | progress; then
   grep -A 20 -m 1 -E '^FAILED|CMake Error' $build/build.log >&2 || tail -n 20 $build/build.log >&2
