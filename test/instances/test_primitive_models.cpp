@@ -39,6 +39,14 @@ sampleOf(const Surface& surface)
   return sample;
 }
 
+// Sums are in the order of PCL's on SSE2: bits are the same. In another order rounding
+// leads least squares, which end early along a cylinder's axis, to other places.
+#if defined(__SSE2__) && !defined(__SSE3__)
+constexpr float off_pcl = 0.0f;
+#else
+constexpr float off_pcl = 1e-3f;
+#endif
+
 /** Each hypothesis is counted as PCL does it, if it is the best so far, and optimized
  * as PCL does it. */
 template <typename Counting, typename Counted>
@@ -58,7 +66,7 @@ expectResultsOfPCL(Counting model, const std::vector<std::vector<float>>& hypoth
     Eigen::VectorXf of_pcl, optimized;
     model.Counted::optimizeModelCoefficients(*model.getIndices(), coefficients, of_pcl);
     model.optimizeModelCoefficients(*model.getIndices(), coefficients, optimized);
-    EXPECT_TRUE(optimized.isApprox(of_pcl, 1e-3f)) << optimized << "\n\n" << of_pcl;
+    EXPECT_TRUE(optimized.isApprox(of_pcl, off_pcl)) << optimized << "\n\n" << of_pcl;
     ended += count < right;
     most = std::max(most, right);
   }

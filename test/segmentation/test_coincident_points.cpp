@@ -3,6 +3,7 @@
 // Equal points count once: each gets what its place gets without repeats.
 
 #include "field_of.h"
+#include "segmentation/field_places.h"
 #include "support/bits.h"
 
 #include <pcl/features/distinct_points.h>
@@ -59,6 +60,47 @@ TEST(CoincidentPoints, InfinitePointsHavePlacesOfTheirOwnSideBySideAndApart)
   const std::vector<float> points{far, 0, 0, far, 0, 0, 1, 2, 3, far, 0, 0};
   const DistinctPoints distinct = distinctPoints({points.data(), 3, 4});
   EXPECT_FALSE(distinct.hasRepeats());
+}
+
+/** A base has places of its own: only if these are the points' they are taken. */
+TEST(CoincidentPoints, PlacesOfABaseAreThoseOfThePoints)
+{
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  using Positions = std::vector<float>;
+  using Places = std::vector<std::int32_t>;
+  const Positions points{1, 0, 0, 2, 0, 0, 1, 0,   0, nan, 0,
+                         0, 3, 0, 0, 3, 0, 0, nan, 0, 0};
+  const auto distinctOf = [](const Positions& of_field,
+                             const Positions& of_base,
+                             const Places& base_points) {
+    ShapeField field, base;
+    field.points = {of_field.data(), 3, of_field.size() / 3};
+    base.points = {of_base.data(), 3, of_base.size() / 3 - 1}; // without the last
+    field.base = pcl::make_shared<const ShapeField>(base);
+    field.base_points = base_points;
+    return detail::distinctPoints(field);
+  };
+  const auto expectPlaces = [&](const Positions& of_base, const Places& base_points) {
+    const DistinctPoints distinct = distinctOf(points, of_base, base_points);
+    EXPECT_EQ((Places{0, 1, 3, 4, 6}), distinct.first);
+    EXPECT_EQ((Places{0, 1, 0, 2, 3, 3, 4}), distinct.place);
+  };
+  const Positions same{1, 0, 0, 2, 0, 0, nan, 0, 0, 3, 0, 0, nan, 0, 0, 3, 0, 0};
+  expectPlaces(same, {0, 1, 0, 2, 3, 3, 4});
+  expectPlaces(same, {});
+  expectPlaces(same, {0, 1, 0, 2, 3, -1, 4}); // no place,
+  expectPlaces(same, {0, 1, 0, 2, 3, 5, 4});  // none of the base,
+  expectPlaces(same, {0, 1, 0, 2, 3, 1, 4});  // another one,
+  expectPlaces(same, {0, 1, 0, 2, 3, 2, 4});  // an unknown one
+  const Positions fewer{1, 0, 0, 2, 0, 0, 3, 0, 0, nan, 0, 0, 0, 0, 0};
+  expectPlaces(fewer, {0, 1, 0, 1, 2, 2, 3}); // a known one of an unknown point
+  const Positions turned{2, 0, 0, 1, 0, 0, nan, 0, 0, 3, 0, 0, nan, 0, 0, 0, 0, 0};
+  expectPlaces(turned, {1, 0, 1, 2, 3, 3, 4});
+  const Positions more{9, 0, 0, 1, 0,   0, 2, 0, 0, nan, 0,
+                       0, 3, 0, 0, nan, 0, 0, 0, 0, 0};
+  expectPlaces(more, {1, 2, 1, 3, 4, 4, 5}); // no point is at the first
+  const Positions apart{1, 0, 0, 2, 0, 0, 0, 0, 0};
+  EXPECT_FALSE(distinctOf({1, 0, 0, 2, 0, 0}, apart, {0, 1}).hasRepeats());
 }
 
 /** Cells of space are where they are, and none of the numbers of the cloud changes. */

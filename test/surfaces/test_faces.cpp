@@ -277,7 +277,7 @@ TEST(FaceWindows, OneForEachNodeOfTheNextLevel)
 TEST(FaceFits, RankedIsTheNthElement)
 {
   Random random(78);
-  for (const std::size_t count : {1, 2, 8, 35, 100})
+  for (const std::size_t count : {1, 2, 8, 35, 256, 257})
     for (int trial = 0; trial < 20; ++trial) {
       std::vector<float> values;
       for (std::size_t k = 0; k < count; ++k) // repeats, too

@@ -5,11 +5,13 @@
 #include "support/kernel_targets.h"
 #include "support/reference.h"
 #include "support/shapes.h"
+#include "sweep/block_sweep.h"
 
 #include <pcl/features/neighborhood_sweep.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
@@ -70,6 +72,29 @@ TEST_P(SweepNearest, OfManyAtOnePlace)
   for (int i = 0; i < 300; ++i)
     cloud.append(grid(2, 0.015625));
   expectExactDistances(cloud, {50, 300, 301, 700});
+}
+
+TEST_P(SweepNearest, AStrayDoesNotMakeTheNextLookFar)
+{
+  constexpr double edge = 0.02; // to the 25th nearest
+  Surface cloud = plane(20000, 1.0, random_);
+  cloud.add({{0.5, 0.5, -100.0}, {0, 0, 1}}); // before the others in their order
+  const kernels::RowIndex index =
+      kernels::buildRowIndex(cloud.points(), nullptr, cloud.size(), edge, 1);
+  const kernels::BlockSweep sweep{index, index, NeighborhoodSize::ofNearest(20)};
+  std::size_t blocks = 0, most = 0;
+  sweep.forEachBlock(1, [&](const kernels::SweepBlock& block, const std::uint32_t*) {
+    std::size_t points = 0;
+    for (std::size_t r = 0; r < block.run_count; ++r)
+      points += block.cluster_begin[block.runs[r].end] -
+                block.cluster_begin[block.runs[r].begin];
+    if (blocks++ > 0)
+      most = std::max(most, points);
+    else
+      EXPECT_EQ(cloud.size(), points) << "around the stray";
+  });
+  EXPECT_GT(blocks, cloud.size() / kernels::block_size);
+  EXPECT_LT(most, cloud.size() / 8);
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets,
