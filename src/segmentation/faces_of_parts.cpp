@@ -11,8 +11,10 @@
 #include <pcl/features/impl/neighborhoods.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace pcl {
 namespace {
@@ -26,12 +28,12 @@ FacePiece
 pieceOf(const FaceLevel& level, std::size_t node, const float* first)
 {
   const FaceNode& from = level.nodes[node];
-  FacePiece piece{{first[0], first[1], first[2]},
-                  toArray(from.position),
-                  toArray(from.normal),
-                  from.count,
-                  from.spacing,
-                  {}};
+  FacePiece piece;
+  std::copy_n(first, piece.first.size(), piece.first.begin());
+  piece.position = toArray(from.position);
+  piece.normal = toArray(from.normal);
+  piece.count = from.count;
+  piece.spacing = from.spacing;
   std::copy_n(level.scatters[node].data(), piece.scatter.size(), piece.scatter.begin());
   return piece;
 }
@@ -221,31 +223,36 @@ private:
   std::vector<std::vector<std::uint32_t>> nodes_;
 };
 
+/** What windows and fits have in common: all of a fit. */
+constexpr std::pair<float FacesAround::Window::*, float FaceFit::*> of_fit[] = {
+    {&FacesAround::Window::residual, &FaceFit::residual},
+    {&FacesAround::Window::freedom, &FaceFit::freedom},
+    {&FacesAround::Window::half_width, &FaceFit::half_width},
+    {&FacesAround::Window::bulge, &FaceFit::bulge},
+    {&FacesAround::Window::bulge_error, &FaceFit::bulge_error},
+    {&FacesAround::Window::inliers, &FaceFit::inliers},
+    {&FacesAround::Window::center_offset, &FaceFit::center_offset},
+    {&FacesAround::Window::center_cosine, &FaceFit::center_cosine}};
+static_assert(sizeof(FaceFit) == std::size(of_fit) * sizeof(float));
+static_assert(sizeof(FacesAround::Window) == sizeof(std::uint32_t) + sizeof(FaceFit));
+
 FacesAround::Window
 windowOf(std::uint32_t node, const FaceFit& fit)
 {
-  return {node,
-          fit.residual,
-          fit.freedom,
-          fit.half_width,
-          fit.bulge,
-          fit.bulge_error,
-          fit.inliers,
-          fit.center_offset,
-          fit.center_cosine};
+  FacesAround::Window window;
+  window.node = node;
+  for (const auto& [of_window, value] : of_fit)
+    window.*of_window = fit.*value;
+  return window;
 }
 
 FaceFit
 fitOf(const FacesAround::Window& window)
 {
-  return {window.half_width,
-          window.bulge,
-          window.bulge_error,
-          window.residual,
-          window.freedom,
-          window.inliers,
-          window.center_offset,
-          window.center_cosine};
+  FaceFit fit;
+  for (const auto& [of_window, value] : of_fit)
+    fit.*value = window.*of_window;
+  return fit;
 }
 
 void
