@@ -224,22 +224,19 @@ CountingModel<Model>::optimizeModelCoefficients(const Indices& inliers,
                                                 const Eigen::VectorXf& coefficients,
                                                 Eigen::VectorXf& optimized) const
 {
-  constexpr bool is_plane = std::is_same_v<Model, SampleConsensusModelPlane<PointXYZ>>;
-  if (is_plane || inliers.size() <= this->sample_size_ ||
-      !this->isModelValid(coefficients)) {
-    Model::optimizeModelCoefficients(inliers, coefficients, optimized);
-    return;
-  }
-  if constexpr (!is_plane) {
-    const Distances<Model> distances(*this->input_, inliers);
-    Eigen::NumericalDiff<Distances<Model>> with_derivatives(distances);
-    optimized = coefficients;
-    Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Distances<Model>>, float>(
-        with_derivatives)
-        .minimize(optimized);
-    if constexpr (!std::is_same_v<Model, Sphere>)
-      optimized.segment<3>(3).normalize();
-  }
+  if constexpr (!std::is_same_v<Model, SampleConsensusModelPlane<PointXYZ>>)
+    if (inliers.size() > this->sample_size_ && this->isModelValid(coefficients)) {
+      const Distances<Model> distances(*this->input_, inliers);
+      Eigen::NumericalDiff<Distances<Model>> with_derivatives(distances);
+      optimized = coefficients;
+      Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Distances<Model>>, float>(
+          with_derivatives)
+          .minimize(optimized);
+      if constexpr (!std::is_same_v<Model, Sphere>)
+        optimized.segment<3>(3).normalize();
+      return;
+    }
+  Model::optimizeModelCoefficients(inliers, coefficients, optimized);
 }
 
 template class CountingModel<SampleConsensusModelPlane<PointXYZ>>;
