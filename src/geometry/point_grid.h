@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace pcl::segmentation {
@@ -92,11 +93,12 @@ public:
     return indices_;
   }
 
-  /** \brief Becomes the grid of the points in their order(). */
-  void
-  renumber()
+  /** \brief The grid of the points in their order(), made of this one. */
+  PointGrid
+  renumbered() &&
   {
     std::iota(indices_.begin(), indices_.end(), 0U);
+    return std::move(*this);
   }
 
 private:

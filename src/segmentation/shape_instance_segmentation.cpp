@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace pcl::detail {
 namespace {
@@ -77,8 +78,7 @@ sortByCells(unsigned threads, InstanceMembers& members)
     places[grid.order()[at]] = static_cast<std::int32_t>(at);
   members.points = gathered(members.points, grid.order());
   members.of_indices = gathered(places, members.of_indices, -1);
-  grid.renumber();
-  return grid;
+  return std::move(grid).renumbered();
 }
 
 struct InstanceValues {
