@@ -158,6 +158,9 @@ struct Column {
   , size(values.size())
   {}
 
+  template <typename T>
+  Column(std::string name, std::vector<T>&& temporary) = delete;
+
   std::string name;
   std::uint8_t datatype;
   const void* values; ///< they must live until they are set

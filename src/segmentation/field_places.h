@@ -26,6 +26,7 @@ public:
   /** \param[in] field must live as long */
   explicit FieldPlaces(const ShapeField& field);
 
+  explicit FieldPlaces(ShapeField&& temporary) = delete;
   FieldPlaces(const FieldPlaces&) = delete;
   FieldPlaces& operator=(const FieldPlaces&) = delete;
 
