@@ -10,6 +10,7 @@
 #include "common/gathered.h"
 #include "common/number_text.h"
 #include "common/statistics.h"
+#include "features/noise/edge_radii.h"
 #include "features/noise/noise_level.h"
 #include "features/noise/normal_scatter.h"
 #include "features/noise/part_noise.h"
@@ -171,18 +172,21 @@ isSilentAt(const std::vector<std::size_t>& indices,
            const std::vector<float>& spacings,
            unsigned threads)
 {
-  constexpr double normal_radius = 1.2, radius = 1.0; // of the edge model, spacings
+  using edge_radii::inad_radius, edge_radii::normal_radius;
   const std::vector<float> positions = positionsAt(points, indices);
   pcl::Indices some;
   for (const pcl::index_t k : somePoints(viewOfPositions(positions), some_places))
     some.push_back(static_cast<pcl::index_t>(indices[static_cast<std::size_t>(k)]));
-  const double reach = (normal_radius + radius) *
+  const double reach = (normal_radius + inad_radius) *
                        mostSpacing(static_cast<double>(medianSpacing(spacings)));
   const PointsNear near(points, some, reach, 1, threads);
   const std::vector<float> near_spacings = gathered(spacings, near.indices());
-  const std::vector<float> angles = finiteOf(NormalScatter(
-      Neighborhoods(near.view(), threads), near_spacings, near.some(), radius, threads)(
-      normal_radius, radius));
+  const std::vector<float> angles =
+      finiteOf(NormalScatter(Neighborhoods(near.view(), threads),
+                             near_spacings,
+                             near.some(),
+                             inad_radius,
+                             threads)(normal_radius, inad_radius));
   return isSilent(angles);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
 // Radii that grow with depth or density, and the default models.
 
+#include "features/noise/edge_radii.h"
 #include "features/noise/noise_level.h"
 #include "support/clouds.h"
 #include "support/errors.h"
@@ -324,6 +325,11 @@ TEST(DefaultModels, AreThereAndSeparateTheirClasses)
   EXPECT_EQ("planar", surfaces.classes()[0].name);
   EXPECT_EQ("curved", surfaces.classes()[1].name);
   EXPECT_EQ(AdaptiveRadius::DENSITY, edges.parameters().radius_mode);
+  using namespace detail::edge_radii;
+  EXPECT_EQ(normal_radius, edges.parameters().normal_radius);
+  EXPECT_EQ(normal_radius_noise, edges.parameters().normal_radius_noise);
+  EXPECT_EQ(inad_radius, edges.parameters().radius);
+  EXPECT_EQ(inad_radius_noise, edges.parameters().radius_noise);
   float values[2];
   edges.evaluate({0.4f, 0.3f}, values);
   EXPECT_GT(values[0], 0.9f);

@@ -6,6 +6,7 @@
 
 #include "common/gathered.h"
 #include "common/statistics.h"
+#include "features/noise/edge_radii.h"
 #include "features/noise/normal_scatter.h"
 #include "features/noise/sensor_steps.h"
 #include "features/noise/thin_plates.h"
@@ -23,10 +24,8 @@ namespace pcl::detail {
 namespace {
 
 using namespace segmentation;
+using namespace edge_radii;
 
-// The radii of the default edge model, which has these factors, too.
-constexpr double normal_radius = 1.2, normal_radius_noise = 10.0;
-constexpr double inad_radius = 1.0, inad_radius_noise = 5.0;
 // From one to the next the angles between the normals of white noise fall by a third.
 constexpr std::array<double, 8> levels{0.0, 0.05, 0.075, 0.1, 0.15, 0.2, 0.25, 0.3};
 constexpr std::size_t some = 500; // a tenth of them is known to 1.4 % of the points

@@ -5,6 +5,7 @@
 #include "features/noise/sensor_steps.h"
 
 #include "common/gathered.h"
+#include "features/noise/edge_radii.h"
 #include "features/noise/normal_scatter.h"
 #include "features/noise/thin_plates.h"
 #include "features/spacing/points_near.h"
@@ -19,14 +20,13 @@ namespace pcl::detail {
 namespace {
 
 using namespace segmentation;
+using edge_radii::inad_radius, edge_radii::normal_radius;
 
 // The means of the next resolution, and of coarser ones for wider steps: a Kinect's at
 // 9 meters, the widest of a common sensor, are eight spacings wide.
 constexpr double voxel = 0.8; // spacings
 constexpr std::array<double, std::tuple_size_v<AreasOfMeans>> growths{1.0, 2.0};
 constexpr double means_spacing = 1.9; // voxels: to the 12th mean on a plane
-// Of the least neighborhoods of the edge model, spacings.
-constexpr double normal_radius = 1.2, inad_radius = 1.0;
 
 // To what the normal of a mean beside the place depends on, and more, in their
 // spacings.

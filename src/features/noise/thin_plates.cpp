@@ -6,6 +6,7 @@
 
 #include "common/gathered.h"
 #include "common/statistics.h"
+#include "features/noise/edge_radii.h"
 #include "features/spacing/local_spacing.h"
 #include "features/spacing/points_near.h"
 #include "features/spacing/some_points.h"
@@ -20,9 +21,9 @@ namespace pcl::detail {
 namespace {
 
 using namespace segmentation;
+using edge_radii::normal_radius;
 using Eigen::Vector3f;
 
-constexpr double normal_radius = 1.2; // spacings, the least of the edge model
 // Of the column above and below a point, and of what belongs to its side in the noise
 // that is measured at most, spacings.
 constexpr float column = 0.5f, side = 0.6f;
