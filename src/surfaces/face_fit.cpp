@@ -92,6 +92,12 @@ ranked(const std::vector<float>& values, std::size_t rank)
 {
   const float* const first = values.data();
   const std::size_t count = values.size();
+  if (count > 256) { // in an unlucky order each is counted
+    std::vector<float> some = values;
+    const auto at = some.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(some.begin(), at, some.end());
+    return *at;
+  }
   float low = -1.0f; // the largest value known to be low enough
   float high =
       std::numeric_limits<float>::quiet_NaN(); // the least known to be too high
