@@ -186,6 +186,72 @@ TEST(SupportChoice, WallsAroundABoardAreNoThingsOnIt)
   EXPECT_EQ(1u, supportsAt(0.0f, nodes));
 }
 
+TEST(SupportChoice, TheTopOfABodyHasSomethingLowerBeside)
+{
+  Nodes nodes;
+  addPatch({0, 0, 0}, 41, 40, nodes);
+  addPatch({25, 25, 4}, 7, 7, nodes);
+  EXPECT_EQ(1u, supportsAt(0.0f, nodes));
+  addPatch({67, 0, -4}, 10, 40, nodes); // nobody sees its side
+  EXPECT_EQ(0u, supportsAt(0.0f, nodes));
+}
+
+/** \brief A level frame: nothing is seen of what its hole has. */
+void
+addFrame(float height, Nodes& nodes)
+{
+  addPatch({0, 0, height}, 100, 15, nodes);
+  addPatch({0, 127.5f, height}, 100, 15, nodes);
+  addPatch({0, 22.5f, height}, 15, 70, nodes);
+  addPatch({127.5f, 22.5f, height}, 15, 70, nodes);
+}
+
+/** \brief More than a frame has, in the middle, and a level lid of one of the things.
+ */
+void
+addHeap(Nodes& nodes)
+{
+  addPatch({60, 55, 20}, 25, 25, nodes);
+  for (const float y : {40.0f, 50.0f, 100.0f, 110.0f})
+    addPatch(
+        {50, y, 20}, 40, 40, nodes, Vector3f::UnitX(), Vector3f(0.0f, -0.8f, 0.6f));
+}
+
+TEST(SupportChoice, ShadowsMayHideWhereThingsStand)
+{
+  Nodes nodes;
+  addFrame(0.0f, nodes);
+  addHeap(nodes);
+  EXPECT_EQ(1u, supportsAt(0.0f, nodes));
+  EXPECT_EQ(0u, supportsAt(20.0f, nodes));
+  addPatch({0, 400, -40}, 10, 50, nodes); // and then it is not the lowest
+  EXPECT_EQ(0u, supportsAt(0.0f, nodes));
+}
+
+TEST(SupportChoice, OfPartsAloneOnlyALargeFloorIsAFoot)
+{
+  for (const int columns : {40, 20}) {
+    Nodes nodes;
+    addPatch({0, 0, 60}, 60, 60, nodes);
+    addPatch({0, 0, 62}, 60, 60, nodes, Vector3f::UnitY(), Vector3f::UnitZ()); // a wall
+    addPatch({200, 0, 0}, columns, 40, nodes);
+    EXPECT_EQ(1u, supportsAt(60.0f, nodes));
+    EXPECT_EQ(columns == 40 ? 1u : 0u, supportsAt(0.0f, nodes)) << columns;
+  }
+}
+
+TEST(SupportChoice, AFootHasNothingLowerBeside)
+{
+  Nodes nodes;
+  addPatch({0, 0, 60}, 80, 80, nodes);
+  addPatch({0, 0, 62}, 80, 80, nodes, Vector3f::UnitY(), Vector3f::UnitZ());
+  addPatch({200, 0, 0}, 31, 40, nodes);
+  addPatch({215, 15, 4}, 4, 4, nodes);
+  EXPECT_EQ(1u, supportsAt(0.0f, nodes));
+  addPatch({252, 0, -4}, 8, 40, nodes);
+  EXPECT_EQ(0u, supportsAt(0.0f, nodes));
+}
+
 /** \brief A level floor, 100 wide, with a bump of a cosine's shape in the middle. */
 pcl::test::Surface
 floorWithBump(double height, double radius = 5.0)

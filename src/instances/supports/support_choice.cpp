@@ -24,11 +24,16 @@ constexpr double min_share = 0.25, min_share_of_high = 0.1;
 constexpr double min_on_top = 0.2, max_behind = 0.2;
 // Of its own area: rims of tables had .04 to .1, the sides of boxes .2 to .6.
 constexpr double max_sides = 0.25;
-// Likewise, without its rim. A leg of a table has .01, the short side of a box that is
-// four times as long as wide has .06; below a book there is the table that it lies on.
-constexpr double max_lower = 0.04;
+// Likewise, without its rim. Tables and bottoms of bins have .03 at most, boxes in a
+// heap .13 to .6.
+constexpr double max_lower = 0.1;
+// Likewise, of what stands high. A leg of a table has .01, the short side of a box that
+// is four times as long as wide has .06; below a book there is the table that it lies
+// on.
+constexpr double max_lower_of_high = 0.04;
 // Likewise, of what is near it: a cup on a table of 50 x 50 cm has .0075.
 constexpr double min_things = 0.005;
+constexpr double max_below = 0.02;  // of all that is not on the lowest part: noise
 constexpr float same_level = 0.94f; // cosine of 20 degrees
 
 /** Walls around it, as those of a shelf, are before it and not on top: they say nothing
@@ -53,13 +58,20 @@ hasRim(const SupportPart& part, const Surroundings& around)
   return around.sides <= max_sides * part.area;
 }
 
+/** Nothing is lower beside it, as there is beside the top of a body. */
+bool
+isNoTop(const SupportPart& part, const Surroundings& around)
+{
+  return around.lower <= max_lower * part.area;
+}
+
 /** Whether things lie before it and nothing behind, or things stand on it and it has a
  * rim. */
 bool
 carries(const SupportPart& part, const PartSize& largest, const Surroundings& around)
 {
-  if (!(around.before + around.behind > 0.0))
-    return part.area > around.others;
+  if (!isNoTop(part, around))
+    return false;
   if (hasThingsOnTop(part, around))
     return hasNothingBehind(around) || hasRim(part, around);
   return hasNothingBehind(around) && part.area >= min_share * largest.area;
@@ -70,15 +82,7 @@ bool
 standsHigh(const SupportPart& part, const Surroundings& around)
 {
   return around.on_top >= min_things * part.area && hasThingsOnTop(part, around) &&
-         hasRim(part, around) && around.lower <= max_lower * part.area;
-}
-
-/** Whether things lie before it and nothing behind. Around the lid of a box seen from
- * above there is nothing at all. */
-bool
-isFoot(const Surroundings& around)
-{
-  return around.before > 0.0 && hasNothingBehind(around);
+         hasRim(part, around) && around.lower <= max_lower_of_high * part.area;
 }
 
 /** Whether a plane is parallel to another one and behind it. */
@@ -101,9 +105,38 @@ public:
   , nodes_(nodes)
   , unit_(unit)
   , threads_(threads)
+  , largest_(largestOf(parts))
   , around_(parts.size())
   {}
 
+  bool
+  isCarrier(std::size_t part)
+  {
+    if (!isLarge(parts_[part], largest_, min_share))
+      return false;
+    return isAlone(part) ? surroundsOthers(part)
+                         : carries(parts_[part], largest_, around(part));
+  }
+
+  bool
+  isHighCarrier(std::size_t part)
+  {
+    return isLarge(parts_[part], largest_, min_share_of_high) &&
+           standsHigh(parts_[part], around(part));
+  }
+
+  /** Whether things lie before it and nothing behind. Around the lid of a box seen from
+   * above there is nothing at all: of such parts only a large one is a floor, and
+   * nothing is below that. */
+  bool
+  isFoot(std::size_t part)
+  {
+    if (isAlone(part))
+      return isLarge(parts_[part], largest_, min_share) && isLowest(part);
+    return hasNothingBehind(around(part)) && isNoTop(parts_[part], around(part));
+  }
+
+private:
   const Surroundings&
   around(std::size_t part)
   {
@@ -112,11 +145,39 @@ public:
     return *around_[part];
   }
 
-private:
+  Levels
+  levels(std::size_t part) const
+  {
+    return levelsOf(parts_[part], nodes_, unit_, threads_);
+  }
+
+  /** Nothing is near: shadows may hide where things stand. */
+  bool
+  isAlone(std::size_t part)
+  {
+    return !(around(part).before + around(part).behind > 0.0);
+  }
+
+  bool
+  isLowest(std::size_t part)
+  {
+    return levels(part).below <= max_below * around(part).others;
+  }
+
+  /** Whether it is larger than all else, or the lowest of all with things above it. */
+  bool
+  surroundsOthers(std::size_t part)
+  {
+    const double others = around(part).others;
+    return parts_[part].area > others ||
+           (isLowest(part) && levels(part).above >= min_on_top * others);
+  }
+
   const std::vector<SupportPart>& parts_;
   const Nodes& nodes_;
   float unit_;
   unsigned threads_;
+  PartSize largest_;
   std::vector<std::optional<Surroundings>> around_;
 };
 
@@ -129,14 +190,12 @@ carriersAmong(const std::vector<SupportPart>& parts,
               unsigned threads)
 {
   Scene scene(parts, nodes, unit, threads);
-  const PartSize largest = largestOf(parts);
   std::vector<std::size_t> carriers;
   const auto isAbove = [](const auto& plane, const auto& other) {
     return isBelow(other, plane);
   };
   for (std::size_t k = 0; k < parts.size(); ++k)
-    if (isLarge(parts[k], largest, min_share) &&
-        carries(parts[k], largest, scene.around(k)))
+    if (scene.isCarrier(k))
       carriers.push_back(k);
   const auto addOthers = [&](const auto& isRelated, const auto& isCarrier) {
     const std::vector<std::size_t> known = carriers;
@@ -150,11 +209,8 @@ carriersAmong(const std::vector<SupportPart>& parts,
           isRelatedToKnown(k) && isCarrier(k))
         carriers.push_back(k);
   };
-  addOthers(isAbove, [&](std::size_t k) {
-    return isLarge(parts[k], largest, min_share_of_high) &&
-           standsHigh(parts[k], scene.around(k));
-  });
-  addOthers(isBelow, [&](std::size_t k) { return isFoot(scene.around(k)); });
+  addOthers(isAbove, [&](std::size_t k) { return scene.isHighCarrier(k); });
+  addOthers(isBelow, [&](std::size_t k) { return scene.isFoot(k); });
   return carriers;
 }
 

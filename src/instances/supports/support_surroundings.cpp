@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// What is around a flat part: things on it, its own sides.
+// What is around a flat part: things on it, its own sides, what is above and below.
 
 #include "instances/supports/support_surroundings.h"
 
@@ -22,6 +22,13 @@ constexpr float max_cosine = 0.7f; // of 45 degrees: a side is steep
 constexpr float side_depth = 0.25f;
 // Half of that, and still deeper than a rim: the lower halves of a box's sides count.
 constexpr float rim_depth = 0.125f;
+
+/** How far what is not on a part is from its plane, at least, in spacings. */
+float
+bandOf(const SupportPart& part)
+{
+  return std::max(max_ripple, part.support.offset);
+}
 
 /** What a node is to a part of a plane. */
 struct Relation {
@@ -66,7 +73,7 @@ private:
   , rim_depth_(rim_depth * static_cast<float>(std::sqrt(part.area)))
   , places_(positionsOf(some), side_reach_)
   , nodes_(positionsOf(part.nodes), around_spacings * unit)
-  , band_(std::max(max_ripple, part.support.offset))
+  , band_(bandOf(part))
   {}
 
   bool
@@ -107,6 +114,25 @@ surroundingsOf(const SupportPart& part,
     around.behind += relation.is_behind ? area : 0.0;
   }
   return around;
+}
+
+Levels
+levelsOf(const SupportPart& part, const Nodes& nodes, float unit, unsigned threads)
+{
+  const Extent extent(part.support.plane.normal, positionsOf(placesOf(part.nodes)));
+  const float band = bandOf(part);
+  std::vector<char> is_inside(nodes.size(), 0);
+  kernels::parallelForEach(nodes.size(), threads, [&](std::size_t k) {
+    is_inside[k] = extent.isInside(nodes[k].position);
+  });
+  Levels levels;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const float height = heightOf(nodes[k], part.support.plane);
+    const double area = areaOf(nodes[k], unit);
+    levels.above += height > band && is_inside[k] ? area : 0.0;
+    levels.below += height < -band ? area : 0.0;
+  }
+  return levels;
 }
 
 } // namespace pcl::segmentation

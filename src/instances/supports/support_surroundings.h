@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// What is around a flat part: things on it, its own sides.
+// What is around a flat part: things on it, its own sides, what is above and below.
 
 #pragma once
 
@@ -23,10 +23,23 @@ struct Surroundings {
   double others = 0.0; ///< all that is not on the plane, near or not
 };
 
+/** \brief The areas of what is before and behind a flat part, near or not, square
+ * meters. */
+struct Levels {
+  double above = 0.0; ///< before its plane, and the part is on most sides of it
+  double below = 0.0; ///< behind its plane, anywhere
+};
+
 /** \param[in] nodes all of the cloud \param[in] unit the median spacing, meters */
 Surroundings surroundingsOf(const SupportPart& part,
                             const std::vector<SurfaceNode>& nodes,
                             float unit,
                             unsigned threads);
+
+/** \param[in] nodes all of the cloud \param[in] unit the median spacing, meters */
+Levels levelsOf(const SupportPart& part,
+                const std::vector<SurfaceNode>& nodes,
+                float unit,
+                unsigned threads);
 
 } // namespace pcl::segmentation
