@@ -357,6 +357,76 @@ addClusters(const SweepBlock& block,
   }
 }
 
+/** \brief The sum of all lanes. */
+HWY_INLINE std::uint64_t
+totalOf(hn::VFromD<Words> sums)
+{
+  const Longs l;
+  const auto both = hn::BitCast(l, sums);
+  const auto even = hn::And(both, hn::Set(l, 0xffffffffu));
+  return hn::GetLane(hn::SumOfLanes(l, hn::Add(even, hn::ShiftRight<32>(both))));
+}
+
+/** \brief Adds the neighbors of one query in `count` near clusters: as many points at a
+ * time as there are lanes, and nothing is staged for other queries. */
+HWY_NOINLINE void
+addNeighborsOf(std::size_t query,
+               const SweepBlock& block,
+               const NearClusters& near,
+               std::size_t begin,
+               std::size_t count,
+               const Quantizer& quantizer,
+               BlockMoments& sums)
+{
+  const Floats d;
+  const Words w;
+  const Longs l;
+  const auto odd = [&](auto v) {
+    return hn::BitCast(w, hn::ShiftRight<32>(hn::BitCast(l, v)));
+  };
+  const auto qx = hn::Set(d, block.qx[query]), qy = hn::Set(d, block.qy[query]),
+             qz = hn::Set(d, block.qz[query]), r2 = hn::Set(d, block.r2[query]);
+  auto x_sum = hn::Zero(w), y_sum = hn::Zero(w), z_sum = hn::Zero(w);
+  auto xx = hn::Zero(l), xy = hn::Zero(l), xz = hn::Zero(l), yy = hn::Zero(l),
+       yz = hn::Zero(l), zz = hn::Zero(l);
+  for (std::size_t c = begin; c < begin + count; ++c) {
+    const std::uint32_t first = block.cluster_begin[near.clusters[c]];
+    const std::uint32_t points = block.cluster_begin[near.clusters[c] + 1] - first;
+    for (std::size_t i = 0; i < points; i += lanes) {
+      const auto px = hn::LoadU(d, block.x + first + i),
+                 py = hn::LoadU(d, block.y + first + i),
+                 pz = hn::LoadU(d, block.z + first + i);
+      const auto d2 = squaredLength(hn::Sub(px, qx), hn::Sub(py, qy), hn::Sub(pz, qz));
+      const auto mask = hn::And(hn::Lt(d2, r2), pointsOfCluster(points, i));
+      if (hn::AllFalse(d, mask))
+        continue;
+      sums.count[query] += hn::CountTrue(d, mask);
+      const auto offset = [&](hn::VFromD<Floats> v, std::size_t axis) {
+        return hn::IfThenElseZero(hn::RebindMask(w, mask), quantizer(v, axis));
+      };
+      const auto x = offset(px, 0), y = offset(py, 1), z = offset(pz, 2);
+      const auto odd_x = odd(x), odd_y = odd(y), odd_z = odd(z);
+      const auto add = [&](auto& sum, auto a, auto b, auto odd_a, auto odd_b) {
+        sum = hn::Add(sum, hn::Add(hn::MulEven(a, b), hn::MulEven(odd_a, odd_b)));
+      };
+      x_sum = hn::Add(x_sum, x), y_sum = hn::Add(y_sum, y), z_sum = hn::Add(z_sum, z);
+      add(xx, x, x, odd_x, odd_x), add(xy, x, y, odd_x, odd_y);
+      add(xz, x, z, odd_x, odd_z), add(yy, y, y, odd_y, odd_y);
+      add(yz, y, z, odd_y, odd_z), add(zz, z, z, odd_z, odd_z);
+    }
+  }
+  sums.values[sum_x][query] += totalOf(x_sum);
+  sums.values[sum_y][query] += totalOf(y_sum);
+  sums.values[sum_z][query] += totalOf(z_sum);
+  std::size_t product = 0;
+  for (const auto& sum : {xx, xy, xz, yy, yz, zz}) {
+    const std::uint64_t total = hn::GetLane(hn::SumOfLanes(l, sum));
+    sums.values[low_xx + product][query] +=
+        total & ((std::uint64_t{1} << half_bits) - 1);
+    sums.values[high_xx + product++][query] += total >> half_bits;
+  }
+}
+
 /** Neighborhoods up to this size have moments, and terms of aboutQuery(), below 2^53:
  * doubles hold them exactly. */
 constexpr std::uint64_t max_for_doubles = 256;

@@ -296,6 +296,13 @@ setOrigin(const SweepBlock& block, const Group& group, BlockMoments& sums)
   return hn::GetLane(hn::MaxOfLanes(d, largest)) + reach;
 }
 
+/** So many are faster one by one. */
+constexpr std::ptrdiff_t few_queries = 4;
+
+/** With so many the sum of a lane is below 2^32. */
+constexpr std::size_t clusters_between_widening =
+    candidates_between_widening * lanes / block_size;
+
 HWY_INLINE BlockMoments
 sumMoments(const SweepBlock& block, const NearClusters& near, const Group& group)
 {
@@ -306,10 +313,18 @@ sumMoments(const SweepBlock& block, const NearClusters& near, const Group& group
   for (std::size_t i = 0; i < block_size; ++i)
     if (group.has[i] == 0.0)
       own.r2[i] = own.tie_d2[i] = -1.0f;
-  for (std::size_t begin = 0; begin < near.size; begin += max_clusters) {
-    const std::size_t count = std::min(max_clusters, near.size - begin);
-    near.has_ties ? addClusters<true>(own, near, begin, count, quantizer, sums)
-                  : addClusters<false>(own, near, begin, count, quantizer, sums);
+  const bool are_few =
+      !near.has_ties &&
+      std::count(group.has, group.has + block_size, 1.0) <= few_queries;
+  const std::size_t portion = are_few ? clusters_between_widening : max_clusters;
+  for (std::size_t begin = 0; begin < near.size; begin += portion) {
+    const std::size_t count = std::min(portion, near.size - begin);
+    if (!are_few)
+      near.has_ties ? addClusters<true>(own, near, begin, count, quantizer, sums)
+                    : addClusters<false>(own, near, begin, count, quantizer, sums);
+    for (std::size_t i = 0; are_few && i < block.size; ++i)
+      if (group.has[i] != 0.0)
+        addNeighborsOf(i, block, near, begin, count, quantizer, sums);
   }
   return sums;
 }
