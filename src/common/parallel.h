@@ -91,7 +91,11 @@ collectForEach(std::uint32_t count, unsigned threads, const Add& add)
     for (auto i = static_cast<std::uint32_t>(p * part); i < end; ++i)
       add(i, of_parts[p]);
   });
+  std::size_t size = 0;
+  for (const std::vector<Item>& of_part : of_parts)
+    size += of_part.size();
   std::vector<Item> items;
+  items.reserve(size);
   for (std::vector<Item>& of_part : of_parts) {
     items.insert(items.end(), of_part.begin(), of_part.end());
     of_part = {};

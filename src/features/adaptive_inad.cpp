@@ -5,6 +5,7 @@
 #include "features/adaptive_inad.h"
 
 #include "common/gathered.h"
+#include "common/parallel.h"
 #include "common/statistics.h"
 
 #include <pcl/features/impl/neighborhoods.hpp>
@@ -15,14 +16,14 @@ namespace {
 /** Towards the origin, where most sensors are: angles between normals on one side take
  * half the time, and what they are is the same. */
 void
-orient(const XYZView& points, std::vector<Eigen::Vector3f>& normals)
+orient(const XYZView& points, std::vector<Eigen::Vector3f>& normals, unsigned threads)
 {
-  for (std::size_t i = 0; i < points.size; ++i) {
+  kernels::parallelForEach(points.size, threads, [&](std::size_t i) {
     Eigen::Vector3f& n = normals[i];
     const float* p = points[i];
     if (n[0] * p[0] + n[1] * p[1] + n[2] * p[2] > 0.0f)
       n = -n;
-  }
+  });
 }
 
 std::vector<Eigen::Vector3f>
@@ -69,7 +70,7 @@ adaptiveINAD(const FieldInput& input,
                           : estimatedNormals(input.neighborhoods,
                                              times(parameters.normal_radius, spacings)),
                       std::vector<float>(2 * size)};
-  orient(input.points, result.normals);
+  orient(input.points, result.normals, input.threads);
   const std::vector<float> radii = times(parameters.radius, spacings);
   input.neighborhoods.computeINAD(NeighborhoodSize::ofRadii(radii.data()),
                                   {result.normals.data()->data(), 3, size},
@@ -95,7 +96,7 @@ adaptiveINADAmong(const pcl::Indices& points,
                                                 times(parameters.normal_radius, some));
   const std::vector<float> positions = positionsAt(input.points, points);
   const XYZView cloud = viewOfPositions(positions);
-  orient(cloud, normals);
+  orient(cloud, normals, input.threads);
   const std::vector<float> radii = times(parameters.radius, gathered(some, chosen));
   Neighborhoods(cloud, cloud, chosen, input.threads)
       .computeINAD(NeighborhoodSize::ofRadii(radii.data()),

@@ -7,7 +7,6 @@
 #include "common/radix_sort.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl::segmentation {
 namespace {
@@ -70,8 +69,7 @@ cellOf(const float* position, float size)
   constexpr float far = 0x1p30f;
   Cell cell;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    cell[axis] = static_cast<std::int32_t>(
-        std::clamp(std::floor(position[axis] / size), -far, far));
+    cell[axis] = floorOf(std::clamp(position[axis] / size, -far, far));
   return cell;
 }
 
@@ -94,12 +92,15 @@ sortByCell(std::vector<CellPoint>& points, unsigned threads)
 }
 
 std::vector<std::size_t>
-beginsOfCells(const std::vector<CellPoint>& sorted)
+beginsOfCells(const std::vector<CellPoint>& sorted, unsigned threads)
 {
-  std::vector<std::size_t> begins;
-  for (std::size_t i = 0; i < sorted.size(); ++i)
-    if (i == 0 || sorted[i].cell != sorted[i - 1].cell)
-      begins.push_back(i);
+  auto begins = kernels::collectForEach<std::size_t>(
+      static_cast<std::uint32_t>(sorted.size()),
+      threads,
+      [&](std::uint32_t i, std::vector<std::size_t>& of_part) {
+        if (i == 0 || !areSame(sorted[i].cell, sorted[i - 1].cell))
+          of_part.push_back(i);
+      });
   begins.push_back(sorted.size());
   return begins;
 }

@@ -13,9 +13,25 @@ namespace pcl::segmentation {
 /** \brief The numbers of a cell along three axes. */
 using Cell = std::array<std::int32_t, 3>;
 
+/** \brief As std::floor, which is a call, of what is within the limits. */
+template <typename Real>
+std::int32_t
+floorOf(Real value)
+{
+  const auto whole = static_cast<std::int32_t>(value);
+  return static_cast<Real>(whole) > value ? whole - 1 : whole;
+}
+
 /** \brief The cell that a position is in; what lies far off shares the outermost ones.
  */
 Cell cellOf(const float* position, float size);
+
+/** \brief As ==, which is a call. */
+inline bool
+areSame(const Cell& a, const Cell& b)
+{
+  return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2])) == 0;
+}
 
 /** \brief A point, and the cell that it is in. */
 struct CellPoint {
@@ -28,6 +44,7 @@ struct CellPoint {
 void sortByCell(std::vector<CellPoint>& points, unsigned threads);
 
 /** \brief The first point of each cell, and the end. */
-std::vector<std::size_t> beginsOfCells(const std::vector<CellPoint>& sorted);
+std::vector<std::size_t> beginsOfCells(const std::vector<CellPoint>& sorted,
+                                       unsigned threads = 1);
 
 } // namespace pcl::segmentation

@@ -23,8 +23,8 @@ public:
    * \param[in] places about how many will be added */
   explicit CellsAround(double reach, int cells = 1, std::size_t places = 1000)
   : cells_(static_cast<float>(cells))
-  , size_(
-        std::max(static_cast<float>(reach / cells), std::numeric_limits<float>::min()))
+  , cells_per_meter_(1.0f / std::max(static_cast<float>(reach / cells),
+                                     std::numeric_limits<float>::min()))
   {
     // 3 % of the slots are marked, unless that would be more than 2 MB.
     const double marks = std::pow(2.0 * cells + 1.0, 3) * static_cast<double>(places);
@@ -57,7 +57,7 @@ private:
   Eigen::Array3f
   cellOf(const Eigen::Vector3f& place) const
   {
-    return (place.array() / size_).floor();
+    return (place.array() * cells_per_meter_).floor();
   }
 
   /** Cells may share a slot. */
@@ -73,7 +73,7 @@ private:
   }
 
   float cells_; ///< in the reach
-  float size_;  ///< of a cell, meters
+  float cells_per_meter_;
   int bits_ = 4;
   std::vector<bool> is_marked_; ///< each slot
 };

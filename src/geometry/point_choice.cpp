@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
-#include <tuple>
 
 namespace pcl::segmentation {
 namespace {
@@ -28,13 +27,6 @@ sortedBitsOf(float value)
 }
 
 } // namespace
-
-bool
-isBefore(const XYZView& points, std::uint32_t a, std::uint32_t b)
-{
-  const float *p = points[a], *q = points[b];
-  return std::tie(p[0], p[1], p[2], a) < std::tie(q[0], q[1], q[2], b);
-}
 
 void
 sortByPosition(const XYZView& points, std::vector<std::uint32_t>& indices)
@@ -82,7 +74,7 @@ centralPoints(const XYZView& points,
     const Eigen::Array3f p = inCells(i);
     return (p - p.floor() - 0.5f).matrix().squaredNorm();
   };
-  const std::vector<std::size_t> begins = beginsOfCells(sorted);
+  const std::vector<std::size_t> begins = beginsOfCells(sorted, threads);
   std::vector<std::uint32_t> chosen(begins.size() - 1);
   forEachCell(
       sorted, begins, threads, [&](const auto begin, const auto end, std::size_t k) {

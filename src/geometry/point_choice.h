@@ -8,12 +8,18 @@
 
 #include <array>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace pcl::segmentation {
 
 /** \brief Whether a point comes before another one: by x, y and z, then by index. */
-bool isBefore(const XYZView& points, std::uint32_t a, std::uint32_t b);
+inline bool
+isBefore(const XYZView& points, std::uint32_t a, std::uint32_t b)
+{
+  const float *p = points[a], *q = points[b];
+  return std::tie(p[0], p[1], p[2], a) < std::tie(q[0], q[1], q[2], b);
+}
 
 /** \brief Sort indices by the x, y and z of their points; points at the same place by
  * their indices. */

@@ -83,7 +83,7 @@ PointGrid::PointGrid(const XYZView& points, float cell, unsigned threads) : cell
         const Eigen::Array3i c = cellOf(Eigen::Map<const Eigen::Array3f>(p));
         return {c.z(), c.y(), c.x()};
       });
-  const std::vector<std::size_t> begins = beginsOfCells(sorted);
+  const std::vector<std::size_t> begins = beginsOfCells(sorted, threads);
   const std::size_t cells = begins.size() - 1;
   keys_.resize(cells);
   begins_.assign(begins.begin(), begins.end());

@@ -47,13 +47,18 @@ public:
   forEachWithin(const Eigen::Vector3f& center, float radius, const Visit& visit) const
   {
     const float r2 = radius * radius;
-    forEachRangeWithin(center, radius, [&](std::uint32_t begin, std::uint32_t end) {
-      for (std::uint32_t i = begin; i < end; ++i) {
-        const float d2 = (positions_[i] - center).squaredNorm();
-        if (d2 < r2)
-          visit(indices_[i], d2);
-      }
-    });
+    // Local: what is written might be a member.
+    const Eigen::Vector3f middle = center;
+    const Eigen::Vector3f* const positions = positions_.data();
+    const std::uint32_t* const indices = indices_.data();
+    forEachRangeWithin(
+        middle, radius, [=, &visit](std::uint32_t begin, std::uint32_t end) {
+          for (std::uint32_t i = begin; i < end; ++i) {
+            const float d2 = (positions[i] - middle).squaredNorm();
+            if (d2 < r2)
+              visit(indices[i], d2);
+          }
+        });
   }
 
   /** \brief Whether is(index, position) for one of the points nearer than the radius;

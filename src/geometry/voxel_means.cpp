@@ -31,12 +31,19 @@ std::vector<CellPoint>
 sortedByVoxel(const XYZView& points, double size, unsigned threads)
 {
   const auto along = [size](float coordinate) {
-    return static_cast<std::int32_t>(
-        std::clamp(std::floor(coordinate / size), -max_cell, max_cell));
+    return floorOf(std::clamp(coordinate / size, -max_cell, max_cell));
   };
   return sortedByCell(points, threads, [&](const float* p) -> Cell {
     return {along(p[2]), along(p[1]), along(p[0])};
   });
+}
+
+/** As std::llround, which is a call, of what is not negative. */
+std::int32_t
+rounded(double value)
+{
+  const std::int32_t whole = floorOf(value);
+  return value - whole >= 0.5 ? whole + 1 : whole;
 }
 
 struct Size {
@@ -80,7 +87,7 @@ voxelMeans(const XYZView& points, double size, unsigned threads)
   // Offsets within a cell are added up as integers: whatever the order of the points.
   constexpr double steps = 1 << 24;
   const std::vector<CellPoint> sorted = sortedByVoxel(points, size, threads);
-  const std::vector<std::size_t> begins = beginsOfCells(sorted);
+  const std::vector<std::size_t> begins = beginsOfCells(sorted, threads);
   std::vector<float> means(3 * (begins.size() - 1));
   const auto setMean = [&](const auto begin, const auto end, std::size_t k) {
     const Cell& cell = begin->cell;
@@ -89,7 +96,7 @@ voxelMeans(const XYZView& points, double size, unsigned threads)
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const double cells = points[at->point][axis] / size;
         const double offset = std::min(cells - cell[2 - axis], 1.0); // of a far point
-        sums[axis] += std::llround(std::max(offset, 0.0) * steps);
+        sums[axis] += rounded(std::max(offset, 0.0) * steps);
       }
     const auto count = static_cast<double>(end - begin);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -105,7 +112,7 @@ std::vector<std::uint32_t>
 firstInVoxels(const XYZView& points, double size, unsigned threads)
 {
   const std::vector<CellPoint> sorted = sortedByVoxel(points, size, threads);
-  const std::vector<std::size_t> begins = beginsOfCells(sorted);
+  const std::vector<std::size_t> begins = beginsOfCells(sorted, threads);
   std::vector<std::uint32_t> first(begins.size() - 1);
   forEachCell(
       sorted, begins, threads, [&](const auto begin, const auto end, std::size_t k) {

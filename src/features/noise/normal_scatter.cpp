@@ -23,13 +23,14 @@ NormalScatter::NormalScatter(const Neighborhoods& neighborhoods,
 : neighborhoods_(neighborhoods)
 , spacings_(spacings)
 , chosen_(std::move(chosen))
+, threads_(threads)
 {
   if (chosen_.empty())
     return;
   std::vector<float> reaches = radiiOf(chosen_, most_radius);
   const double reach = *std::max_element(reaches.begin(), reaches.end());
   near_.emplace(neighborhoods.input(), chosen_, reach, 1, threads);
-  grid_.emplace(near_->view(), median(std::move(reaches)));
+  grid_.emplace(near_->view(), median(std::move(reaches)), threads);
 }
 
 std::vector<float>
@@ -44,8 +45,7 @@ NormalScatter::operator()(double normal_radius, double radius) const
   std::vector<float> mu_sigma(2 * chosen.size());
   const std::vector<float> positions = positionsAt(neighborhoods_.input(), needed);
   const XYZView cloud = viewOfPositions(positions);
-  constexpr unsigned threads = 1; // for few points
-  Neighborhoods(cloud, cloud, chosen, threads)
+  Neighborhoods(cloud, cloud, chosen, threads_)
       .computeINAD(NeighborhoodSize::ofRadii(radii.data()),
                    {normals.data(), 4, needed.size()},
                    0.0,

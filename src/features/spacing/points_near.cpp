@@ -30,8 +30,8 @@ PointsNear::PointsNear(const XYZView& points,
       static_cast<std::uint32_t>(points.size),
       threads,
       [&](std::uint32_t i, pcl::Indices& near) {
-        if (kernels::isFinite(points[i]) &&
-            around.mayHold(segmentation::positionOf(points, i)))
+        if (around.mayHold(segmentation::positionOf(points, i)) &&
+            kernels::isFinite(points[i]))
           near.push_back(static_cast<pcl::index_t>(i));
       });
   for (const pcl::index_t i : some)
