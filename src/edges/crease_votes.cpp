@@ -102,13 +102,13 @@ private:
         std::max(clear_deviation, clear_noise * static_cast<float>(edges_.noise));
     if (whiteness_ == 0.0f || (crease && wedgeDeviation(patch_, *crease) <= clear))
       return crease;
-    const Patch wide = std::move(patch_);
+    std::swap(patch_, wide_);
     fillPatch(candidate, short_reach_);
     const std::optional<CreaseFit> near = fitCrease(patch_);
     if (near && wedgeDeviation(patch_, *near) <= short_clear * clear &&
-        (!crease || wedgeDeviation(patch_, *near) < wedgeDeviation(wide, *crease)))
+        (!crease || wedgeDeviation(patch_, *near) < wedgeDeviation(wide_, *crease)))
       return near;
-    patch_ = wide;
+    std::swap(patch_, wide_);
     return crease;
   }
 
@@ -139,10 +139,11 @@ private:
     const auto count =
         static_cast<std::size_t>(std::count_if(found_.begin(), found_.end(), isWithin));
     const std::size_t step = std::max<std::size_t>(1, count / fit_points);
-    std::size_t number = 0;
+    std::size_t before = step - 1; // so many points of which none was taken
     for (const Found& found : found_) {
-      if (!isWithin(found) || number++ % step != 0)
+      if (!isWithin(found) || ++before < step)
         continue;
+      before = 0;
       const Vector3f& normal = edges_.normals[found.point];
       if (normal.allFinite()) {
         patch_.points.emplace_back((positionOf(input_.points, found.point) - center) /
@@ -162,7 +163,7 @@ private:
     float squared_distance;
   };
   std::vector<Found> found_;
-  Patch patch_;
+  Patch patch_, wide_;
 };
 
 Agreement

@@ -195,13 +195,14 @@ private:
     const double reach =
         reachOf(numbers, request_.edge_model).edges / mostSpacing(numbers.distance);
     std::map<int, std::vector<float>> own; // by the octave of their spacing
+    std::vector<char> is_near(keeps_own.size(), 0);
     for (std::size_t i = 0; i < keeps_own.size(); ++i)
       if (const float* const p = request_.surface[i];
           keeps_own[i] && kernels::isFinite(p)) {
         std::vector<float>& of_octave = own[std::ilogb(spacings[i])];
         of_octave.insert(of_octave.end(), p, p + 3);
+        is_near[i] = 1;
       }
-    std::vector<char> is_near(keeps_own.size(), 0);
     for (const auto& [octave, places] : own)
       markNear(places, static_cast<float>(std::ldexp(reach, octave + 1)), is_near);
     pcl::Indices near;

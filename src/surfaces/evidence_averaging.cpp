@@ -159,6 +159,7 @@ public:
           input.threads)
   , place_(points.size())
   , is_near_(points.size(), 0)
+  , left_(points.size())
   {
     for (std::size_t at = 0; at < place_.size(); ++at)
       place_[grid_.order()[at]] = at;
@@ -173,6 +174,8 @@ public:
     constexpr double rounding = 1.001; // does not decide what is near
     std::vector<std::uint32_t> added;
     for (const Index point : around) {
+      if (left_ == 0)
+        break;
       const auto i = static_cast<std::size_t>(point);
       const Eigen::Vector3f center = positionOf(input_.points, i);
       const float radius = static_cast<float>(rounding * spacings) * spacings_[i];
@@ -188,7 +191,7 @@ public:
   void
   add(std::size_t number)
   {
-    is_near_[place_[number]] = 1;
+    mark(place_[number]);
   }
 
   /** Their numbers, ascending. */
@@ -217,10 +220,17 @@ private:
       const std::uint32_t number = grid_.order()[static_cast<std::size_t>(at - first)];
       const Eigen::Vector3f offset = positionOf(view(), number) - center;
       if (offset.squaredNorm() < squared_radius) {
-        is_near_[static_cast<std::size_t>(at - first)] = 1;
+        mark(static_cast<std::size_t>(at - first));
         added.push_back(static_cast<std::uint32_t>(points_[number]));
       }
     }
+  }
+
+  void
+  mark(std::size_t place)
+  {
+    left_ -= is_near_[place] == 0 ? 1 : 0;
+    is_near_[place] = 1;
   }
 
   XYZView
@@ -236,6 +246,7 @@ private:
   const PointGrid grid_;
   std::vector<std::size_t> place_; ///< of each point, in the order of the grid
   std::vector<char> is_near_;      ///< of each place
+  std::size_t left_;               ///< how many are not
 };
 
 /** use(k, mean) with the mean at each of some points, if nodes are near. */

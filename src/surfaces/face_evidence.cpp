@@ -314,24 +314,43 @@ mostAt(const FacePyramid& pyramid,
   return most;
 }
 
-/** The mean of the known values of each node and those that follow it. */
-std::vector<float>
-averaged(const FaceLevel& level, const std::vector<float>& values, unsigned threads)
+/** The mean of the known values: NaN without any. */
+class Mean {
+public:
+  void
+  add(float value)
+  {
+    const bool is_known = !std::isnan(value);
+    sum_ += is_known ? value : 0.0f;
+    count_ += is_known ? 1.0f : 0.0f;
+  }
+
+  float
+  value() const
+  {
+    return count_ > 0.0f ? sum_ / count_ : nan;
+  }
+
+private:
+  float sum_ = 0.0f, count_ = 0.0f;
+};
+
+/** The means of each node and those that follow it. */
+FaceEvidence
+averaged(const FaceLevel& level, const FaceEvidence& values, unsigned threads)
 {
-  std::vector<float> means(values.size(), nan);
-  kernels::parallelForEach(values.size(), threads, [&](std::size_t i) {
-    float sum = 0.0f, count = 0.0f;
-    const auto add = [&](float value) {
-      if (!std::isnan(value)) {
-        sum += value;
-        count += 1.0f;
-      }
+  FaceEvidence means = values;
+  kernels::parallelForEach(values.curved.size(), threads, [&](std::size_t i) {
+    Mean curved, flat;
+    const auto add = [&](std::size_t node) {
+      curved.add(values.curved[node]);
+      flat.add(values.flat[node]);
     };
-    add(values[i]);
+    add(i);
     for (std::uint32_t k = level.link_begins[i]; k < level.link_begins[i + 1]; ++k)
-      add(values[level.links[k]]);
-    if (count > 0.0f)
-      means[i] = sum / count;
+      add(level.links[k]);
+    means.curved[i] = curved.value();
+    means.flat[i] = flat.value();
   });
   return means;
 }
@@ -470,10 +489,8 @@ faceEvidence(const FacePyramid& pyramid,
     evidence.curved[i] = mostAt(pyramid, levels, node, spacing);
     evidence.flat[i] = isInFlatWindow(pyramid, levels, node) ? 1.0f : 0.0f;
   });
-  for (int round = 0; round < averaging_rounds; ++round) {
-    evidence.curved = averaged(first, evidence.curved, threads);
-    evidence.flat = averaged(first, evidence.flat, threads);
-  }
+  for (int round = 0; round < averaging_rounds; ++round)
+    evidence = averaged(first, evidence, threads);
   return evidence;
 }
 

@@ -148,7 +148,7 @@ collectNodes(const XYZView& points,
   constexpr std::size_t part = 4096; // cells of a thread at a time
   FaceLevel& level = pyramid.levels.front();
   std::vector<CellPoint> sorted = facePoints(points, field, level.cell, threads);
-  const std::vector<std::size_t> begins = beginsOfCells(sorted);
+  const std::vector<std::size_t> begins = beginsOfCells(sorted, threads);
   const std::size_t cells = begins.size() - 1;
   const auto at = [&](std::size_t cell) {
     return sorted.begin() + static_cast<std::ptrdiff_t>(begins[cell]);
@@ -259,16 +259,26 @@ linkFirst(FaceLevel& level, unsigned threads)
     grid.forEachWithin(
         node.position, reachOf(node), [&](std::uint32_t j, float squared) {
           const FaceNode& other = level.nodes[j];
-          if (j == i || !areOfOneFace(node, other))
+          const float back = reachOf(other);
+          const bool is_found_from_there = squared < back * back;
+          if (j == i || (is_found_from_there && j < i) || !areOfOneFace(node, other))
             return;
           links.emplace_back(i, j);
-          const float back = reachOf(other);
-          if (!(squared < back * back))
-            links.emplace_back(j, i);
+          links.emplace_back(j, i);
         });
   };
   const auto count = static_cast<std::uint32_t>(level.nodes.size());
   setLinks(kernels::collectForEach<Link>(count, threads, addLinks), level, threads);
+}
+
+/** visit(row, column) for the diagonal and what is below: all that solvers read. */
+template <typename Visit>
+void
+forEachBelow(const Visit& visit)
+{
+  for (Eigen::Index r = 0; r < 3; ++r)
+    for (Eigen::Index c = 0; c <= r; ++c)
+      visit(r, c);
 }
 
 /** The normal of the points of a node and of those that follow it. */
@@ -287,10 +297,14 @@ normalAround(const FaceLevel& level, std::uint32_t i)
     const Vector3f offset = other.position - node.position;
     count += other.count;
     sum += other.count * offset;
-    scatter +=
-        level.scatters[level.links[k]] + other.count * offset * offset.transpose();
+    const Matrix3f& of_other = level.scatters[level.links[k]];
+    forEachBelow([&](Eigen::Index r, Eigen::Index c) {
+      scatter(r, c) += of_other(r, c) + other.count * offset[r] * offset[c];
+    });
   }
-  scatter -= sum * sum.transpose() / count;
+  forEachBelow([&](Eigen::Index r, Eigen::Index c) {
+    scatter(r, c) -= sum[r] * sum[c] / count;
+  });
   Eigen::SelfAdjointEigenSolver<Matrix3f> solver;
   solver.computeDirect(scatter);
   const Vector3f& values = solver.eigenvalues();
@@ -337,7 +351,7 @@ findParents(FaceLevel& level)
     cells.push_back(cellOf(node.position.data(), 2.0f * level.cell));
   DisjointSets sets(size);
   forEachLink(level, [&](std::uint32_t i, std::uint32_t j) {
-    if (cells[i] == cells[j])
+    if (areSame(cells[i], cells[j]))
       sets.unite(i, j);
   });
   std::vector<std::uint32_t> firsts;
