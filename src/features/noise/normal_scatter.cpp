@@ -23,7 +23,6 @@ NormalScatter::NormalScatter(const Neighborhoods& neighborhoods,
 : neighborhoods_(neighborhoods)
 , spacings_(spacings)
 , chosen_(std::move(chosen))
-, threads_(threads)
 {
   if (chosen_.empty())
     return;
@@ -45,7 +44,8 @@ NormalScatter::operator()(double normal_radius, double radius) const
   std::vector<float> mu_sigma(2 * chosen.size());
   const std::vector<float> positions = positionsAt(neighborhoods_.input(), needed);
   const XYZView cloud = viewOfPositions(positions);
-  Neighborhoods(cloud, cloud, chosen, threads_)
+  constexpr unsigned threads = 1; // for few points
+  Neighborhoods(cloud, cloud, chosen, threads)
       .computeINAD(NeighborhoodSize::ofRadii(radii.data()),
                    {normals.data(), 4, needed.size()},
                    0.0,

@@ -45,7 +45,6 @@ private:
   const Neighborhoods& neighborhoods_;
   const std::vector<float>& spacings_;
   pcl::Indices chosen_;
-  unsigned threads_;
   std::optional<PointsNear> near_; ///< whose normals may be needed, and others
   std::optional<segmentation::PointGrid> grid_; ///< of these, if any
 };
