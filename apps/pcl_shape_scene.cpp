@@ -59,8 +59,8 @@ main(int argc, char** argv)
   CommandLine command_line(
       "pcl_shape_scene",
       "out.pcd",
-      "Make a table scene, a machined part, a room or a street as a sensor sees "
-      "it, with the\nexact fields surface, edge, instance and crease_mm.");
+      "Make a table scene, a bin, a machined part, a room or a street as a sensor "
+      "sees it, with the\nexact fields surface, edge, instance and crease_mm.");
   command_line.option("seed", "N", "another seed, another scene (1)")
       .option("objects", "N", "on the table, 0 to 30 (8)")
       .option("shapes",

@@ -116,16 +116,19 @@ checkPlace(const Arguments& arguments)
 {
   const std::string sensor = sensorOf(arguments);
   const std::string place = arguments.text("place", "table");
-  if (place != "table" && place != "part" && place != "room" && place != "facade")
+  if (place != "table" && place != "bin" && place != "part" && place != "room" &&
+      place != "facade")
     refuse(arguments,
            "place",
            "without a laser",
-           "table, part, room or facade, or -sensor lidar with it");
+           "table, bin, part, room or facade, or -sensor lidar with it");
   const bool is_for_stations = place == "room" || place == "facade";
   if ((sensor == "station") != is_for_stations)
     throw UsageError("-place '" + place + "' with -sensor '" + sensor +
                      "'; expected -place room or facade with -sensor station, and no "
                      "other");
+  if (place == "bin" && isSampled(arguments))
+    refuse(arguments, "place", "of samples", "table or part, or a camera with it");
   if (sensor == "photogrammetry" && place != "part")
     throw UsageError("-place '" + place +
                      "' with -sensor 'photogrammetry'; expected -place part");
@@ -165,13 +168,13 @@ addKindOptions(CommandLine& command_line)
           "a part; station: a\nscanner on a tripod; lidar: a laser scanner "
           "in a street, fields ground,\nsurface, instance and ring; its -noise is "
           "lidar (default), none, or a sigma")
-      .option("place",
-              "P",
-              "table (default) or part: machined parts, on the table for cameras, one "
-              "alone for\nsamples and photogrammetry; room or facade for a station; of "
-              "the lidar: "
-              "town (default), bumps,\nbridge, canopy, country, deck, garage, tunnel, "
-              "corridor, hall")
+      .option(
+          "place",
+          "P",
+          "table (default), bin (cameras see it from above) or part: machined parts, "
+          "on the\ntable for cameras, one alone for samples and photogrammetry; room "
+          "or facade for a\nstation; of the lidar: town (default), bumps, bridge, "
+          "canopy, country, deck, garage,\ntunnel, corridor, hall")
       .option("size", "S", "of a part that is alone: its longest side, meters (0.1)")
       .option(
           "spread",

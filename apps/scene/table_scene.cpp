@@ -142,6 +142,7 @@ tableOptions(const Arguments& arguments)
     options.shapes = {pcl::scene::Shape::Part};
     options.objects = small("objects", 0, max_objects).value_or(usual_parts);
   }
+  options.in_bin = arguments.text("place") == "bin";
   options.width = small("width", min_pixels, max_pixels).value_or(options.width);
   options.height = small("height", min_pixels, max_pixels).value_or(options.height);
   options.turn = arguments.number("turn", turn_range).value_or(options.turn);
@@ -161,6 +162,8 @@ tableCloud(const Arguments& arguments, const SceneOptions& options, Report& repo
   report.setCount("parameters", "seed", options.seed);
   report.setCount("parameters", "objects", options.objects);
   const bool has_parts = sceneKind(arguments) == SceneKind::Part;
+  if (options.in_bin)
+    report.setText("parameters", "place", "bin");
   report.setText(
       "parameters", "shapes", has_parts ? "part" : arguments.text("shapes", "all"));
   reportSensor(arguments, options, report);

@@ -69,10 +69,10 @@ TEST_F(AppWorlds, NoiseAndSpreadChangeThePointsOnly)
   EXPECT_NE(floatsOf(exact, "x"), floatsOf(make(random), "x"));
 }
 
-TEST_F(AppWorlds, DepthCamerasSeeTablesAndParts)
+TEST_F(AppWorlds, DepthCamerasSeeTablesBinsAndParts)
 {
   for (const std::string sensor : {"stereo", "tof", "structured"})
-    for (const std::string place : {"table", "part"}) {
+    for (const std::string place : {"table", "bin", "part"}) {
       const CloudFile cloud = make({"-sensor",
                                     sensor,
                                     "-place",
@@ -119,6 +119,7 @@ TEST_F(AppWorlds, OptionsOfOthersAreRefused)
   expectRefusal({"-place", "room"}, {"-place", "room", "-sensor station"});
   expectRefusal({"-sensor", "station"}, {"table", "-place room"});
   expectRefusal({"-sensor", "photogrammetry"}, {"table", "-place part"});
+  expectRefusal({"-place", "bin", "-sampling", "0.002"}, {"-place", "a camera"});
   expectRefusal({"-place", "part", "-shapes", "box"}, {"-shapes", "-place table"});
   expectRefusal({"-size", "0.1"}, {"-size", "-place part"});
   expectRefusal({"-fillers"}, {"-fillers", "-sensor lidar"});

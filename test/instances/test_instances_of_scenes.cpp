@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 // How many instances are found in scenes with truth: 95 % of those with 300 points or
 // more, with an IoU of 0.7.
 namespace {
@@ -77,6 +79,29 @@ TEST(InstancesOfScenes, BoxesAreFoundAsWholeObjects)
   Found sum;
   for (const unsigned count : {1U, 4U, 8U, 12U})
     sum += objects(sceneOf(800 + count, count, {Shape::Box}));
+  EXPECT_GE(sum.share(), least_share) << sum.found << " of " << sum.instances;
+}
+
+TEST(InstancesOfScenes, BinsAreNoObjects)
+{
+  Found sum;
+  for (const std::uint64_t seed : {901U, 902U, 903U, 904U}) {
+    scene::SceneOptions options;
+    options.seed = seed;
+    options.objects = 6;
+    options.in_bin = true;
+    const scene::Scene scene = scene::generateScene(options);
+    const Labels found = instancesOf(cloudOf(scene), "object");
+    std::size_t of_supports = 0, taken = 0;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (scene.instance[i] == 0 && !std::isnan(scene.xyz[3 * i])) {
+        ++of_supports;
+        taken += found[i] > 0;
+      }
+    EXPECT_LT(static_cast<double>(taken), 0.03 * static_cast<double>(of_supports))
+        << seed;
+    sum += compare(scene.instance, found, std::vector<bool>(found.size(), true));
+  }
   EXPECT_GE(sum.share(), least_share) << sum.found << " of " << sum.instances;
 }
 

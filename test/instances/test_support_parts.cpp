@@ -252,6 +252,25 @@ TEST(SupportChoice, AFootHasNothingLowerBeside)
   EXPECT_EQ(0u, supportsAt(0.0f, nodes));
 }
 
+TEST(SupportChoice, AWallStandsWhereTheBottomOfABinEnds)
+{
+  const Vector3f x = Vector3f::UnitX(), y = Vector3f::UnitY(), z = Vector3f::UnitZ();
+  const auto wallsOf = [&](int columns, float at) {
+    Nodes nodes;
+    addPatch({0, 0, 0}, 100, 80, nodes);
+    addPatch({70, 60, 5}, 12, 12, nodes);
+    addPatch({at, 10, 3}, columns, 12, nodes, y, z);
+    const std::vector<SupportPart> parts = supportParts(nodes, min_offset, 1.0f);
+    const std::vector<std::size_t> carriers = carriersAmong(parts, nodes, 1.0f, 1);
+    return std::count_if(carriers.begin(), carriers.end(), [&](std::size_t k) {
+      return std::abs(parts[k].support.plane.normal.dot(x)) > 0.9f;
+    });
+  };
+  EXPECT_EQ(1, wallsOf(60, 0.0f));
+  EXPECT_EQ(0, wallsOf(60, 30.0f)); // the bottom goes on behind it
+  EXPECT_EQ(0, wallsOf(20, 0.0f));  // the side of a thing in a corner
+}
+
 /** \brief A level floor, 100 wide, with a bump of a cosine's shape in the middle. */
 pcl::test::Surface
 floorWithBump(double height, double radius = 5.0)

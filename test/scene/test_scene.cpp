@@ -73,6 +73,30 @@ TEST(Scene, SameSeedSameScene)
   EXPECT_EQ(a.instance, b.instance);
 }
 
+TEST(Scene, OfABinWallsAndTheFloorAreNoObjects)
+{
+  SceneOptions options = small(5, Noise::None);
+  options.in_bin = true;
+  options.objects = 4;
+  const Scene scene = generateScene(options);
+  EXPECT_EQ(4u, *std::max_element(scene.instance.begin(), scene.instance.end()));
+  std::size_t bottom = 0, walls = 0, floor = 0;
+  for (std::size_t i = 0; i < scene.instance.size(); ++i) {
+    const double height = toScene(
+        scene, {scene.xyz[3 * i], scene.xyz[3 * i + 1], scene.xyz[3 * i + 2]})[2];
+    if (scene.instance[i] != 0 || std::isnan(height)) {
+      EXPECT_TRUE(!(height < -1e-6)) << "an object below the bin";
+      continue;
+    }
+    bottom += std::abs(height) < 1e-6;
+    walls += height > 0.02;
+    floor += height < -0.15;
+  }
+  EXPECT_GT(bottom, 20000u);
+  EXPECT_GT(walls, 3000u);
+  EXPECT_GT(floor, 500u);
+}
+
 TEST(Scene, OtherSeedOtherScene)
 {
   const Scene a = generateScene(small(3)), b = generateScene(small(4));

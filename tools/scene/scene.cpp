@@ -133,6 +133,9 @@ generateScene(const SceneOptions& options)
         Creases(world, observer),
         dilated(gaps, options.width, options.height, band),
         scene);
+  for (std::uint32_t& instance : scene.instance)
+    if (instance > random_world.bodies.size())
+      instance = 0;
   return scene;
 }
 

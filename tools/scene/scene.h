@@ -67,6 +67,8 @@ struct SceneOptions {
                                        that of the camera, random */
   double turn = 0.0; /**< degrees by which the camera walked around the objects, to its
                         right, -180 to 180: another view of the same scene */
+  bool in_bin = false; /**< not on a table but in a bin that stands on a floor, seen
+                          from above: of its walls and the floor instance is 0, too */
 };
 
 /** \brief An object as it was placed. */

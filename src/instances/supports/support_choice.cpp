@@ -35,6 +35,11 @@ constexpr double max_lower_of_high = 0.04;
 constexpr double min_things = 0.005;
 constexpr double max_below = 0.02;  // of all that is not on the lowest part: noise
 constexpr float same_level = 0.94f; // cosine of 20 degrees
+// Of a wall and what it stands on: walls of bins lean. Of the nodes of the latter some
+// are noise, and where a thing stands in a corner a wall is not seen.
+constexpr float max_cosine_of_wall = 0.7f;
+constexpr double max_beyond = 0.02;
+constexpr float min_along = 0.5f;
 
 /** Walls around it, as those of a shelf, are before it and not on top: they say nothing
  * where things are. Below min_things there may be none, and walls count. */
@@ -85,13 +90,44 @@ standsHigh(const SupportPart& part, const Surroundings& around)
          hasRim(part, around) && around.lower <= max_lower_of_high * part.area;
 }
 
-/** Whether a plane is parallel to another one and behind it. */
+/** Whether a part is parallel to another one and behind it. */
 bool
-isBelow(const Plane<float>& plane, const Plane<float>& other)
+isBelow(const SupportPart& part, const SupportPart& other_part)
 {
+  const Plane<float>& plane = part.support.plane;
+  const Plane<float>& other = other_part.support.plane;
   const Vector3f above = other.center - plane.center;
   return plane.normal.dot(other.normal) > same_level &&
          other.normal.dot(above) > 0.0f && plane.normal.dot(above) > 0.0f;
+}
+
+/** From the first to the last node of a part in a direction. */
+float
+extentAlong(const Vector3f& direction, const SupportPart& part)
+{
+  const auto [first, last] = std::minmax_element(
+      part.nodes.begin(), part.nodes.end(), [&](const auto& one, const auto& other) {
+        return direction.dot(one.position) < direction.dot(other.position);
+      });
+  return direction.dot(last->position - first->position);
+}
+
+/** Whether a part stands where another one ends, along half of it or more. */
+bool
+isWallOf(const SupportPart& part, const SupportPart& bottom)
+{
+  const Vector3f& normal = part.support.plane.normal;
+  const Vector3f& up = bottom.support.plane.normal;
+  if (std::abs(normal.dot(up)) > max_cosine_of_wall)
+    return false;
+  const auto behind =
+      std::count_if(bottom.nodes.begin(), bottom.nodes.end(), [&](const auto& node) {
+        return heightOf(node, part.support.plane) < -max_ripple;
+      });
+  const Vector3f along = normal.cross(up).normalized();
+  return static_cast<double>(behind) <=
+             max_beyond * static_cast<double>(bottom.nodes.size()) &&
+         extentAlong(along, part) >= min_along * extentAlong(along, bottom);
 }
 
 /** What is around each part, looked at once. */
@@ -134,6 +170,12 @@ public:
     if (isAlone(part))
       return isLarge(parts_[part], largest_, min_share) && isLowest(part);
     return hasNothingBehind(around(part)) && isNoTop(parts_[part], around(part));
+  }
+
+  bool
+  isWall(std::size_t part)
+  {
+    return !isAlone(part) && hasNothingBehind(around(part));
   }
 
 private:
@@ -191,8 +233,8 @@ carriersAmong(const std::vector<SupportPart>& parts,
 {
   Scene scene(parts, nodes, unit, threads);
   std::vector<std::size_t> carriers;
-  const auto isAbove = [](const auto& plane, const auto& other) {
-    return isBelow(other, plane);
+  const auto isAbove = [](const auto& part, const auto& other) {
+    return isBelow(other, part);
   };
   for (std::size_t k = 0; k < parts.size(); ++k)
     if (scene.isCarrier(k))
@@ -201,7 +243,7 @@ carriersAmong(const std::vector<SupportPart>& parts,
     const std::vector<std::size_t> known = carriers;
     const auto isRelatedToKnown = [&](std::size_t part) {
       return std::any_of(known.begin(), known.end(), [&](std::size_t carrier) {
-        return isRelated(parts[part].support.plane, parts[carrier].support.plane);
+        return isRelated(parts[part], parts[carrier]);
       });
     };
     for (std::size_t k = 0; k < parts.size(); ++k)
@@ -211,6 +253,7 @@ carriersAmong(const std::vector<SupportPart>& parts,
   };
   addOthers(isAbove, [&](std::size_t k) { return scene.isHighCarrier(k); });
   addOthers(isBelow, [&](std::size_t k) { return scene.isFoot(k); });
+  addOthers(isWallOf, [&](std::size_t k) { return scene.isWall(k); });
   return carriers;
 }
 

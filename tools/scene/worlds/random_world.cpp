@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// A camera above a table, and objects put on it: alone, on, against or in each other.
+// A camera above a table or a bin, and objects put on it: alone, on, against or in each
+// other.
 
 #include "scene/worlds/random_world.h"
 
@@ -20,7 +21,15 @@ struct Ground {
   double half_width = 0.34;       /**< |x| <= half_width */
 };
 
-/** A camera 0.55 to 0.66 m above the table, looking 35 to 45 degrees down. */
+/** The middle of where objects may be. */
+Vec3
+middleOf(const Ground& ground)
+{
+  return {0.0, 0.5 * (ground.near + ground.far), 0.0};
+}
+
+/** Over a table it is 0.55 to 0.66 m high and looks 35 to 45 degrees down; over a bin
+ * it is 0.85 to 1.1 m high and looks 70 to 90 degrees down, at the middle. */
 Camera
 randomCamera(const SceneOptions& options, Random& random)
 {
@@ -29,14 +38,22 @@ randomCamera(const SceneOptions& options, Random& random)
   camera.width = options.width;
   camera.height = options.height;
   camera.focal = focal_at_640 * options.width / 640.0;
-  const UnitVector tilt = fromTurns(random.uniform(35.0, 45.0) / 360.0);
+  const UnitVector tilt = fromTurns(
+      (options.in_bin ? random.uniform(70.0, 90.0) : random.uniform(35.0, 45.0)) /
+      360.0);
   const UnitVector roll = fromTurns(random.uniform(-2.0, 2.0) / 360.0);
   const Vec3 right{1.0, 0.0, 0.0};
   const Vec3 down{0.0, -tilt.sine, -tilt.cosine};
   camera.pose.axes = {{right * roll.cosine + down * roll.sine,
                        down * roll.cosine - right * roll.sine,
                        {0.0, tilt.cosine, -tilt.sine}}};
-  camera.pose.origin = {0.0, 0.0, random.uniform(0.55, 0.66)};
+  if (options.in_bin) {
+    const double height = random.uniform(0.85, 1.1);
+    camera.pose.origin =
+        middleOf(Ground{}) + Vec3{0.0, -height * tilt.cosine / tilt.sine, height};
+  }
+  else
+    camera.pose.origin = {0.0, 0.0, random.uniform(0.55, 0.66)};
   return camera;
 }
 
@@ -44,7 +61,7 @@ randomCamera(const SceneOptions& options, Random& random)
 void
 turnAround(const Ground& ground, double degrees, Camera& camera)
 {
-  const Vec3 middle{0.0, 0.5 * (ground.near + ground.far), 0.0};
+  const Vec3 middle = middleOf(ground);
   const UnitVector turn = fromTurns(degrees / 360.0);
   const auto turned = [&](const Vec3& v) {
     return Vec3{
@@ -66,6 +83,44 @@ randomTable(Random& random)
   table.half_width = random.uniform(0.56, 0.68);
   table.center = {random.uniform(-0.06, 0.06), 0.15 + table.half_width, 0.0};
   return table;
+}
+
+Solid
+box(const Vec3& center, const Vec3& size)
+{
+  Solid solid;
+  solid.size = {size.x, size.y, size.z};
+  solid.pose.origin = center;
+  return solid;
+}
+
+/** \brief A bin around where objects may be: its bottom, its walls, and the floor. */
+struct Bin {
+  Table bottom;
+  std::vector<Solid> others;
+};
+
+Bin
+randomBin(Random& random)
+{
+  constexpr double thickness = 0.01, floor_width = 4.0;
+  Bin bin;
+  bin.bottom.center = middleOf(Ground{});
+  bin.bottom.half_length = random.uniform(0.48, 0.52);
+  bin.bottom.half_width = random.uniform(0.39, 0.42);
+  const double height = random.uniform(0.08, 0.25);
+  const double x = bin.bottom.half_length + 0.5 * thickness;
+  const double y = bin.bottom.half_width + 0.5 * thickness;
+  for (const double side : {-1.0, 1.0}) {
+    bin.others.push_back(box(bin.bottom.center + Vec3{side * x, 0.0, 0.5 * height},
+                             {thickness, 2.0 * y + thickness, height}));
+    bin.others.push_back(box(bin.bottom.center + Vec3{0.0, side * y, 0.5 * height},
+                             {2.0 * x - thickness, thickness, height}));
+  }
+  const double depth = random.uniform(0.2, 0.8);
+  bin.others.push_back(box(bin.bottom.center - Vec3{0.0, 0.0, depth},
+                           {floor_width, floor_width, thickness}));
+  return bin;
 }
 
 constexpr double clearance = 0.006;   // meters between objects that do not touch
@@ -322,12 +377,17 @@ randomWorld(const SceneOptions& options)
   Random random(options.seed, placing_stream);
   RandomWorld result;
   result.world.camera = randomCamera(options, random);
-  result.world.table = randomTable(random);
+  Bin bin;
+  if (options.in_bin)
+    bin = randomBin(random);
+  result.world.table = options.in_bin ? bin.bottom : randomTable(random);
   result.bodies = randomLayout(Ground{}, options.objects, options.shapes, random);
   if (options.turn != 0.0)
     turnAround(Ground{}, options.turn, result.world.camera);
   for (const auto& body : result.bodies)
     result.world.solids.push_back(body.solid);
+  for (const Solid& solid : bin.others)
+    result.world.solids.push_back(solid);
   return result;
 }
 
