@@ -62,7 +62,7 @@ main(int argc, char** argv)
       "Make a table scene, a bin, a machined part, a room or a street as a sensor "
       "sees it, with the\nexact fields surface, edge, instance and crease_mm.");
   command_line.option("seed", "N", "another seed, another scene (1)")
-      .option("objects", "N", "on the table, 0 to 30 (8)")
+      .option("objects", "N", "on the table or in the bin, 0 to 30 (8)")
       .option("shapes",
               "S,S",
               "of the objects, in turn: box, cylinder, sphere, bowl, cone (all)")

@@ -110,7 +110,7 @@ checkSensorOptions(const Arguments& arguments)
 }
 
 /** A station stands in a room or before a house and nowhere else; photogrammetry needs
- * a part; streets need a laser. */
+ * a part, a bin a camera; streets need a laser. */
 void
 checkPlace(const Arguments& arguments)
 {
@@ -127,11 +127,11 @@ checkPlace(const Arguments& arguments)
     throw UsageError("-place '" + place + "' with -sensor '" + sensor +
                      "'; expected -place room or facade with -sensor station, and no "
                      "other");
-  if (place == "bin" && isSampled(arguments))
-    refuse(arguments, "place", "of samples", "table or part, or a camera with it");
   if (sensor == "photogrammetry" && place != "part")
     throw UsageError("-place '" + place +
                      "' with -sensor 'photogrammetry'; expected -place part");
+  if (place == "bin" && isSampled(arguments))
+    refuse(arguments, "place", "of samples", "table or part, or a camera with it");
 }
 
 void
@@ -139,7 +139,7 @@ checkPartOptions(const Arguments& arguments, SceneKind kind)
 {
   const bool is_part = kind == SceneKind::Part;
   if (is_part)
-    refuse(arguments, "shapes", "with -place 'part'", "it with -place table");
+    refuse(arguments, "shapes", "with -place 'part'", "it with -place table or bin");
   if (is_part && isSampled(arguments))
     refuse(arguments, "objects", "of one part", "it with a camera");
   else {

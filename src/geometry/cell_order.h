@@ -13,7 +13,7 @@ namespace pcl::segmentation {
 /** \brief The numbers of a cell along three axes. */
 using Cell = std::array<std::int32_t, 3>;
 
-/** \brief As std::floor, which is a call, of what is within the limits. */
+/** \brief As std::floor, which is a call, of what is not NaN and fits. */
 template <typename Real>
 std::int32_t
 floorOf(Real value)
@@ -26,7 +26,7 @@ floorOf(Real value)
  */
 Cell cellOf(const float* position, float size);
 
-/** \brief As ==, which is a call. */
+/** \brief As ==, which calls memcmp. */
 inline bool
 areSame(const Cell& a, const Cell& b)
 {

@@ -23,7 +23,7 @@ public:
    * \param[in] places about how many will be added */
   explicit CellsAround(double reach, int cells = 1, std::size_t places = 1000)
   : cells_(static_cast<float>(cells))
-  , cells_per_meter_(1.0f / std::max(static_cast<float>(reach / cells),
+  , cells_per_meter_(1.0f / std::max(static_cast<float>(wider * reach / cells),
                                      std::numeric_limits<float>::min()))
   {
     // 3 % of the slots are marked, unless that would be more than 2 MB.
@@ -47,13 +47,15 @@ public:
   bool
   mayHold(const Eigen::Vector3f& point) const
   {
-    // So far from the origin the next cell may have the same number.
-    constexpr float far = 0x1p22f;
+    // So far from the origin more is rounded than cells are wider.
+    constexpr float far = 0x1p16f;
     const Eigen::Array3f cell = cellOf(point);
     return !(cell.abs() < far).all() || is_marked_[slotOf(cell)];
   }
 
 private:
+  static constexpr double wider = 1.01; // than the reach: what is rounded is not missed
+
   Eigen::Array3f
   cellOf(const Eigen::Vector3f& place) const
   {

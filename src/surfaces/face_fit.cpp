@@ -92,7 +92,9 @@ ranked(const std::vector<float>& values, std::size_t rank)
 {
   const float* const first = values.data();
   const std::size_t count = values.size();
-  if (count > 256) { // in an unlucky order each is counted
+  // In an unlucky order each is counted, and the time grows with the square.
+  constexpr std::size_t max_counted = 256;
+  if (count > max_counted) {
     std::vector<float> some = values;
     const auto at = some.begin() + static_cast<std::ptrdiff_t>(rank);
     std::nth_element(some.begin(), at, some.end());

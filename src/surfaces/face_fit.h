@@ -35,8 +35,8 @@ struct FaceFit {
 };
 
 /** \brief The value that so many of a few values are less than, as std::nth_element
- * finds it: that waits for a branch at each value, this counts whole vectors.
- * \param[in] values not negative; more than the rank */
+ * finds it: that waits for a branch at each value, this counts whole vectors of few.
+ * \param[in] values not negative, not NaN; more than the rank */
 float ranked(const std::vector<float>& values, std::size_t rank);
 
 /** \brief Fits quadrics over the tangent planes of windows' first nodes, by least

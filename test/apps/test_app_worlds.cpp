@@ -120,6 +120,8 @@ TEST_F(AppWorlds, OptionsOfOthersAreRefused)
   expectRefusal({"-sensor", "station"}, {"table", "-place room"});
   expectRefusal({"-sensor", "photogrammetry"}, {"table", "-place part"});
   expectRefusal({"-place", "bin", "-sampling", "0.002"}, {"-place", "a camera"});
+  expectRefusal({"-place", "bin", "-sensor", "samples"}, {"-place", "a camera"});
+  expectRefusal({"-place", "bin", "-sensor", "photogrammetry"}, {"-place part"});
   expectRefusal({"-place", "part", "-shapes", "box"}, {"-shapes", "-place table"});
   expectRefusal({"-size", "0.1"}, {"-size", "-place part"});
   expectRefusal({"-fillers"}, {"-fillers", "-sensor lidar"});

@@ -68,6 +68,24 @@ expectSorted(std::vector<CellPoint> points)
 constexpr std::int32_t min = std::numeric_limits<std::int32_t>::min();
 constexpr std::int32_t max = std::numeric_limits<std::int32_t>::max();
 
+TEST(CellOrder, FloorIsThatOfTheStandardLibrary)
+{
+  for (const double value : {-1.0,
+                             std::nextafter(-1.0, 0.0),
+                             -0.5,
+                             -0.0,
+                             0.0,
+                             0.5,
+                             std::nextafter(1.0, 0.0),
+                             1.0,
+                             0x1p30,
+                             -0x1p30}) {
+    EXPECT_EQ(std::floor(value), floorOf(value));
+    EXPECT_EQ(std::floor(static_cast<float>(value)),
+              floorOf(static_cast<float>(value)));
+  }
+}
+
 TEST(CellOrder, OfNoPoint)
 {
   std::vector<CellPoint> none;

@@ -222,6 +222,16 @@ TEST(CentralPoints, AreNearestToTheMiddlesOfCells)
   EXPECT_EQ((Indices{4, 1, 2, 5, 3, 0}), order);
 }
 
+TEST(CellsAround, HoldWhatIsRoundedAwayFromThem)
+{
+  CellsAround cells(0.99999994f); // of whose reciprocal more is rounded than of others
+  cells.add({-1e-10f, 0.0f, 0.0f});
+  EXPECT_TRUE(cells.mayHold({0.99999988f, 0.0f, 0.0f}));
+  CellsAround small(0.001); // far away, where numbers of cells are rounded
+  small.add({1000.0f, 0.0f, 0.0f});
+  EXPECT_TRUE(small.mayHold({std::nextafter(1000.001f, 0.0f), 0.0f, 0.0f}));
+}
+
 TEST(CellsAround, HoldAllThatIsNear)
 {
   Random random(11);

@@ -90,6 +90,7 @@ TEST(InstancesOfScenes, BinsAreNoObjects)
     options.seed = seed;
     options.objects = 6;
     options.in_bin = true;
+    options.noise = seed == 904U ? scene::Noise::Stereo : scene::Noise::Kinect;
     const scene::Scene scene = scene::generateScene(options);
     const Labels found = instancesOf(cloudOf(scene), "object");
     std::size_t of_supports = 0, taken = 0;

@@ -252,23 +252,68 @@ TEST(SupportChoice, AFootHasNothingLowerBeside)
   EXPECT_EQ(0u, supportsAt(0.0f, nodes));
 }
 
+/** \brief The bottom of a bin with a thing on it. */
+Nodes
+bottomOfABin()
+{
+  Nodes nodes;
+  addPatch({0, 0, 0}, 100, 80, nodes);
+  addPatch({70, 60, 5}, 12, 12, nodes);
+  return nodes;
+}
+
+/** \brief How many supports face along x. */
+std::size_t
+wallsAmong(const Nodes& nodes)
+{
+  const std::vector<SupportPart> parts = supportParts(nodes, min_offset, 1.0f);
+  std::size_t walls = 0;
+  for (const std::size_t k : carriersAmong(parts, nodes, 1.0f, 1))
+    walls += parts[k].support.plane.normal.x() > 0.5f ? 1 : 0;
+  return walls;
+}
+
 TEST(SupportChoice, AWallStandsWhereTheBottomOfABinEnds)
 {
-  const Vector3f x = Vector3f::UnitX(), y = Vector3f::UnitY(), z = Vector3f::UnitZ();
-  const auto wallsOf = [&](int columns, float at) {
-    Nodes nodes;
-    addPatch({0, 0, 0}, 100, 80, nodes);
-    addPatch({70, 60, 5}, 12, 12, nodes);
-    addPatch({at, 10, 3}, columns, 12, nodes, y, z);
-    const std::vector<SupportPart> parts = supportParts(nodes, min_offset, 1.0f);
-    const std::vector<std::size_t> carriers = carriersAmong(parts, nodes, 1.0f, 1);
-    return std::count_if(carriers.begin(), carriers.end(), [&](std::size_t k) {
-      return std::abs(parts[k].support.plane.normal.dot(x)) > 0.9f;
-    });
+  const Vector3f y = Vector3f::UnitY(), z = Vector3f::UnitZ();
+  const auto wallsOf = [&](int columns, const Vector3f& corner, const Vector3f& up) {
+    Nodes nodes = bottomOfABin();
+    addPatch(corner, columns, 12, nodes, y, up);
+    return wallsAmong(nodes);
   };
-  EXPECT_EQ(1, wallsOf(60, 0.0f));
-  EXPECT_EQ(0, wallsOf(60, 30.0f)); // the bottom goes on behind it
-  EXPECT_EQ(0, wallsOf(20, 0.0f));  // the side of a thing in a corner
+  EXPECT_EQ(1u, wallsOf(60, {0, 10, 3}, z));
+  EXPECT_EQ(1u, wallsOf(60, {0, 10, 2}, Vector3f(-0.6f, 0.0f, 0.8f))); // it leans
+  EXPECT_EQ(0u, wallsOf(60, {0, 10, 2}, Vector3f(-0.8f, 0.0f, 0.6f))); // too far
+  EXPECT_EQ(0u, wallsOf(60, {30, 10, 3}, z));  // the bottom goes on behind it
+  EXPECT_EQ(0u, wallsOf(20, {0, 10, 3}, z));   // the side of a thing in a corner
+  EXPECT_EQ(0u, wallsOf(60, {-20, 10, 3}, z)); // apart from the bottom
+  EXPECT_EQ(0u, wallsOf(60, {0, 10, 20}, z));
+}
+
+TEST(SupportChoice, NothingIsBehindAWall)
+{
+  Nodes nodes = bottomOfABin();
+  addPatch({0, 10, 3}, 60, 12, nodes, Vector3f::UnitY(), Vector3f::UnitZ());
+  EXPECT_EQ(1u, wallsAmong(nodes));
+  addPatch({-16, 10, 20}, 10, 60, nodes); // the lid of a thing
+  EXPECT_EQ(0u, wallsAmong(nodes));
+}
+
+TEST(SupportChoice, OfABinDoesNotDependOnTheOrderOfPartsOrThreads)
+{
+  Nodes nodes = bottomOfABin();
+  addPatch({0, 10, 3}, 60, 12, nodes, Vector3f::UnitY(), Vector3f::UnitZ());
+  addPatch({300, 0, -90}, 60, 60, nodes); // a floor, and nothing around it
+  addHeap(nodes);
+  std::vector<SupportPart> parts = supportParts(nodes, min_offset, 1.0f);
+  const std::vector<std::size_t> carriers = carriersAmong(parts, nodes, 1.0f, 1);
+  EXPECT_EQ(3u, carriers.size());
+  EXPECT_EQ(carriers, carriersAmong(parts, nodes, 1.0f, 3));
+  std::reverse(parts.begin(), parts.end());
+  std::set<std::size_t> reversed;
+  for (const std::size_t k : carriersAmong(parts, nodes, 1.0f, 1))
+    reversed.insert(parts.size() - 1 - k);
+  EXPECT_EQ(std::set<std::size_t>(carriers.begin(), carriers.end()), reversed);
 }
 
 /** \brief A level floor, 100 wide, with a bump of a cosine's shape in the middle. */

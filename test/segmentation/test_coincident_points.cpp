@@ -86,12 +86,12 @@ TEST(CoincidentPoints, PlacesOfABaseAreThoseOfThePoints)
     EXPECT_EQ((Places{0, 1, 0, 2, 3, 3, 4}), distinct.place);
   };
   const Positions same{1, 0, 0, 2, 0, 0, nan, 0, 0, 3, 0, 0, nan, 0, 0, 3, 0, 0};
-  expectPlaces(same, {0, 1, 0, 2, 3, 3, 4});
+  expectPlaces(same, {0, 1, 0, 2, 3, 3, 4}); // those of the base; below they are wrong
   expectPlaces(same, {});
-  expectPlaces(same, {0, 1, 0, 2, 3, -1, 4}); // no place,
-  expectPlaces(same, {0, 1, 0, 2, 3, 5, 4});  // none of the base,
-  expectPlaces(same, {0, 1, 0, 2, 3, 1, 4});  // another one,
-  expectPlaces(same, {0, 1, 0, 2, 3, 2, 4});  // an unknown one
+  expectPlaces(same, {0, 1, 0, 2, 3, -1, 4}); // a point has no place
+  expectPlaces(same, {0, 1, 0, 2, 3, 5, 4});  // a place is not in the base
+  expectPlaces(same, {0, 1, 0, 2, 3, 1, 4});  // it is that of another point
+  expectPlaces(same, {0, 1, 0, 2, 3, 2, 4});  // it is not finite
   const Positions fewer{1, 0, 0, 2, 0, 0, 3, 0, 0, nan, 0, 0, 0, 0, 0};
   expectPlaces(fewer, {0, 1, 0, 1, 2, 2, 3}); // a known one of an unknown point
   const Positions turned{2, 0, 0, 1, 0, 0, nan, 0, 0, 3, 0, 0, nan, 0, 0, 0, 0, 0};

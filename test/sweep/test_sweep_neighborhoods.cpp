@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace {
 
@@ -141,6 +142,30 @@ TEST_P(SweepNeighborhoods, IndicesSelectResults)
       EXPECT_EQ(expected_counts[point], counts[i]);
     }
   }
+}
+
+TEST_P(SweepNeighborhoods, NormalsOfFewQueriesAreThoseOfFullBlocks)
+{
+  Random random(7);
+  Surface far = mixedScene(20000, random);
+  for (float& coordinate : far.xyz)
+    coordinate += 50.0f;
+  // All points: more than one lane adds up in 32 bits.
+  const NeighborhoodSize all = NeighborhoodSize::ofRadius(20.0);
+  std::vector<std::int32_t> full(64), few{9, 40};
+  std::iota(full.begin(), full.end(), 300);
+  for (std::int32_t& query : few)
+    query = full[static_cast<std::size_t>(query)];
+  NeighborhoodSweep of_full(far.points()), of_few(far.points());
+  of_full.setQueryIndices(full.data(), full.size());
+  of_few.setQueryIndices(few.data(), few.size());
+  ASSERT_EQ(far.size() - 1, sweptCounts(of_few, all)[0]);
+  const auto expected = sweptNormals(of_full, all);
+  const auto normals = sweptNormals(of_few, all);
+  for (std::size_t i = 0; i < few.size(); ++i)
+    for (std::size_t value = 0; value < 4; ++value)
+      EXPECT_EQ(expected[4 * static_cast<std::size_t>(few[i] - full[0]) + value],
+                normals[4 * i + value]);
 }
 
 TEST_P(SweepNeighborhoods, OtherQueriesHaveTheNormalOfTheNearestSurfacePoint)

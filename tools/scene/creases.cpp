@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace pcl::scene {
 namespace {
@@ -18,6 +19,7 @@ constexpr double beside_on_part = 2e-4;   // likewise: faces of parts are narrow
 constexpr double beside_tolerance = 1e-4; // a round face bends away that much
 constexpr double table_step = 1e-3; // where visibility is looked up: objects are small
 constexpr double end_accuracy = 1e-6;
+constexpr double same_plane = 1.0 - 1e-9; // cosine: the tops of two walls are one face
 
 /** Decides whether a point of an edge is a crease for the observer. */
 class Visibility {
@@ -31,24 +33,32 @@ public:
   bool
   seesTwoFaces(const Vec3& point, const Vec3& tangent) const
   {
-    int seen = 0;
-    if (std::abs(point.z) <= contact_tolerance && world_.table.contains(point))
-      seen +=
-          seesBeside(point, tangent, {0.0, 0.0, 1.0}, beside, [this](const Vec3& p) {
-            return world_.table.contains(p);
-          });
-    for (std::size_t i = 0; i < world_.solids.size() && seen < 2; ++i) {
-      const Solid& solid = world_.solids[i];
+    std::optional<Vec3> first; // the normal of a face that is seen
+    const auto isSecond = [&](const Vec3& normal) {
+      const bool is_first = !first;
+      first = first.value_or(normal);
+      return !is_first && dot(*first, normal) < same_plane;
+    };
+    const Vec3 up{0.0, 0.0, 1.0};
+    const auto isOnTable = [this](const Vec3& p) { return world_.table.contains(p); };
+    if (std::abs(point.z) <= contact_tolerance && isOnTable(point) &&
+        seesBeside(point, tangent, up, beside, isOnTable))
+      first = up;
+    for (const Solid& solid : world_.solids) {
       const double step = solid.shape == Shape::Part ? beside_on_part : beside;
-      for (const FaceAt& at : facesAt(solid, point, contact_tolerance))
-        seen += seesBeside(point, tangent, at.normal, step, [&](const Vec3& p) {
+      for (const FaceAt& at : facesAt(solid, point, contact_tolerance)) {
+        const auto isOnFace = [&](const Vec3& p) {
           const auto faces = facesAt(solid, p, beside_tolerance);
           return std::any_of(faces.begin(), faces.end(), [&](const FaceAt& face) {
             return face.face == at.face;
           });
-        });
+        };
+        if (seesBeside(point, tangent, at.normal, step, isOnFace) &&
+            isSecond(at.normal))
+          return true;
+      }
     }
-    return seen >= 2;
+    return false;
   }
 
 private:

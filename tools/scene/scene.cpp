@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// A random table scene, looked at with a virtual depth camera.
+// A random scene on a table or in a bin, looked at with a virtual depth camera.
 
 #include "scene/scene.h"
 
@@ -94,6 +94,10 @@ generateScene(const SceneOptions& options)
   requireRange("height", options.height, 16.0, 4096.0, " pixels");
   requireRange("white_sigma", options.white_sigma, 0.0, 0.1, " m");
   requireRange("turn", options.turn, -180.0, 180.0, " degrees");
+  const auto& shapes = options.shapes;
+  if (options.in_bin &&
+      std::find(shapes.begin(), shapes.end(), Shape::Part) != shapes.end())
+    throw std::invalid_argument("shapes must be no parts in a bin, which is too small");
   if (options.waviness) {
     requireRange("waviness.sigma", options.waviness->sigma, 0.0, 0.01, " m");
     requireRange("waviness.length", options.waviness->length, 0.002, 0.2, " m");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 pcl_shape contributors
-// A table scene as a depth camera sees it, with the truth about each pixel.
+// A scene on a table or in a bin as a depth camera sees it, with the truth about each
+// pixel.
 
 #pragma once
 

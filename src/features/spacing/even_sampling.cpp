@@ -46,9 +46,6 @@ levelOf(float spacing)
              : no_level;
 }
 
-// Of cells, than the reach: what is rounded is not missed.
-constexpr double wider = 1.01;
-
 /** Points of a level, to find the denser ones near them. */
 class Level {
 public:
@@ -58,7 +55,7 @@ public:
         unsigned threads)
   : reach_(static_cast<float>(reach_spacings * spacing))
   , grid_(viewOfPositions(positionsAt(points, members)), reach_, threads)
-  , cells_(wider * reach_spacings * spacing, 1, members.size())
+  , cells_(reach_spacings * spacing, 1, members.size())
   {
     for (const std::size_t i : members)
       cells_.add(segmentation::positionOf(points, i));

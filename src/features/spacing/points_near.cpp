@@ -21,9 +21,7 @@ PointsNear::PointsNear(const XYZView& points,
 {
   if (some.empty())
     return;
-  // Wider than the reach: what is rounded is not missed.
-  constexpr double wider = 1.01;
-  segmentation::CellsAround around(wider * reach, cells, some.size());
+  segmentation::CellsAround around(reach, cells, some.size());
   for (const pcl::index_t i : some)
     around.add(segmentation::positionOf(points, static_cast<std::size_t>(i)));
   indices_ = kernels::collectForEach<pcl::index_t>(

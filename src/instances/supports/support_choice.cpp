@@ -7,6 +7,7 @@
 #include "instances/supports/support_surroundings.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 namespace pcl::segmentation {
@@ -35,10 +36,8 @@ constexpr double max_lower_of_high = 0.04;
 constexpr double min_things = 0.005;
 constexpr double max_below = 0.02;  // of all that is not on the lowest part: noise
 constexpr float same_level = 0.94f; // cosine of 20 degrees
-// Of a wall and what it stands on: walls of bins lean. Of the nodes of the latter some
-// are noise, and where a thing stands in a corner a wall is not seen.
-constexpr float max_cosine_of_wall = 0.7f;
-constexpr double max_beyond = 0.02;
+constexpr double max_beyond = 0.02; // of what ends at a wall: noise
+// Of its width: where a thing stands in a corner a wall is not seen.
 constexpr float min_along = 0.5f;
 
 /** Walls around it, as those of a shelf, are before it and not on top: they say nothing
@@ -101,33 +100,44 @@ isBelow(const SupportPart& part, const SupportPart& other_part)
          other.normal.dot(above) > 0.0f && plane.normal.dot(above) > 0.0f;
 }
 
-/** From the first to the last node of a part in a direction. */
+/** From the first to the last of some nodes in a direction. */
 float
-extentAlong(const Vector3f& direction, const SupportPart& part)
+extentAlong(const Vector3f& direction, const Nodes& nodes)
 {
-  const auto [first, last] = std::minmax_element(
-      part.nodes.begin(), part.nodes.end(), [&](const auto& one, const auto& other) {
-        return direction.dot(one.position) < direction.dot(other.position);
-      });
-  return direction.dot(last->position - first->position);
+  float first = 0.0f, last = 0.0f;
+  for (const SurfaceNode& node : nodes) {
+    const float at = direction.dot(node.position - nodes.front().position);
+    first = std::min(first, at);
+    last = std::max(last, at);
+  }
+  return last - first;
 }
 
 /** Whether a part stands where another one ends, along half of it or more. */
 bool
-isWallOf(const SupportPart& part, const SupportPart& bottom)
+isWallOf(const SupportPart& part, const SupportPart& bottom, float unit)
 {
   const Vector3f& normal = part.support.plane.normal;
   const Vector3f& up = bottom.support.plane.normal;
-  if (std::abs(normal.dot(up)) > max_cosine_of_wall)
+  if (!isSteep(normal, bottom))
     return false;
   const auto behind =
       std::count_if(bottom.nodes.begin(), bottom.nodes.end(), [&](const auto& node) {
-        return heightOf(node, part.support.plane) < -max_ripple;
+        return heightOf(node, part.support.plane) < -bandOf(part);
       });
+  if (static_cast<double>(behind) >
+      max_beyond * static_cast<double>(bottom.nodes.size()))
+    return false;
+  const PointGrid grid(positionsOf(bottom.nodes), around_spacings * unit);
+  Nodes foot;
+  std::copy_if(part.nodes.begin(),
+               part.nodes.end(),
+               std::back_inserter(foot),
+               [&](const auto& node) {
+                 return isNear(node.position, grid, around_spacings * node.spacing);
+               });
   const Vector3f along = normal.cross(up).normalized();
-  return static_cast<double>(behind) <=
-             max_beyond * static_cast<double>(bottom.nodes.size()) &&
-         extentAlong(along, part) >= min_along * extentAlong(along, bottom);
+  return extentAlong(along, foot) >= min_along * extentAlong(along, bottom.nodes);
 }
 
 /** What is around each part, looked at once. */
@@ -143,6 +153,7 @@ public:
   , threads_(threads)
   , largest_(largestOf(parts))
   , around_(parts.size())
+  , levels_(parts.size())
   {}
 
   bool
@@ -187,10 +198,12 @@ private:
     return *around_[part];
   }
 
-  Levels
-  levels(std::size_t part) const
+  const Levels&
+  levels(std::size_t part)
   {
-    return levelsOf(parts_[part], nodes_, unit_, threads_);
+    if (!levels_[part])
+      levels_[part] = levelsOf(parts_[part], nodes_, unit_, threads_);
+    return *levels_[part];
   }
 
   /** Nothing is near: shadows may hide where things stand. */
@@ -221,6 +234,7 @@ private:
   unsigned threads_;
   PartSize largest_;
   std::vector<std::optional<Surroundings>> around_;
+  std::vector<std::optional<Levels>> levels_;
 };
 
 } // namespace
@@ -253,7 +267,10 @@ carriersAmong(const std::vector<SupportPart>& parts,
   };
   addOthers(isAbove, [&](std::size_t k) { return scene.isHighCarrier(k); });
   addOthers(isBelow, [&](std::size_t k) { return scene.isFoot(k); });
-  addOthers(isWallOf, [&](std::size_t k) { return scene.isWall(k); });
+  const auto isWallOfKnown = [unit](const auto& part, const auto& bottom) {
+    return isWallOf(part, bottom, unit);
+  };
+  addOthers(isWallOfKnown, [&](std::size_t k) { return scene.isWall(k); });
   return carriers;
 }
 

@@ -23,13 +23,6 @@ constexpr float side_depth = 0.25f;
 // Half of that, and still deeper than a rim: the lower halves of a box's sides count.
 constexpr float rim_depth = 0.125f;
 
-/** How far what is not on a part is from its plane, at least, in spacings. */
-float
-bandOf(const SupportPart& part)
-{
-  return std::max(max_ripple, part.support.offset);
-}
-
 /** What a node is to a part of a plane. */
 struct Relation {
   bool is_on = false, is_side = false, is_lower = false;
@@ -46,11 +39,11 @@ public:
   of(const SurfaceNode& node) const
   {
     Relation relation;
-    relation.is_on = isOn(node, support_);
-    const float height = heightOf(node, support_.plane);
+    relation.is_on = isOn(node, part_.support);
+    const float height = heightOf(node, part_.support.plane);
     if (relation.is_on || std::abs(height) < band_)
       return relation;
-    const bool is_low = height < 0.0f, is_steep = isSteep(node);
+    const bool is_low = height < 0.0f, is_steep = isSteep(node.normal, part_);
     const bool may_be_beside = is_low && isNear(node.position, places_, side_reach_);
     const bool is_near = isNear(node.position, nodes_, around_spacings * node.spacing);
     // What is low and inside is noise: nobody sees through a support.
@@ -67,7 +60,7 @@ public:
 
 private:
   Neighborhood(const SupportPart& part, const Nodes& some, float unit)
-  : support_(part.support)
+  : part_(part)
   , extent_(part.support.plane.normal, positionsOf(some))
   , side_reach_(side_depth * static_cast<float>(std::sqrt(part.area)))
   , rim_depth_(rim_depth * static_cast<float>(std::sqrt(part.area)))
@@ -76,13 +69,7 @@ private:
   , band_(bandOf(part))
   {}
 
-  bool
-  isSteep(const SurfaceNode& node) const
-  {
-    return std::abs(node.normal.dot(support_.plane.normal)) < max_cosine;
-  }
-
-  SupportPlane support_;
+  const SupportPart& part_;
   Extent extent_;
   float side_reach_, rim_depth_; ///< meters
   PointGrid places_, nodes_;     ///< of some nodes of the part, and of all
@@ -90,6 +77,18 @@ private:
 };
 
 } // namespace
+
+bool
+isSteep(const Vector3f& normal, const SupportPart& part)
+{
+  return std::abs(normal.dot(part.support.plane.normal)) < max_cosine;
+}
+
+float
+bandOf(const SupportPart& part)
+{
+  return std::max(max_ripple, part.support.offset);
+}
 
 Surroundings
 surroundingsOf(const SupportPart& part,
@@ -121,16 +120,16 @@ levelsOf(const SupportPart& part, const Nodes& nodes, float unit, unsigned threa
 {
   const Extent extent(part.support.plane.normal, positionsOf(placesOf(part.nodes)));
   const float band = bandOf(part);
-  std::vector<char> is_inside(nodes.size(), 0);
+  std::vector<char> is_above(nodes.size(), 0);
   kernels::parallelForEach(nodes.size(), threads, [&](std::size_t k) {
-    is_inside[k] = extent.isInside(nodes[k].position);
+    is_above[k] = heightOf(nodes[k], part.support.plane) > band &&
+                  extent.isInside(nodes[k].position);
   });
   Levels levels;
   for (std::size_t k = 0; k < nodes.size(); ++k) {
-    const float height = heightOf(nodes[k], part.support.plane);
     const double area = areaOf(nodes[k], unit);
-    levels.above += height > band && is_inside[k] ? area : 0.0;
-    levels.below += height < -band ? area : 0.0;
+    levels.above += is_above[k] ? area : 0.0;
+    levels.below += heightOf(nodes[k], part.support.plane) < -band ? area : 0.0;
   }
   return levels;
 }

@@ -13,6 +13,13 @@ namespace pcl::segmentation {
 // Around the border of a plane, beyond the band of an edge.
 constexpr float around_spacings = 6.0f;
 
+/** \brief A side of what is level, or level beside what is steep: 45 degrees or more.
+ */
+bool isSteep(const Eigen::Vector3f& normal, const SupportPart& part);
+
+/** \brief How far what is not on a part is from its plane, at least, in spacings. */
+float bandOf(const SupportPart& part);
+
 /** \brief The areas of what is around a flat part, square meters. */
 struct Surroundings {
   double before = 0.0; ///< near it, and before its plane

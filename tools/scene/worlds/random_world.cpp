@@ -100,14 +100,16 @@ struct Bin {
   std::vector<Solid> others;
 };
 
+/** As large as the picture, on a floor that is larger. */
 Bin
 randomBin(Random& random)
 {
   constexpr double thickness = 0.01, floor_width = 4.0;
+  // Objects reach .15 m from their centers.
   Bin bin;
   bin.bottom.center = middleOf(Ground{});
-  bin.bottom.half_length = random.uniform(0.48, 0.52);
-  bin.bottom.half_width = random.uniform(0.39, 0.42);
+  bin.bottom.half_length = random.uniform(0.49, 0.52);
+  bin.bottom.half_width = random.uniform(0.4, 0.42);
   const double height = random.uniform(0.08, 0.25);
   const double x = bin.bottom.half_length + 0.5 * thickness;
   const double y = bin.bottom.half_width + 0.5 * thickness;
@@ -118,7 +120,7 @@ randomBin(Random& random)
                              {2.0 * x - thickness, thickness, height}));
   }
   const double depth = random.uniform(0.2, 0.8);
-  bin.others.push_back(box(bin.bottom.center - Vec3{0.0, 0.0, depth},
+  bin.others.push_back(box(bin.bottom.center - Vec3{0.0, 0.0, depth + 0.5 * thickness},
                            {floor_width, floor_width, thickness}));
   return bin;
 }
@@ -377,17 +379,20 @@ randomWorld(const SceneOptions& options)
   Random random(options.seed, placing_stream);
   RandomWorld result;
   result.world.camera = randomCamera(options, random);
-  Bin bin;
-  if (options.in_bin)
-    bin = randomBin(random);
-  result.world.table = options.in_bin ? bin.bottom : randomTable(random);
+  std::vector<Solid> others;
+  if (options.in_bin) {
+    Bin bin = randomBin(random);
+    result.world.table = bin.bottom;
+    others = std::move(bin.others);
+  }
+  else
+    result.world.table = randomTable(random);
   result.bodies = randomLayout(Ground{}, options.objects, options.shapes, random);
   if (options.turn != 0.0)
     turnAround(Ground{}, options.turn, result.world.camera);
   for (const auto& body : result.bodies)
     result.world.solids.push_back(body.solid);
-  for (const Solid& solid : bin.others)
-    result.world.solids.push_back(solid);
+  result.world.solids.insert(result.world.solids.end(), others.begin(), others.end());
   return result;
 }
 

@@ -12,11 +12,12 @@ namespace pcl::scene {
 
 struct RandomWorld {
   World world;
-  std::vector<Body> bodies; /**< one a solid of the world, in its order; then come solids
-                               that are no objects */
+  std::vector<Body> bodies; /**< one a solid of the world, in its order; then come
+                               solids that are no objects */
 };
 
-/** \brief A camera, a table or a bin, and objects on it; the options' noise has no influence. */
+/** \brief A camera, a table or a bin, and objects on it; the options' noise has no
+ * influence. */
 RandomWorld randomWorld(const SceneOptions& options);
 
 } // namespace pcl::scene
