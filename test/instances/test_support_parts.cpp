@@ -290,10 +290,12 @@ TEST(SupportChoice, AWallStandsWhereTheBottomOfABinEnds)
   EXPECT_EQ(0u, wallsOf(60, {0, 10, 20}, z));
 }
 
-TEST(SupportChoice, NothingIsBehindAWall)
+TEST(SupportChoice, BehindAWallIsOnlyItsRim)
 {
   Nodes nodes = bottomOfABin();
   addPatch({0, 10, 3}, 60, 12, nodes, Vector3f::UnitY(), Vector3f::UnitZ());
+  EXPECT_EQ(1u, wallsAmong(nodes));
+  addPatch({-4, 10, 20}, 2, 60, nodes);
   EXPECT_EQ(1u, wallsAmong(nodes));
   addPatch({-16, 10, 20}, 10, 60, nodes); // the lid of a thing
   EXPECT_EQ(0u, wallsAmong(nodes));

@@ -75,7 +75,7 @@ TEST(Scene, SameSeedSameScene)
 
 TEST(Scene, OfABinWallsAndTheFloorAreNoObjects)
 {
-  SceneOptions options = small(5, Noise::None);
+  SceneOptions options = small(1, Noise::None);
   options.in_bin = true;
   options.objects = 4;
   const Scene scene = generateScene(options);

@@ -183,10 +183,12 @@ public:
     return hasNothingBehind(around(part)) && isNoTop(parts_[part], around(part));
   }
 
+  /** Whether nothing is behind it but a rim. */
   bool
   isWall(std::size_t part)
   {
-    return !isAlone(part) && hasNothingBehind(around(part));
+    return !isAlone(part) &&
+           (hasNothingBehind(around(part)) || hasRim(parts_[part], around(part)));
   }
 
 private:
