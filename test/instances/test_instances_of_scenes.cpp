@@ -84,7 +84,8 @@ TEST(InstancesOfScenes, BoxesAreFoundAsWholeObjects)
 
 TEST(InstancesOfScenes, BinsAreNoObjects)
 {
-  constexpr double most = 0.05; // the rims of the walls are .03 of what is seen of a bin
+  constexpr double most =
+      0.05; // the rims of the walls are .03 of what is seen of a bin
   Found sum;
   for (const std::uint64_t seed : {901U, 902U, 903U, 904U}) {
     scene::SceneOptions options;
