@@ -228,16 +228,17 @@ TEST(SupportChoice, ShadowsMayHideWhereThingsStand)
   EXPECT_EQ(0u, supportsAt(0.0f, nodes));
 }
 
-TEST(SupportChoice, OfPartsAloneOnlyALargeFloorIsAFoot)
+TEST(SupportChoice, OfPartsAloneOnlyTheLowestIsAFoot)
 {
-  for (const int columns : {40, 20}) {
-    Nodes nodes;
-    addPatch({0, 0, 60}, 60, 60, nodes);
-    addPatch({0, 0, 62}, 60, 60, nodes, Vector3f::UnitY(), Vector3f::UnitZ()); // a wall
-    addPatch({200, 0, 0}, columns, 40, nodes);
-    EXPECT_EQ(1u, supportsAt(60.0f, nodes));
-    EXPECT_EQ(columns == 40 ? 1u : 0u, supportsAt(0.0f, nodes)) << columns;
-  }
+  Nodes nodes;
+  addPatch({0, 0, 60}, 60, 60, nodes);
+  addPatch({0, 0, 62}, 60, 60, nodes, Vector3f::UnitY(), Vector3f::UnitZ()); // a wall
+  addPatch({200, 0, 20}, 20, 20, nodes);
+  EXPECT_EQ(1u, supportsAt(60.0f, nodes));
+  EXPECT_EQ(1u, supportsAt(20.0f, nodes));
+  addPatch({-100, 0, 0}, 20, 20, nodes); // then the other one is a lid
+  EXPECT_EQ(0u, supportsAt(20.0f, nodes));
+  EXPECT_EQ(1u, supportsAt(0.0f, nodes));
 }
 
 TEST(SupportChoice, AFootHasNothingLowerBeside)

@@ -173,13 +173,12 @@ public:
   }
 
   /** Whether things lie before it and nothing behind. Around the lid of a box seen from
-   * above there is nothing at all: of such parts only a large one is a floor, and
-   * nothing is below that. */
+   * above there is nothing at all: of such parts only a floor has nothing below. */
   bool
   isFoot(std::size_t part)
   {
     if (isAlone(part))
-      return isLarge(parts_[part], largest_, min_share) && isLowest(part);
+      return isLowest(part);
     return hasNothingBehind(around(part)) && isNoTop(parts_[part], around(part));
   }
 
