@@ -291,6 +291,26 @@ TEST(SupportChoice, AWallStandsWhereTheBottomOfABinEnds)
   EXPECT_EQ(0u, wallsOf(60, {0, 10, 20}, z));
 }
 
+TEST(SupportChoice, BeforeAWallIsAllOfTheBottom)
+{
+  const Vector3f y = Vector3f::UnitY(), z = Vector3f::UnitZ();
+  for (const float shadow : {30.0f, 0.0f}) { // where the bottom begins behind a screen
+    Nodes nodes = bottomOfABin();
+    addPatch({0, 10, 3}, 60, 12, nodes, y, z);
+    if (shadow > 0.0f)
+      addPatch({-shadow, 0, 0}, 8, 80, nodes);
+    EXPECT_EQ(shadow > 0.0f ? 0u : 1u, wallsAmong(nodes));
+  }
+}
+
+TEST(SupportChoice, AWallTouchesTheBottom)
+{
+  Nodes nodes = bottomOfABin();
+  addPatch({-40, 10, 3}, 60, 12, nodes, Vector3f::UnitY(), Vector3f::UnitZ());
+  addPatch({-37, 40, 10}, 4, 12, nodes); // a thing before it
+  EXPECT_EQ(0u, wallsAmong(nodes));
+}
+
 TEST(SupportChoice, BehindAWallIsOnlyItsRim)
 {
   Nodes nodes = bottomOfABin();
