@@ -39,13 +39,9 @@ sampleOf(const Surface& surface)
   return sample;
 }
 
-// Sums are in the order of PCL's on SSE2: bits are the same. In another order rounding
-// leads least squares, which end early along a cylinder's axis, to other places.
-#if defined(__SSE2__) && !defined(__SSE3__)
-constexpr float off_pcl = 0.0f;
-#else
+// Least squares in float end early along a cylinder's axis: how a PCL was compiled moves
+// its results by some 1e-4.
 constexpr float off_pcl = 1e-3f;
-#endif
 
 /** Each hypothesis is counted as PCL does it, if it is the best so far, and optimized
  * as PCL does it. */
