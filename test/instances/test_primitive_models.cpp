@@ -39,9 +39,17 @@ sampleOf(const Surface& surface)
   return sample;
 }
 
-// Least squares in float end early along a cylinder's axis: how a PCL was compiled moves
-// its results by some 1e-4.
-constexpr float off_pcl = 1e-3f;
+/** How far points are from a model, in the mean of squares, as PCL measures it. */
+template <typename Model>
+double
+offset(Model& model, const Eigen::VectorXf& coefficients)
+{
+  std::vector<double> distances;
+  model.Model::getDistancesToModel(coefficients, distances);
+  const double sum =
+      std::inner_product(distances.begin(), distances.end(), distances.begin(), 0.0);
+  return std::sqrt(sum / static_cast<double>(distances.size()));
+}
 
 /** Each hypothesis is counted as PCL does it, if it is the best so far, and optimized
  * as PCL does it. */
@@ -62,7 +70,11 @@ expectResultsOfPCL(Counting model, const std::vector<std::vector<float>>& hypoth
     Eigen::VectorXf of_pcl, optimized;
     model.Counted::optimizeModelCoefficients(*model.getIndices(), coefficients, of_pcl);
     model.optimizeModelCoefficients(*model.getIndices(), coefficients, optimized);
-    EXPECT_TRUE(optimized.isApprox(of_pcl, off_pcl)) << optimized << "\n\n" << of_pcl;
+    // In float both end a thousandth of the distance between points from the best, and
+    // where depends on how PCL was compiled.
+    EXPECT_LT(offset<Counted>(model, optimized), offset<Counted>(model, of_pcl) + 5e-4)
+        << optimized << "\n\n"
+        << of_pcl;
     ended += count < right;
     most = std::max(most, right);
   }
