@@ -50,8 +50,8 @@ std::string encodeOutput(const Arguments& arguments,
 
 /** \brief Read a cloud, filter it and write it; or every cloud of -input_dir to
  * -output_dir. Keeps freed memory for the next cloud. A summary of each goes to
- * standard output, and to the -json file. \return the exit status: in a directory,
- * files that fail don't stop the others */
+ * standard output, and to the -json file.
+ * \return the exit status: in a directory, files that fail don't stop the others */
 int runFilter(const Arguments& arguments, const Filter& filter);
 
 /** \brief Note the sizes of a cloud. */

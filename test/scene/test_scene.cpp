@@ -4,6 +4,7 @@
 
 #include "scene/checksum.h"
 #include "scene/scene.h"
+#include "scene/worlds/random_world.h"
 #include "support/errors.h"
 
 #include <gtest/gtest.h>
@@ -97,6 +98,31 @@ TEST(Scene, OfABinWallsAndTheFloorAreNoObjects)
   EXPECT_GT(bottom, 20000u);
   EXPECT_GT(walls, 3000u);
   EXPECT_GT(floor, 500u);
+}
+
+TEST(Scene, TheRimOfABinHasNoCreasesOfItsOwn)
+{
+  SceneOptions options;
+  options.noise = Noise::None;
+  options.in_bin = true;
+  options.objects = 1;
+  std::size_t corners = 0; // few cameras see one
+  for (options.seed = 1; options.seed <= 12; ++options.seed) {
+    const Scene scene = generateScene(options);
+    const Table bottom = randomWorld(options).world.table;
+    for (std::size_t i = 0; i < scene.instance.size(); ++i) {
+      const auto at = toScene(
+          scene, {scene.xyz[3 * i], scene.xyz[3 * i + 1], scene.xyz[3 * i + 2]});
+      const double x = std::abs(at[0] - bottom.center.x) - bottom.half_length;
+      const double y = std::abs(at[1] - bottom.center.y) - bottom.half_width;
+      if (!(std::min(x, y) > 0.001 && std::max(x, y) < 0.0099 && at[2] > 0.02))
+        continue;
+      ++corners;
+      // The nearest are those that end where two walls meet inside.
+      EXPECT_GT(scene.crease_mm[i], 1000.0 * std::hypot(x, y) - 0.5);
+    }
+  }
+  EXPECT_GT(corners, 10u);
 }
 
 TEST(Scene, OtherSeedOtherScene)

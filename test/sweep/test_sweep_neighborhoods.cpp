@@ -147,7 +147,7 @@ TEST_P(SweepNeighborhoods, IndicesSelectResults)
 TEST_P(SweepNeighborhoods, NormalsOfFewQueriesAreThoseOfFullBlocks)
 {
   Random random(7);
-  Surface far = mixedScene(20000, random);
+  Surface far = mixedScene(100000, random);
   for (float& coordinate : far.xyz)
     coordinate += 50.0f;
   // All points: more than one lane adds up in 32 bits.

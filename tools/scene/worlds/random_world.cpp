@@ -105,9 +105,9 @@ Bin
 randomBin(Random& random)
 {
   constexpr double thickness = 0.01, floor_width = 4.0;
-  // Objects reach .15 m from their centers.
   Bin bin;
   bin.bottom.center = middleOf(Ground{});
+  // An object's middle is on the ground, and it reaches .15 m from there.
   bin.bottom.half_length = random.uniform(0.49, 0.52);
   bin.bottom.half_width = random.uniform(0.4, 0.42);
   const double height = random.uniform(0.08, 0.25);
