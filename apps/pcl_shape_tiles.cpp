@@ -312,6 +312,8 @@ private:
       report_.time("numbers", [&] {
         measured.emplace(measure(cloud, wanted_.resolution, threads));
       });
+    if (measured)
+      takeResolution(measured->resolution);
     const std::array<float, 3> view_point =
         viewPointOf(sources_, cloud.offset(), arguments_.has("offset"));
     report_.time("fields",
@@ -323,6 +325,23 @@ private:
     report_.setNumber("numbers", "spacing", measured->numbers.spacing);
     report_.setNumber("numbers", "noise", measured->numbers.noise);
     report_.setNumber("numbers", "noise_level", measured->numbers.noise_level);
+  }
+
+  /** That of the measured places, which may be coarser than what was asked for. */
+  void
+  takeResolution(double resolution)
+  {
+    report_.setNumber("parameters", "resolution", resolution);
+    if (resolution == wanted_.resolution)
+      return;
+    if (wanted_.normals || wanted_.inad_radius > 0.0)
+      throw InputError(noteOfResolution(resolution) +
+                       "; -normals and -inad are of the points themselves: leave them "
+                       "out, and give another output directory");
+    if (team_.isFirst())
+      logLine(arguments_.text("output_dir") +
+              ": note: " + noteOfResolution(resolution));
+    wanted_.resolution = resolution;
   }
 
   void

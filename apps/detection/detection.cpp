@@ -38,9 +38,7 @@ reportResolution(const std::string& path,
          << field.resolution << " m";
   }
   else
-    text << "neighbors share noise that is larger than the distances between points: "
-            "the result is that of -resolution "
-         << field.resolution;
+    text << noteOfResolution(field.resolution);
   logLine(text.str());
 }
 
@@ -116,6 +114,16 @@ loadPaperModel(const Arguments& arguments, DetectionSettings& settings)
 }
 
 } // namespace
+
+std::string
+noteOfResolution(double resolution)
+{
+  std::ostringstream text;
+  text << "neighbors share noise that is larger than the distances between points: "
+          "the result is that of -resolution "
+       << resolution;
+  return text.str();
+}
 
 void
 addResolutionOption(CommandLine& command_line)

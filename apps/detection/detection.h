@@ -26,6 +26,10 @@ void addResolutionOption(CommandLine& command_line);
 /** \brief Meters, 0 if it is not given, for setResolution(). */
 double resolutionOf(const Arguments& arguments);
 
+/** \brief Why a result is of another resolution than what was asked for. \param[in]
+ * resolution meters */
+std::string noteOfResolution(double resolution);
+
 using PointsPtr = pcl::PointCloud<pcl::PointXYZ>::ConstPtr;
 
 /** \brief The options of pcl_shape_back_projection and pcl_shape_edge_detection. */

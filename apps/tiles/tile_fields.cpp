@@ -24,7 +24,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <sstream>
 
 namespace pcl::app {
 namespace {
@@ -437,24 +436,6 @@ requireFew(std::uint64_t unknown, std::uint64_t places)
                      "cannot be done in tiles; expected at most 2 %");
 }
 
-/** A coarser resolution needs other halos: the tiles that there are cannot be used. */
-void
-requireNoiseWithinRadii(const MeasuredCloud& cloud, const TileWanted& wanted)
-{
-  const double coarser =
-      pcl::coarserResolution(cloud.numbers, cloud.places, cloud.resolution);
-  if (coarser == 0.0)
-    return;
-  std::ostringstream text;
-  text << "neighbors share noise that is larger than the distances between points: "
-          "pcl_shape_detect goes on to a resolution of "
-       << coarser << " m there; expected -resolution " << coarser
-       << (wanted.normals ? " without -normals, which are of the points themselves,"
-                          : ",")
-       << " and another output directory";
-  throw InputError(text.str());
-}
-
 /** \param[in] name of results that begin with the number of their tile */
 std::uint64_t
 unknownOf(TiledCloud& cloud, const std::string& name)
@@ -520,8 +501,6 @@ computeFields(TiledCloud& cloud,
               const std::array<float, 3>& view_point,
               unsigned threads)
 {
-  if (measured)
-    requireNoiseWithinRadii(*measured, wanted);
   const TileComputation computation(cloud, wanted, measured, threads);
   const std::string last = wanted.resolution > 0.0 ? means_name : results_name;
   const std::string name = wanted.needsSurfaces() ? faces_name : last;

@@ -11,6 +11,7 @@
 
 #include <pcl/segmentation/cloud_reach.h>
 #include <pcl/segmentation/known_parts.h>
+#include <pcl/segmentation/means_of_parts.h>
 
 #include <nlohmann/json.hpp>
 
@@ -148,14 +149,14 @@ measureDistances(MeasuredCloud& cloud)
   if (!(reach > 0.0))
     reach = 1.0; // all points in one cell: it grows if that is too little
   for (int round = 0;; ++round) {
-    cloud.distances = "distances_" + std::to_string(round);
+    cloud.distances = cloud.prefix + "distances_" + std::to_string(round);
     cloud.tiles.run(cloud.distances,
                     haloOf(reach, cloud.resolution),
                     [&](std::size_t, const TilePoints& points) {
                       return measuredDistances(points, cloud, reach);
                     });
-    const Json medians =
-        Json::parse(cloud.tiles.decide("medians_" + std::to_string(round), [&] {
+    const Json medians = Json::parse(
+        cloud.tiles.decide(cloud.prefix + "medians_" + std::to_string(round), [&] {
           return mediansOf(cloud.tiles, cloud.distances, cloud.resolution).dump();
         }));
     cloud.numbers.distance = medians.at("distance");
@@ -191,16 +192,17 @@ measureNoise(MeasuredCloud& cloud)
 {
   const double reach =
       pcl::reachOf(cloud.numbers, pcl::ShapeModel::defaultEdges()).noise;
-  cloud.tiles.run("noise",
+  const std::string name = cloud.prefix + "noise";
+  cloud.tiles.run(name,
                   haloOf(reach, cloud.resolution),
                   [&](std::size_t tile, const TilePoints& points) {
                     return noiseOf(cloud, tile, points);
                   });
-  const Json noise = Json::parse(cloud.tiles.decide("noise", [&] {
+  const Json noise = Json::parse(cloud.tiles.decide(name, [&] {
     pcl::NoiseMeasures all;
     forEachTile(cloud.tiles, [&](std::size_t tile) {
       pcl::NoiseMeasures of_tile;
-      ByteReader(cloud.tiles.resultOf("noise", tile))
+      ByteReader(cloud.tiles.resultOf(name, tile))
           .take(of_tile.variations, of_tile.angles, of_tile.steps, of_tile.thicknesses);
       all.add(of_tile);
     });
@@ -251,10 +253,18 @@ MeasuredCloud::tilesAround(std::size_t tile, double reach) const
 MeasuredCloud
 measure(TiledCloud& tiles, double resolution, unsigned threads)
 {
-  MeasuredCloud cloud{tiles, resolution, threads, {}, 0, {}};
-  measureDistances(cloud);
-  measureNoise(cloud);
-  return cloud;
+  std::string prefix;
+  for (int steps = 1;; ++steps) {
+    MeasuredCloud cloud{tiles, resolution, threads, {}, 0, {}, prefix};
+    measureDistances(cloud);
+    measureNoise(cloud);
+    const double coarser =
+        pcl::coarserResolution(cloud.numbers, cloud.places, resolution);
+    if (coarser == 0.0)
+      return cloud;
+    resolution = coarser;
+    prefix = "coarser_" + std::to_string(steps) + "_";
+  }
 }
 
 TilePlaces

@@ -23,14 +23,16 @@ struct MeasuredCloud {
   pcl::CloudNumbers numbers;
   std::uint64_t places = 0; ///< that are finite
   std::string distances;    ///< the name of the results that have them
+  std::string prefix;       ///< of the names of results at this resolution
 
   /** \brief The tiles around one, see haloOf(). */
   std::vector<std::size_t> tilesAround(std::size_t tile, double reach) const;
 };
 
-/** \brief Measure the tiles, as far as that was not done before. The numbers are those
- * of the whole cloud, bit by bit. \param[in] resolution of the voxel means that they
- * are of, meters; 0 for the cloud's own places
+/** \brief Measure the tiles, as far as that was not done before, and go on to a coarser
+ * resolution where neighbors share noise, as ShapeFieldEstimation does. The numbers are
+ * those of the whole cloud, bit by bit. \param[in] resolution of the voxel means to
+ * begin with, meters; 0 for the cloud's own places
  * \throws InputError if there are too few points */
 MeasuredCloud
 measure(pcl::tiling::TiledCloud& tiles, double resolution, unsigned threads);

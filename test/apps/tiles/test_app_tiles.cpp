@@ -14,7 +14,6 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
-#include <sstream>
 #include <tuple>
 #include <utility>
 
@@ -72,6 +71,12 @@ protected:
   count(const std::string& name) const
   {
     return nlohmann::json::parse(readFile(path("json")))["counts"][name];
+  }
+
+  double
+  parameter(const std::string& name) const
+  {
+    return nlohmann::json::parse(readFile(path("json")))["parameters"][name];
   }
 };
 
@@ -264,36 +269,45 @@ TEST_F(Tiles, HaveTheFlatWindowsOfTheWholeCloud)
   EXPECT_GT(count("tiles"), 7U);
 }
 
-TEST_F(Tiles, SayWhichResolutionStepsNeedAndHaveItsBits)
+TEST_F(Tiles, TakeTheResolutionThatStepsNeed)
 {
+  const Words wanted{"-edges", "-types", "-json", path("json")};
   for (const auto& [cloud, tile, spacing] :
        {std::tuple(stepsCloud(), "0.8", 0.01),
         std::tuple(widerStepsCloud(), "0.9", 0.006)}) {
     const std::string file = whole(cloud);
-    const std::string expected =
-        detected(file, {"-edges", "-types", "-json", path("whole.json")});
-    const double resolution =
-        nlohmann::json::parse(readFile(path("whole.json")))["parameters"]["resolution"];
+    const std::string expected = detected(file, wanted);
+    const double resolution = parameter("resolution");
     EXPECT_GT(resolution, 1.5 * spacing);
-    std::ostringstream option;
-    option << resolution;
-    expectRefused(tiles({file}, {"-edges", "-types", "-tile", tile}),
-                  1,
-                  {"neighbors share noise", "-resolution " + option.str()});
-    const Words wanted{"-edges",
-                       "-types",
-                       "-resolution",
-                       option.str(),
-                       "-tile",
-                       tile,
-                       "-json",
-                       path("json")};
-    expectSuccess(tiles({file}, wanted));
+    Words options = wanted;
+    options.insert(options.end(), {"-tile", tile});
+    expectSuccessOrWarnings(tiles({file}, options));
+    EXPECT_EQ(resolution, parameter("resolution"));
     EXPECT_EQ(differences(readFile(path("out/cloud.pcd")), expected), 0U);
     EXPECT_GT(count("tiles"), 3U);
     const Bits edges = bitsOf(pcl::app::decodePcd("whole", expected), "edge");
     EXPECT_GT(std::count(edges.begin(), edges.end(), 1U), 200);
+    options.emplace_back("-normals");
+    expectRefused(tiles({file}, options), 1, {"neighbors share noise", "-normals"});
   }
+}
+
+TEST_F(Tiles, HaveOneResolutionWhereTheWholeCloudHasSeveral)
+{
+  const std::string file = whole(nearAndFarCloud());
+  const Words wanted{"-edges", "-types", "-json", path("json")};
+  detected(file, wanted);
+  EXPECT_LT(parameter("finest_resolution"), parameter("resolution"));
+  Words options = wanted;
+  options.emplace_back("-one_resolution");
+  const std::string expected = detected(file, options);
+  const double resolution = parameter("resolution");
+  options.back() = "-tile";
+  options.emplace_back("0.9");
+  expectSuccessOrWarnings(tiles({file}, options));
+  EXPECT_EQ(resolution, parameter("resolution"));
+  EXPECT_EQ(differences(readFile(path("out/cloud.pcd")), expected), 0U);
+  EXPECT_GT(count("tiles"), 3U);
 }
 
 TEST_F(Tiles, HaveTheEdgesOfThinPlates)

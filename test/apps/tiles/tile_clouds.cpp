@@ -103,6 +103,25 @@ addBox(const TilePoint& low, const TilePoint& size, std::vector<Patch>& patches)
   patches.push_back({{x + a, y, z}, {0, b, 0}, {0, 0, c}});
 }
 
+constexpr int half_corner = 110; // pixels
+
+/** Where two walls meet, in a column of a Kinect's image at a distance in meters. */
+void
+addCornerOfKinect(double distance, int middle, Random& random, TilePointCloud& cloud)
+{
+  constexpr double focal_length = 575.0;     // pixels
+  constexpr double disparity_step = 0.00287; // 35 mm at 3.5 m
+  for (int row = -half_corner; row < half_corner; ++row)
+    for (int column = -half_corner; column < half_corner; ++column) {
+      const double x = column / focal_length, y = row / focal_length;
+      const double range =
+          std::min(distance / (1.0 - 0.6 * x), distance / (1.0 + 1.2 * x));
+      const double steps = 1.0 / (range * disparity_step) + random(-0.2, 0.2);
+      const double z = 1.0 / (disparity_step * std::round(steps));
+      cloud.push_back({(x + middle / focal_length) * z, y * z, z});
+    }
+}
+
 } // namespace
 
 TilePointCloud
@@ -189,20 +208,20 @@ stepsCloud()
 TilePointCloud
 widerStepsCloud()
 {
-  constexpr double focal_length = 575.0, distance = 3.5; // pixels, meters
-  constexpr double disparity_step = 0.00287;             // 35 mm there
-  constexpr int half = 110;                              // pixels
   Random random(14);
   TilePointCloud cloud;
-  for (int row = -half; row < half; ++row)
-    for (int column = -half; column < half; ++column) {
-      const double x = column / focal_length, y = row / focal_length;
-      const double range =
-          std::min(distance / (1.0 - 0.6 * x), distance / (1.0 + 1.2 * x));
-      const double steps = 1.0 / (range * disparity_step) + random(-0.2, 0.2);
-      const double z = 1.0 / (disparity_step * std::round(steps));
-      cloud.push_back({x * z, y * z, z});
-    }
+  addCornerOfKinect(3.5, 0, random, cloud);
+  return cloud;
+}
+
+TilePointCloud
+nearAndFarCloud()
+{
+  Random random(16);
+  TilePointCloud cloud;
+  addCornerOfKinect(1.1, -2 * half_corner, random, cloud);
+  addCornerOfKinect(3.5, 0, random, cloud);
+  addCornerOfKinect(3.5, 2 * half_corner, random, cloud);
   return cloud;
 }
 

@@ -35,6 +35,10 @@ TilePointCloud stepsCloud();
  */
 TilePointCloud widerStepsCloud();
 
+/** \brief The same, with one more such corner beside it and one 1.1 m away: parts that
+ * need different resolutions. */
+TilePointCloud nearAndFarCloud();
+
 /** \brief Both sides of sheet metal, four distances between points thick. */
 TilePointCloud plateCloud();
 
