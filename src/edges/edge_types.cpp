@@ -80,13 +80,19 @@ isCorner(const ShapeField& edges, const PointGrid& creases, std::size_t i)
   return differ(leading);
 }
 
-/** Which of the sectors around the origin a direction is in. */
+/** Which of the sectors around the origin a direction is in: quarter turns bring it
+ * into the first quadrant, whose sectors end where tangents do. */
 unsigned
 sectorOf(float x, float y)
 {
-  constexpr float pi = 3.14159265f;
-  const float turn = (std::atan2(y, x) + pi) / (2.0f * pi);
-  return std::min(sectors - 1, static_cast<unsigned>(turn * sectors));
+  constexpr float tangent = 0.41421356f; // of 22.5 degrees, one sector
+  const unsigned quadrant = y < 0.0f ? (x < 0.0f ? 0 : 1) : (x > 0.0f ? 2 : 3);
+  const float along = quadrant % 2 == 0 ? std::abs(x) : std::abs(y);
+  const float across = quadrant % 2 == 0 ? std::abs(y) : std::abs(x);
+  const unsigned within = unsigned{across >= tangent * along} +
+                          unsigned{across >= along} +
+                          unsigned{tangent * across >= along};
+  return sectors / 4 * quadrant + within;
 }
 
 /** True if enough sectors in a row are empty. \param[in] taken a bit for each sector */

@@ -339,7 +339,8 @@ private:
 FaceEvidence
 averaged(const FaceLevel& level, const FaceEvidence& values, unsigned threads)
 {
-  FaceEvidence means = values;
+  FaceEvidence means{std::vector<float>(values.curved.size()),
+                     std::vector<float>(values.flat.size())};
   kernels::parallelForEach(values.curved.size(), threads, [&](std::size_t i) {
     Mean curved, flat;
     const auto add = [&](std::size_t node) {
