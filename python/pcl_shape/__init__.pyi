@@ -177,6 +177,7 @@ def detect(
     points: Points,
     *,
     resolution: float = ...,
+    one_resolution: bool = ...,
     threshold: float = ...,
     edges_only: bool = ...,
     edge_model: Optional[ShapeModel] = ...,

@@ -19,6 +19,7 @@ namespace pcl::python {
 /** \brief How a field is computed. */
 struct FieldSettings {
   double resolution = 0.0;
+  bool one_resolution = false; ///< for all of the cloud
   bool edges_only = false;
   std::optional<ShapeModel> edge_model;
   std::optional<ShapeModel> surface_model;

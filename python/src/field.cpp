@@ -81,6 +81,7 @@ detected(const Cloud& cloud, const FieldSettings& settings, double threshold)
 std::shared_ptr<const Detection>
 detect(const py::array& points,
        double resolution,
+       bool one_resolution,
        double threshold,
        bool edges_only,
        const std::optional<ShapeModel>& edge_model,
@@ -88,8 +89,13 @@ detect(const py::array& points,
        const std::optional<py::array>& normals,
        unsigned threads)
 {
-  FieldSettings settings{
-      resolution, edges_only, edge_model, surface_model, nullptr, threads};
+  FieldSettings settings{resolution,
+                         one_resolution,
+                         edges_only,
+                         edge_model,
+                         surface_model,
+                         nullptr,
+                         threads};
   if (normals)
     settings.normals = normalsOf(*normals);
   const Cloud cloud = cloudOf(points, "points");
@@ -341,6 +347,8 @@ Neighborhoods follow the density and the noise: there is no radius to choose.
 points: float32 or float64 (n, 3), meters. Points with NaN or infinity are unknown.
 resolution: meters between points; work as if none were closer. 0 for the cloud's own;
     a coarser one is taken where points lie on a sensor's steps, see ShapeField.
+one_resolution: the same for all of the cloud, also where noise grows with the distances
+    between points.
 threshold: the edge likelihood above 1 - threshold makes an edge, 0 to 1.
 edges_only: leave the classes of surfaces out, which saves half of the time.
 edge_model, surface_model: ShapeModel of scale "density" instead of the default ones.
@@ -357,6 +365,7 @@ knownCloud(const Cloud& cloud, const FieldSettings& settings)
   Estimation estimation;
   estimation.setInputCloud(cloud.points);
   estimation.setResolution(settings.resolution);
+  estimation.setOneResolution(settings.one_resolution);
   estimation.setEdgesOnly(settings.edges_only);
   if (settings.edge_model)
     estimation.setEdgeModel(*settings.edge_model);
@@ -414,6 +423,7 @@ bindField(py::module_& module)
              py::arg("points"),
              py::kw_only(),
              py::arg("resolution") = 0.0,
+             py::arg("one_resolution") = false,
              py::arg("threshold") = 0.5,
              py::arg("edges_only") = false,
              py::arg("edge_model") = py::none(),

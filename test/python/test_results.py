@@ -65,6 +65,25 @@ def test_tasks_make_a_field_of_their_own(field, scene):
     assert [g.score for g in pcl_shape.grasps(scene)] == [g.score for g in pcl_shape.grasps(field)]
 
 
+def corner_of_a_kinect(distance, column, random):
+    """Where two walls meet, the same 220 by 220 pixels at any distance in meters."""
+    focal_length, disparity_step, pixels = 575.0, 0.00287, np.arange(-110, 110)
+    y, x = np.meshgrid(pixels / focal_length, pixels / focal_length, indexing="ij")
+    depth = np.minimum(distance / (1.0 - 0.6 * x), distance / (1.0 + 1.2 * x))
+    steps = np.round(1.0 / (depth * disparity_step) + random.uniform(-0.2, 0.2, depth.shape))
+    z = 1.0 / (disparity_step * steps)
+    return np.stack([(x + column / focal_length) * z, y * z, z], axis=-1).reshape(-1, 3)
+
+
+def test_one_resolution():
+    random = np.random.default_rng(3)
+    room = np.concatenate([corner_of_a_kinect(*at, random) for at in [(1.1, -220), (3.5, 0), (3.5, 220)]])
+    zones = pcl_shape.detect(room, edges_only=True)
+    assert zones.finest_resolution < zones.resolution
+    one = pcl_shape.detect(room, edges_only=True, one_resolution=True)
+    assert one.finest_resolution == one.resolution >= zones.resolution
+
+
 def test_features(scene, reference):
     normals, curvature = pcl_shape.normals(scene, radius=0.02)
     assert same(np.c_[normals, curvature], reference("feature_normals", columns=4))
