@@ -39,16 +39,28 @@ constexpr unsigned sectors = 16, empty_sectors = 6;
 
 using Directions = std::vector<Vector3f>;
 
+/** Whether all are so near the first one that no two differ by 45 degrees: along most
+ * creases, where comparing each with each would take long. */
+bool
+areAlike(const Directions& directions)
+{
+  constexpr float within = 0.927f; // cosine of 22 degrees
+  return std::all_of(directions.begin(), directions.end(), [&](const Vector3f& one) {
+    return std::abs(one.dot(directions.front())) > within;
+  });
+}
+
 /** True if so many of them are more than 45 degrees from so many others. */
 bool
 differ(const Directions& directions)
 {
-  return std::any_of(directions.begin(), directions.end(), [&](const Vector3f& one) {
-    std::size_t along = 0, across = 0;
-    for (const Vector3f& other : directions)
-      ++(std::abs(one.dot(other)) > other_direction ? along : across);
-    return std::min(along, across) >= min_places;
-  });
+  return !areAlike(directions) &&
+         std::any_of(directions.begin(), directions.end(), [&](const Vector3f& one) {
+           std::size_t along = 0, across = 0;
+           for (const Vector3f& other : directions)
+             ++(std::abs(one.dot(other)) > other_direction ? along : across);
+           return std::min(along, across) >= min_places;
+         });
 }
 
 /** True where creases of clearly different directions meet.
@@ -143,13 +155,10 @@ boundarySpacings()
 std::vector<EdgeType>
 edgeTypes(const ShapeField& edges, double threshold, unsigned threads)
 {
-  float max_spacing = 0.0f; // NaN is unknown
-  for (const float spacing : edges.spacings)
-    max_spacing = std::max(max_spacing, spacing);
-  const PointGrid grid(edges.points,
-                       2.0f * near_spacings * medianSpacing(edges.spacings));
+  const float spacing = medianSpacing(edges.spacings);
+  const PointGrid grid(edges.points, 2.0f * near_spacings * spacing);
   const PointGrid creases(positionsOf(edges.creases),
-                          fitSpacings(edges.noise_level) * max_spacing);
+                          fitSpacings(edges.noise_level) * spacing);
   std::vector<EdgeType> types(edges.points.size, EdgeType::None);
   kernels::parallelForEach(types.size(), threads, [&](std::size_t i) {
     if (!kernels::isFinite(edges.points[i]) || std::isnan(edges.edge_likelihood[i]))
