@@ -120,6 +120,7 @@ levelsOf(const SupportPart& part, const Nodes& nodes, float unit, unsigned threa
 {
   const Extent extent(part.support.plane.normal, positionsOf(placesOf(part.nodes)));
   const float band = bandOf(part);
+  const Vector3f& center = part.support.plane.center;
   std::vector<char> is_above(nodes.size(), 0);
   kernels::parallelForEach(nodes.size(), threads, [&](std::size_t k) {
     is_above[k] = heightOf(nodes[k], part.support.plane) > band &&
@@ -129,7 +130,9 @@ levelsOf(const SupportPart& part, const Nodes& nodes, float unit, unsigned threa
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const double area = areaOf(nodes[k], unit);
     levels.above += is_above[k] ? area : 0.0;
-    levels.below += heightOf(nodes[k], part.support.plane) < -band ? area : 0.0;
+    const float tilt = max_plane_tilt * (nodes[k].position - center).norm();
+    const float below = -heightOf(nodes[k], part.support.plane) - band;
+    levels.below += below * nodes[k].spacing > tilt ? area : 0.0;
   }
   return levels;
 }

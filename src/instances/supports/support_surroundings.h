@@ -30,6 +30,9 @@ struct Surroundings {
   double others = 0.0; ///< all that is not on the plane, near or not
 };
 
+// Of 2 degrees: how far the plane of a part is tilted by noise.
+constexpr float max_plane_tilt = 0.035f;
+
 /** \brief The areas of what is before and behind a flat part, near or not, square
  * meters. */
 struct Levels {
