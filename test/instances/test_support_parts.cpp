@@ -162,6 +162,27 @@ TEST(SupportChoice, ASmallBoxHasSides)
   EXPECT_EQ(0u, supportsAt(60.0f, nodes));
 }
 
+TEST(SupportChoice, NobodySeesThroughASupport)
+{
+  constexpr float tops = 60.0f, gaps = 50.0f;
+  const auto clutterOn = [&](int columns, bool is_seen_through) {
+    Nodes nodes;
+    addPatch({0, 0, 0}, columns, 80, nodes);
+    for (int k = 0; k < 16; ++k) {
+      const float y = 20.0f + 5.5f * static_cast<float>(k);
+      addPatch({40, y, tops}, 40, 2, nodes);
+      if (is_seen_through)
+        addPatch({40, y + 3.0f, gaps}, 40, 1, nodes);
+    }
+    addPatch({60, 50, tops + 4.0f}, 7, 7, nodes);
+    return nodes;
+  };
+  for (const int columns : {100, 40}) { // then the tops are large
+    EXPECT_EQ(1u, supportsAt(tops, clutterOn(columns, false))) << columns;
+    EXPECT_EQ(0u, supportsAt(tops, clutterOn(columns, true))) << columns;
+  }
+}
+
 /** \brief A floor, and two tables above each other with things on them; each is
  * parallel to the next one only. */
 Nodes

@@ -33,6 +33,8 @@ constexpr double max_lower = 0.1;
 // is four times as long as wide has .06; below a book there is the table that it lies
 // on.
 constexpr double max_lower_of_high = 0.04;
+// Likewise: tables, bottoms and walls have .01 at most, tops of many things .1 to .3.
+constexpr double max_through = 0.1;
 // Likewise, of what is near it: a cup on a table of 50 x 50 cm has .0075.
 constexpr double min_things = 0.005;
 constexpr double max_below = 0.02;   // of all that is not on the lowest part: noise
@@ -71,12 +73,19 @@ isNoTop(const SupportPart& part, const Surroundings& around)
   return around.lower <= max_lower * part.area;
 }
 
+/** Nobody sees through it, as through a plane that the tops of many things are on. */
+bool
+isOpaque(const SupportPart& part, const Surroundings& around)
+{
+  return around.through <= max_through * part.area;
+}
+
 /** Whether things lie before it and nothing behind, or things stand on it and it has a
  * rim. */
 bool
 carries(const SupportPart& part, const PartSize& largest, const Surroundings& around)
 {
-  if (!isNoTop(part, around))
+  if (!isNoTop(part, around) || !isOpaque(part, around))
     return false;
   if (hasThingsOnTop(part, around))
     return hasNothingBehind(around) || hasRim(part, around);
@@ -88,7 +97,8 @@ bool
 standsHigh(const SupportPart& part, const Surroundings& around)
 {
   return around.on_top >= min_things * part.area && hasThingsOnTop(part, around) &&
-         hasRim(part, around) && around.lower <= max_lower_of_high * part.area;
+         hasRim(part, around) && isOpaque(part, around) &&
+         around.lower <= max_lower_of_high * part.area;
 }
 
 /** Whether a part is parallel to another one and behind it. */

@@ -26,6 +26,7 @@ constexpr float rim_depth = 0.125f;
 /** What a node is to a part of a plane. */
 struct Relation {
   bool is_on = false, is_side = false, is_lower = false;
+  bool is_through = false;
   bool is_before = false, is_on_top = false, is_behind = false; ///< and near it
 };
 
@@ -50,6 +51,7 @@ public:
     const bool is_inside =
         (may_be_beside || is_near) && extent_.isInside(node.position);
     const bool is_beside = may_be_beside && !is_inside;
+    relation.is_through = is_low && is_inside;
     relation.is_side = is_beside && is_steep;
     relation.is_lower = is_beside && (!is_steep || -height * node.spacing > rim_depth_);
     relation.is_before = is_near && height > 0.0f;
@@ -108,6 +110,7 @@ surroundingsOf(const SupportPart& part,
     around.others += relation.is_on ? 0.0 : area;
     around.sides += relation.is_side ? area : 0.0;
     around.lower += relation.is_lower ? area : 0.0;
+    around.through += relation.is_through ? area : 0.0;
     around.before += relation.is_before ? area : 0.0;
     around.on_top += relation.is_on_top ? area : 0.0;
     around.behind += relation.is_behind ? area : 0.0;
