@@ -171,8 +171,8 @@ TEST(SupportChoice, NobodySeesThroughASupport)
     for (int k = 0; k < 16; ++k) {
       const float y = 20.0f + 5.5f * static_cast<float>(k);
       addPatch({40, y, tops}, 40, 2, nodes);
-      if (is_seen_through)
-        addPatch({40, y + 3.0f, gaps}, 40, 1, nodes);
+      if (is_seen_through && k < 15)
+        addPatch({46, y + 3.0f, gaps}, 32, 1, nodes);
     }
     addPatch({60, 50, tops + 4.0f}, 7, 7, nodes);
     return nodes;
@@ -496,13 +496,13 @@ struct Bin {
     const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
     add(pcl::test::floorPatch(0, -3, 13, 81, 4));
     add(pcl::test::floorPatch(0, -3, 21, 81, 4));
-    add(pcl::test::floorPatch(0, -16, 13, 81, 4));
+    add(pcl::test::floorPatch(0, -20, 13, 81, 4));
     add(pcl::test::floorPatch(15, 12, 13, 20, 20));
     add(pcl::test::patch({15, 12, 3}, x, z, 20, 20));
-    add(pcl::test::floorPatch(0, 0, 0, 81, 61));
-    add(pcl::test::patch({0, 0, 2}, y, z, 61, 21));
+    add(pcl::test::floorPatch(0, 0, 0, 121, 101));
+    add(pcl::test::patch({0, 0, 2}, y, z, 101, 21));
     if (has_right_wall)
-      add(pcl::test::patch({40, 30, 2}, -y, z, 61, 21));
+      add(pcl::test::patch({60, 50, 2}, -y, z, 101, 21));
   }
 
   void
@@ -543,9 +543,10 @@ TEST(SupportPlanes, WallsOfOneHeightHaveARim)
 
 TEST(SupportPlanes, ARimIsOfNoObject)
 {
-  const Bin bin;
+  Bin bin;
+  bin.add(pcl::test::floorPatch(60.5, 20, 13, 22, 22)); // behind a wall, but no strip
   pcl::detail::InstanceInput input = pcl::test::inputOf(bin.surface);
-  input.view_point = {20.0f, -20.0f, 1000.0f};
+  input.view_point = {30.0f, -20.0f, 1000.0f};
   pcl::InstanceLimits limits;
   limits.min_points = 100;
   const PointGrid grid(input.points, pcl::detail::gridCell(medianSpacing(input)));
@@ -555,6 +556,8 @@ TEST(SupportPlanes, ARimIsOfNoObject)
   for (const Bin::Part part : {Bin::too_high, Bin::lid})
     for (const std::uint32_t i : bin.pointsOf(part))
       EXPECT_LE(0, labels[i]) << part;
+  for (std::size_t i = *(bin.ends.end() - 2); i < bin.surface.size(); ++i)
+    EXPECT_LE(0, labels[i]) << "wide";
 }
 
 TEST(SupportPlanes, HaveNothingOfWhatIsHighAndSteep)
