@@ -128,7 +128,7 @@ findObjects(const InstanceInput& input,
       planes.empty() ? Eigen::Vector3f::Zero() : planes.front().plane.normal;
   const std::vector<FaceContact> contacts =
       faceContacts(input, grid, faces, properties, grown, up);
-  const std::vector<char> patches = patchesOf(planes, input, faces);
+  const std::vector<char> patches = patchesOf(planes, input, faces, properties);
   const Labels lone_patches = lonePatches(patches, planes, faces, contacts, grown);
   const std::vector<char> supports =
       supportsAmong(input, faces, properties, patches, contacts);

@@ -86,6 +86,28 @@ TEST(SupportParts, GoOnBehindAGapOfAQuarterOfTheirWidth)
   }
 }
 
+/** \brief The walls around a patch of 100 by 80 nodes, but for the nearest one. */
+void
+addWalls(int rows, Nodes& nodes)
+{
+  const Vector3f x = Vector3f::UnitX(), y = Vector3f::UnitY(), z = Vector3f::UnitZ();
+  addPatch({0, 0, 3}, 80, rows, nodes, y, z);
+  addPatch({149, 119, 3}, 80, rows, nodes, -y, z);
+  addPatch({0, 119, 3}, 100, rows, nodes, x, z);
+}
+
+TEST(SupportParts, APlaneHasItsNormalsAndDoesNotCutThroughWalls)
+{
+  Nodes nodes;
+  addPatch({0, 0, 0}, 100, 80, nodes);
+  addWalls(7, nodes); // of each, three rows are less than two spacings from one height
+  const std::vector<SupportPart> parts = supportParts(nodes, min_offset, 1.0f);
+  std::multiset<std::size_t> sizes;
+  for (const SupportPart& part : parts)
+    sizes.insert(part.nodes.size());
+  EXPECT_EQ((std::multiset<std::size_t>{560, 560, 700, 8000}), sizes);
+}
+
 TEST(SupportParts, LargestAreaAndMostPointsMayBeOfTwoParts)
 {
   SupportPart near, far;
@@ -138,6 +160,27 @@ TEST(SupportChoice, ASmallBoxHasSides)
   Nodes nodes = patchAbove(60.0f);
   addPatch({50, 50, 2.0f}, 40, 36, nodes, Vector3f::UnitX(), Vector3f::UnitZ());
   EXPECT_EQ(0u, supportsAt(60.0f, nodes));
+}
+
+TEST(SupportChoice, NobodySeesThroughASupport)
+{
+  constexpr float tops = 60.0f, gaps = 50.0f;
+  const auto clutterOn = [&](int columns, bool is_seen_through) {
+    Nodes nodes;
+    addPatch({0, 0, 0}, columns, 80, nodes);
+    for (int k = 0; k < 16; ++k) {
+      const float y = 20.0f + 5.5f * static_cast<float>(k);
+      addPatch({40, y, tops}, 40, 2, nodes);
+      if (is_seen_through && k < 15)
+        addPatch({46, y + 3.0f, gaps}, 32, 1, nodes);
+    }
+    addPatch({60, 50, tops + 4.0f}, 7, 7, nodes);
+    return nodes;
+  };
+  for (const int columns : {100, 40}) { // then the tops are large
+    EXPECT_EQ(1u, supportsAt(tops, clutterOn(columns, false))) << columns;
+    EXPECT_EQ(0u, supportsAt(tops, clutterOn(columns, true))) << columns;
+  }
 }
 
 /** \brief A floor, and two tables above each other with things on them; each is
@@ -239,6 +282,53 @@ TEST(SupportChoice, OfPartsAloneOnlyTheLowestIsAFoot)
   addPatch({-100, 0, 0}, 20, 20, nodes); // then the other one is a lid
   EXPECT_EQ(0u, supportsAt(20.0f, nodes));
   EXPECT_EQ(1u, supportsAt(0.0f, nodes));
+}
+
+/** \brief A table with a wall, and something around it. */
+Nodes
+tableAt(float height)
+{
+  Nodes nodes;
+  addPatch({0, 0, height}, 60, 60, nodes);
+  addPatch({0, 0, height + 2}, 60, 60, nodes, Vector3f::UnitY(), Vector3f::UnitZ());
+  return nodes;
+}
+
+/** \brief A narrow strip along y that rises along x, with its middle at z = 0. */
+void
+addStrip(float x, float slope, Nodes& nodes)
+{
+  const Vector3f right = Vector3f(1.0f, 0.0f, slope).normalized();
+  addPatch(Vector3f(x, 0, 0) - 6.75f * right, 10, 60, nodes, right);
+}
+
+TEST(SupportChoice, NarrowPartsOfAFloorAreTilted)
+{
+  // Each is far below the plane of the other, and their middles are of one height.
+  Nodes nodes = tableAt(60.0f);
+  addStrip(-100.0f, 0.025f, nodes);
+  addStrip(200.0f, -0.025f, nodes);
+  EXPECT_EQ(2u, supportsAt(0.0f, nodes));
+}
+
+TEST(SupportChoice, AFloorGoesOnBehindABin)
+{
+  Nodes nodes = tableAt(60.0f);
+  addPatch({200, 0, 0}, 60, 60, nodes);
+  addStrip(-100.0f, 0.08f, nodes); // the floor is below its plane
+  EXPECT_EQ(2u, supportsAt(0.0f, nodes));
+  addPatch({-130, 0, 20}, 10, 60, nodes); // the lid of a thing
+  EXPECT_EQ(0u, supportsAt(20.0f, nodes));
+}
+
+TEST(SupportChoice, NoiseIsNothingNear)
+{
+  Nodes nodes = tableAt(60.0f);
+  addPatch({200, 0, 0}, 60, 60, nodes);
+  addPatch({196, 40, -3}, 1, 4, nodes);
+  EXPECT_EQ(1u, supportsAt(0.0f, nodes));
+  addPatch({196, 0, -3}, 1, 60, nodes);
+  EXPECT_EQ(0u, supportsAt(0.0f, nodes));
 }
 
 TEST(SupportChoice, AFootHasNothingLowerBeside)
@@ -393,6 +483,81 @@ TEST(SupportPlanes, KnowWhatIsSmearedWhereThingsTouchThem)
   }
   for (const std::uint32_t i : support.points)
     EXPECT_LT(heightOf(i), support.offset);
+}
+
+/** \brief A bin whose nearest wall shows its rim only, and a thing in it as high as the
+ * walls, of which one sees the lid and the front. */
+struct Bin {
+  enum Part : std::size_t { rim, too_high, far_away, lid, others };
+
+  explicit Bin(bool has_right_wall = true)
+  {
+    using Eigen::Vector3d;
+    const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
+    add(pcl::test::floorPatch(0, -3, 13, 81, 4));
+    add(pcl::test::floorPatch(0, -3, 21, 81, 4));
+    add(pcl::test::floorPatch(0, -20, 13, 81, 4));
+    add(pcl::test::floorPatch(15, 12, 13, 20, 20));
+    add(pcl::test::patch({15, 12, 3}, x, z, 20, 20));
+    add(pcl::test::floorPatch(0, 0, 0, 121, 101));
+    add(pcl::test::patch({0, 0, 2}, y, z, 101, 21));
+    if (has_right_wall)
+      add(pcl::test::patch({60, 50, 2}, -y, z, 101, 21));
+  }
+
+  void
+  add(const pcl::test::Surface& part)
+  {
+    surface.append(part);
+    ends.push_back(surface.size());
+  }
+
+  std::vector<std::uint32_t>
+  pointsOf(Part part) const
+  {
+    std::vector<std::uint32_t> points;
+    for (std::size_t i = part == rim ? 0 : ends[part - 1]; i < ends[part]; ++i)
+      points.push_back(static_cast<std::uint32_t>(i));
+    return points;
+  }
+
+  pcl::test::Surface surface;
+  std::vector<std::size_t> ends;
+};
+
+std::vector<std::uint32_t>
+rimPointsOf(const std::vector<Support>& supports)
+{
+  std::vector<std::uint32_t> points;
+  for (const Support& support : supports)
+    points.insert(points.end(), support.rim.begin(), support.rim.end());
+  return points;
+}
+
+TEST(SupportPlanes, WallsOfOneHeightHaveARim)
+{
+  const Bin bin;
+  EXPECT_EQ(bin.pointsOf(Bin::rim), rimPointsOf(supportsOf(bin.surface)));
+  EXPECT_TRUE(rimPointsOf(supportsOf(Bin(false).surface)).empty()) << "one wall";
+}
+
+TEST(SupportPlanes, ARimIsOfNoObject)
+{
+  Bin bin;
+  bin.add(pcl::test::floorPatch(60.5, 20, 13, 22, 22)); // behind a wall, but no strip
+  pcl::detail::InstanceInput input = pcl::test::inputOf(bin.surface);
+  input.view_point = {30.0f, -20.0f, 1000.0f};
+  pcl::InstanceLimits limits;
+  limits.min_points = 100;
+  const PointGrid grid(input.points, pcl::detail::gridCell(medianSpacing(input)));
+  const Labels labels = pcl::detail::findObjects(input, grid, limits);
+  for (const std::uint32_t i : bin.pointsOf(Bin::rim))
+    EXPECT_EQ(-1, labels[i]);
+  for (const Bin::Part part : {Bin::too_high, Bin::lid})
+    for (const std::uint32_t i : bin.pointsOf(part))
+      EXPECT_LE(0, labels[i]) << part;
+  for (std::size_t i = *(bin.ends.end() - 2); i < bin.surface.size(); ++i)
+    EXPECT_LE(0, labels[i]) << "wide";
 }
 
 TEST(SupportPlanes, HaveNothingOfWhatIsHighAndSteep)

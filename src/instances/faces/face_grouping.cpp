@@ -14,9 +14,9 @@ namespace {
 
 // Of the width of a group: faces of one body share a side, bodies that touch may not.
 constexpr float min_side = 1.0f;
-// Groups too narrow, in spacings, for a body of their own need less: the arc of a
-// handle is cut across, where it is as wide as it is thick.
-constexpr float narrow = 8.0f, min_narrow_side = 0.5f;
+// Narrow groups need less: the arc of a handle is cut across, where it is as wide as it
+// is thick.
+constexpr float min_narrow_side = 0.5f;
 
 /** How large a group of faces is, in spacings. */
 struct GroupSize {
@@ -26,9 +26,7 @@ struct GroupSize {
   static GroupSize
   of(const Face& face)
   {
-    const double width = std::sqrt(face.area);
-    const double thickness = face.length > width ? face.area / face.length : width;
-    return {static_cast<float>(width), static_cast<float>(thickness)};
+    return {face.width(), face.thickness()};
   }
 
   GroupSize

@@ -7,11 +7,15 @@
 #include "instances/instance_detection.h"
 #include "instances/instance_points.h"
 
+#include <cmath>
 #include <vector>
 
 namespace pcl::segmentation {
 
 constexpr double planar_threshold = 0.5; // likelihood: more likely planar than not
+
+// In spacings: what is thinner is no body of its own, nor the side of one.
+constexpr float narrow = 8.0f;
 
 /** \brief What is known about a face as a whole. */
 struct Face {
@@ -21,6 +25,20 @@ struct Face {
   std::size_t points = 0;
   ShapePrimitive surface; ///< about origin; None if no primitive describes it
   Eigen::Vector3f origin = Eigen::Vector3f::Zero();
+
+  /** \brief The root of its area. */
+  float
+  width() const
+  {
+    return static_cast<float>(std::sqrt(area));
+  }
+
+  /** \brief Of a strip; of other shapes the width. */
+  float
+  thickness() const
+  {
+    return length > std::sqrt(area) ? static_cast<float>(area / length) : width();
+  }
 };
 
 std::vector<Face> facesOf(const detail::InstanceInput& input, const Labels& labels);

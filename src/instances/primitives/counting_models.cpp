@@ -168,6 +168,37 @@ PlaneModel::countWithinDistance(const Eigen::VectorXf& coefficients,
   });
 }
 
+OrientedPlaneModel::OrientedPlaneModel(const PointCloudConstPtr& points,
+                                       const pcl::PointCloud<Normal>& normals,
+                                       float min_cosine)
+: PlaneModel(points)
+, points_(*points)
+, min_cosine_(min_cosine)
+{
+  for (const Normal& normal : normals) {
+    normal_x_.push_back(normal.normal_x);
+    normal_y_.push_back(normal.normal_y);
+    normal_z_.push_back(normal.normal_z);
+  }
+}
+
+std::size_t
+OrientedPlaneModel::countWithinDistance(const Eigen::VectorXf& coefficients,
+                                        double threshold) const
+{
+  if (!isModelValid(coefficients))
+    return 0;
+  const Eigen::Vector4f plane = coefficients / coefficients.head<3>().norm();
+  const float a = plane[0], b = plane[1], c = plane[2], d = plane[3];
+  const float limit = roundedUp(threshold), min_cosine = min_cosine_;
+  const float *nx = normal_x_.data(), *ny = normal_y_.data(), *nz = normal_z_.data();
+  return points_.countWithIndex([=](float x, float y, float z, std::size_t i) {
+    const float distance = std::abs((a * x + c * z) + (b * y + d));
+    const float cosine = std::abs((a * nx[i] + c * nz[i]) + b * ny[i]);
+    return static_cast<int>(distance < limit) & static_cast<int>(cosine > min_cosine);
+  });
+}
+
 template <>
 std::size_t
 SphereModel::countWithinDistance(const Eigen::VectorXf& coefficients,

@@ -23,11 +23,11 @@ class CountedPoints {
 public:
   explicit CountedPoints(const PointCloud<PointXYZ>& points);
 
-  /** \brief The number of points for which is(x, y, z). RANSAC only asks whether it is
-   * the largest so far: if it cannot be, the count ends early, and is no larger. */
+  /** \brief The number of points for which is(x, y, z, i). RANSAC only asks whether it
+   * is the largest so far: if it cannot be, the count ends early, and is no larger. */
   template <typename Is>
   std::size_t
-  count(const Is& is) const
+  countWithIndex(const Is& is) const
   {
     constexpr std::size_t block = 256; // some 50 ns
     std::size_t count = 0;
@@ -37,11 +37,20 @@ public:
       const std::size_t end = std::min(begin + block, x_.size());
       unsigned of_block = 0;
       for (std::size_t i = begin; i < end; ++i)
-        of_block += is(x_[i], y_[i], z_[i]) ? 1U : 0U;
+        of_block += is(x_[i], y_[i], z_[i], i) ? 1U : 0U;
       count += of_block;
     }
     most_ = std::max(most_, count);
     return count;
+  }
+
+  /** \brief Likewise, of is(x, y, z). */
+  template <typename Is>
+  std::size_t
+  count(const Is& is) const
+  {
+    return countWithIndex(
+        [&](float x, float y, float z, std::size_t) { return is(x, y, z); });
   }
 
 private:
@@ -77,6 +86,24 @@ using ConeModel = CountingModel<SampleConsensusModelCone<PointXYZ, Normal>>;
 
 template <>
 std::size_t PlaneModel::countWithinDistance(const Eigen::VectorXf&, double) const;
+
+/** \brief A plane that counts the points with its normal only, up to an angle and the
+ * sign: not what it cuts through, such as four walls around it. */
+class OrientedPlaneModel : public PlaneModel {
+public:
+  OrientedPlaneModel(const PointCloudConstPtr& points,
+                     const pcl::PointCloud<Normal>& normals,
+                     float min_cosine);
+
+  std::size_t countWithinDistance(const Eigen::VectorXf& coefficients,
+                                  double threshold) const override;
+
+private:
+  CountedPoints points_;
+  std::vector<float> normal_x_, normal_y_, normal_z_;
+  float min_cosine_;
+};
+
 template <>
 std::size_t SphereModel::countWithinDistance(const Eigen::VectorXf&, double) const;
 template <>

@@ -86,6 +86,9 @@ modelWithNormals(const PrimitiveSample& sample)
 Model::Ptr
 modelOf(const PrimitiveSample& sample, PrimitiveType type)
 {
+  if (type == PrimitiveType::Plane && sample.min_cosine > -1.0f)
+    return pcl::make_shared<OrientedPlaneModel>(
+        sample.points, *sample.normals, sample.min_cosine);
   if (type == PrimitiveType::Plane)
     return pcl::make_shared<PlaneModel>(sample.points);
   if (type == PrimitiveType::Sphere)

@@ -37,6 +37,7 @@ struct PrimitiveSample {
       pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
   double tolerance = 0.0;       ///< how far a point may be off the surface
   double first_tolerance = 0.0; ///< likewise while few points determine a curved one
+  float min_cosine = -1.0f;     ///< of the points' normals and a plane's; -1 any
 };
 
 /** \brief The plane, cylinder or sphere that most points are on (RANSAC with a fixed

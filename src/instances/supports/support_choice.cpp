@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <optional>
 
 namespace pcl::segmentation {
@@ -32,11 +33,14 @@ constexpr double max_lower = 0.1;
 // is four times as long as wide has .06; below a book there is the table that it lies
 // on.
 constexpr double max_lower_of_high = 0.04;
+// Likewise: tables, bottoms and walls have .01 at most, tops of many things .1 to .3.
+constexpr double max_through = 0.1;
 // Likewise, of what is near it: a cup on a table of 50 x 50 cm has .0075.
 constexpr double min_things = 0.005;
-constexpr double max_below = 0.02;  // of all that is not on the lowest part: noise
-constexpr float same_level = 0.94f; // cosine of 20 degrees
-constexpr double max_beyond = 0.02; // of what ends at a wall: noise
+constexpr double max_below = 0.02;   // of all that is not on the lowest part: noise
+constexpr float same_level = 0.94f;  // cosine of 20 degrees
+constexpr double min_in_plane = 0.8; // of a part's nodes, as of a face's points
+constexpr double max_beyond = 0.02;  // of what ends at a wall: noise
 // Of its width: where a thing stands in a corner a wall is not seen.
 constexpr float min_along = 0.5f;
 
@@ -69,12 +73,19 @@ isNoTop(const SupportPart& part, const Surroundings& around)
   return around.lower <= max_lower * part.area;
 }
 
+/** Nobody sees through it, as through a plane that the tops of many things are on. */
+bool
+isOpaque(const SupportPart& part, const Surroundings& around)
+{
+  return around.through <= max_through * part.area;
+}
+
 /** Whether things lie before it and nothing behind, or things stand on it and it has a
  * rim. */
 bool
 carries(const SupportPart& part, const PartSize& largest, const Surroundings& around)
 {
-  if (!isNoTop(part, around))
+  if (!isNoTop(part, around) || !isOpaque(part, around))
     return false;
   if (hasThingsOnTop(part, around))
     return hasNothingBehind(around) || hasRim(part, around);
@@ -86,7 +97,8 @@ bool
 standsHigh(const SupportPart& part, const Surroundings& around)
 {
   return around.on_top >= min_things * part.area && hasThingsOnTop(part, around) &&
-         hasRim(part, around) && around.lower <= max_lower_of_high * part.area;
+         hasRim(part, around) && isOpaque(part, around) &&
+         around.lower <= max_lower_of_high * part.area;
 }
 
 /** Whether a part is parallel to another one and behind it. */
@@ -100,6 +112,27 @@ isBelow(const SupportPart& part, const SupportPart& other_part)
          other.normal.dot(above) > 0.0f && plane.normal.dot(above) > 0.0f;
 }
 
+/** Whether a part is in the plane of another one, behind a gap: as a floor is that one
+ * sees on several sides of a table or a bin. */
+bool
+isInPlaneOf(const SupportPart& part, const SupportPart& other)
+{
+  const Plane<float>& plane = other.support.plane;
+  if (!(part.support.plane.normal.dot(plane.normal) > same_level))
+    return false;
+  const Nodes places = placesOf(part.nodes), others = placesOf(other.nodes);
+  const auto in_plane =
+      std::count_if(places.begin(), places.end(), [&](const SurfaceNode& node) {
+        float gap = std::numeric_limits<float>::infinity();
+        for (const SurfaceNode& near : others)
+          gap = std::min(gap, (near.position - node.position).norm());
+        return std::abs(heightOf(node, plane)) <
+               bandOf(other) + max_plane_tilt * gap / node.spacing;
+      });
+  return static_cast<double>(in_plane) >
+         min_in_plane * static_cast<double>(places.size());
+}
+
 /** From the first to the last of some nodes in a direction. */
 float
 extentAlong(const Vector3f& direction, const Nodes& nodes)
@@ -111,33 +144,6 @@ extentAlong(const Vector3f& direction, const Nodes& nodes)
     last = std::max(last, at);
   }
   return last - first;
-}
-
-/** Whether a part stands where another one ends, along half of it or more. */
-bool
-isWallOf(const SupportPart& part, const SupportPart& bottom, float unit)
-{
-  const Vector3f& normal = part.support.plane.normal;
-  const Vector3f& up = bottom.support.plane.normal;
-  if (!isSteep(normal, bottom))
-    return false;
-  const auto behind =
-      std::count_if(bottom.nodes.begin(), bottom.nodes.end(), [&](const auto& node) {
-        return heightOf(node, part.support.plane) < -bandOf(part);
-      });
-  if (static_cast<double>(behind) >
-      max_beyond * static_cast<double>(bottom.nodes.size()))
-    return false;
-  const PointGrid grid(positionsOf(bottom.nodes), around_spacings * unit);
-  Nodes foot;
-  std::copy_if(part.nodes.begin(),
-               part.nodes.end(),
-               std::back_inserter(foot),
-               [&](const auto& node) {
-                 return isNear(node.position, grid, around_spacings * node.spacing);
-               });
-  const Vector3f along = normal.cross(up).normalized();
-  return extentAlong(along, foot) >= min_along * extentAlong(along, bottom.nodes);
 }
 
 /** What is around each part, looked at once. */
@@ -177,9 +183,15 @@ public:
   bool
   isFoot(std::size_t part)
   {
-    if (isAlone(part))
-      return isLowest(part);
-    return hasNothingBehind(around(part)) && isNoTop(parts_[part], around(part));
+    return isAlone(part) ? isLowest(part) : goesOnBehind(part);
+  }
+
+  /** Likewise, or nothing is near it. */
+  bool
+  goesOnBehind(std::size_t part)
+  {
+    return (isAlone(part) || hasNothingBehind(around(part))) &&
+           isNoTop(parts_[part], around(part));
   }
 
   /** Whether nothing is behind it but a rim. */
@@ -207,11 +219,12 @@ private:
     return *levels_[part];
   }
 
-  /** Nothing is near: shadows may hide where things stand. */
+  /** Nothing is near, but for noise: shadows may hide where things stand. */
   bool
   isAlone(std::size_t part)
   {
-    return !(around(part).before + around(part).behind > 0.0);
+    return !(around(part).before > 0.0) &&
+           around(part).behind <= min_things * parts_[part].area;
   }
 
   bool
@@ -239,6 +252,32 @@ private:
 };
 
 } // namespace
+
+bool
+isWallOf(const SupportPart& part, const SupportPart& bottom, float unit)
+{
+  const Vector3f& normal = part.support.plane.normal;
+  const Vector3f& up = bottom.support.plane.normal;
+  if (!isSteep(normal, bottom))
+    return false;
+  const auto behind =
+      std::count_if(bottom.nodes.begin(), bottom.nodes.end(), [&](const auto& node) {
+        return heightOf(node, part.support.plane) < -bandOf(part);
+      });
+  if (static_cast<double>(behind) >
+      max_beyond * static_cast<double>(bottom.nodes.size()))
+    return false;
+  const PointGrid grid(positionsOf(bottom.nodes), around_spacings * unit);
+  Nodes foot;
+  std::copy_if(part.nodes.begin(),
+               part.nodes.end(),
+               std::back_inserter(foot),
+               [&](const auto& node) {
+                 return isNear(node.position, grid, around_spacings * node.spacing);
+               });
+  const Vector3f along = normal.cross(up).normalized();
+  return extentAlong(along, foot) >= min_along * extentAlong(along, bottom.nodes);
+}
 
 std::vector<std::size_t>
 carriersAmong(const std::vector<SupportPart>& parts,
@@ -268,6 +307,7 @@ carriersAmong(const std::vector<SupportPart>& parts,
   };
   addOthers(isAbove, [&](std::size_t k) { return scene.isHighCarrier(k); });
   addOthers(isBelow, [&](std::size_t k) { return scene.isFoot(k); });
+  addOthers(isInPlaneOf, [&](std::size_t k) { return scene.goesOnBehind(k); });
   const auto isWallOfKnown = [unit](const auto& part, const auto& bottom) {
     return isWallOf(part, bottom, unit);
   };

@@ -19,4 +19,8 @@ std::vector<std::size_t> carriersAmong(const std::vector<SupportPart>& parts,
                                        float unit,
                                        unsigned threads);
 
+/** \brief Whether a part is steep to another one that ends there, along half of it or
+ * more. \param[in] unit the median spacing, meters */
+bool isWallOf(const SupportPart& part, const SupportPart& bottom, float unit);
+
 } // namespace pcl::segmentation

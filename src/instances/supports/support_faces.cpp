@@ -81,30 +81,32 @@ pointsIn(const Plane<double>& plane,
 std::vector<char>
 patchesOf(const std::vector<Support>& supports,
           const InstanceInput& input,
-          const Labels& face_of)
+          const Labels& face_of,
+          const std::vector<Face>& faces)
 {
-  const std::int32_t last =
-      face_of.empty() ? -1 : *std::max_element(face_of.begin(), face_of.end());
-  const auto count = static_cast<std::size_t>(last + 1);
-  std::vector<std::size_t> points(count, 0);
-  std::vector<char> is_patch(count, 0);
-  for (const std::int32_t face : face_of)
-    if (face >= 0)
-      ++points[static_cast<std::size_t>(face)];
+  std::vector<char> is_patch(faces.size(), 0);
   for (const Support& support : supports) {
-    std::vector<std::size_t> low(count, 0);
+    std::vector<std::size_t> low(faces.size(), 0), on_rim = low;
+    const auto countIn = [&](std::vector<std::size_t>& counts, std::size_t i) {
+      if (face_of[i] >= 0)
+        ++counts[static_cast<std::size_t>(face_of[i])];
+    };
     for (std::size_t i = 0; i < face_of.size(); ++i) {
-      if (face_of[i] < 0)
-        continue;
       const float height =
           support.plane.normal.dot(positionOf(input.points, i) - support.plane.center) /
           input.spacings[i];
       if (height < std::max(max_ripple, support.offset) && height > -max_bend)
-        ++low[static_cast<std::size_t>(face_of[i])];
+        countIn(low, i);
     }
-    for (std::size_t f = 0; f < count; ++f)
-      if (static_cast<double>(low[f]) >= min_in_plane * static_cast<double>(points[f]))
+    for (const std::uint32_t i : support.rim)
+      countIn(on_rim, i);
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const bool is_thin = faces[f].thickness() < narrow;
+      const std::size_t points = std::max(low[f], is_thin ? on_rim[f] : 0);
+      if (static_cast<double>(points) >=
+          min_in_plane * static_cast<double>(faces[f].points))
         is_patch[f] = 1;
+    }
   }
   return is_patch;
 }

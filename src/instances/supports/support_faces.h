@@ -12,13 +12,15 @@
 namespace pcl::segmentation {
 
 /** \brief Which faces are patches of a support: no higher than its ripple, and not far
- * behind it, as where a lens bends it.
+ * behind it, as where a lens bends it; and narrow ones on the rims of its walls.
  * \param[in] supports planes that carry things
  * \param[in] input the points
- * \param[in] face_of the face of each point, -1 none */
+ * \param[in] face_of the face of each point, -1 none
+ * \param[in] faces what is known of each face */
 std::vector<char> patchesOf(const std::vector<Support>& supports,
                             const detail::InstanceInput& input,
-                            const Labels& face_of);
+                            const Labels& face_of,
+                            const std::vector<Face>& faces);
 
 /** \brief Which patch each point is of, of those that do not touch the support's own
  * plane; -1 of none.

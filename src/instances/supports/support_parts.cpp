@@ -162,6 +162,7 @@ largestPlane(const Nodes& nodes, float unit)
     points = std::fmod(points, step);
   }
   sample.tolerance = sample.first_tolerance = max_ripple;
+  sample.min_cosine = min_cosine;
   const ShapePrimitive fitted = fitTo(sample, PrimitiveType::Plane);
   if (fitted.type == PrimitiveType::None)
     return std::nullopt;

@@ -6,10 +6,14 @@
 
 #include "common/parallel.h"
 #include "common/quiet.h"
+#include "instances/extent.h"
 #include "instances/pieces/smooth_pieces.h"
 #include "instances/supports/support_choice.h"
 #include "instances/supports/support_surroundings.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -23,6 +27,10 @@ using Nodes = std::vector<SurfaceNode>;
 constexpr float same_normal = 0.94f; // cosine of 20 degrees
 // From the support, half of a stereo camera's window: not the floor of a bowl.
 constexpr float smear_spacings = 3.0f;
+// Walls of one height have a rim: a wall that the image cuts off ends anywhere.
+constexpr std::ptrdiff_t min_walls = 2;
+// Of the width of a bottom: the nearest wall hides what is before it.
+constexpr float max_rim_distance = 0.25f;
 
 /** Raised by what touches it, as by a stereo camera, which finds one depth for a
  * window: lower than what is told from a support, and nearly parallel to it. */
@@ -67,7 +75,7 @@ supportOf(const SupportPart& part,
           if (is_free[i])
             look(i, last);
       });
-  Support support{part.support.plane, part.support.offset, {}, {}};
+  Support support{part.support.plane, part.support.offset, {}, {}, {}};
   for (std::uint32_t i = 0; i < is_on.size(); ++i) {
     if (is_on[i]) {
       support.points.push_back(i);
@@ -77,6 +85,50 @@ supportOf(const SupportPart& part,
       support.smeared.push_back(i);
   }
   return support;
+}
+
+/** How high a wall is above its bottom, in meters, but for its highest nodes. */
+float
+heightOfWall(const SupportPart& wall, const SupportPart& bottom)
+{
+  std::vector<float> heights;
+  for (const SurfaceNode& node : wall.nodes)
+    heights.push_back(heightOf(node, bottom.support.plane) * node.spacing);
+  const auto highest =
+      heights.end() - 1 - static_cast<std::ptrdiff_t>(heights.size() / 20);
+  std::nth_element(heights.begin(), highest, heights.end());
+  return *highest;
+}
+
+/** The points on top of the walls around a bottom: beside it, and as high as two of the
+ * walls, but for the band of an edge. That of a wall whose inside nobody sees is among
+ * them. A rim may be too narrow for normals. */
+std::vector<std::uint32_t>
+rimOf(const SupportPart& bottom,
+      const std::vector<float>& walls,
+      const InstanceInput& input,
+      const std::vector<char>& is_free)
+{
+  const Nodes places = placesOf(bottom.nodes);
+  const Extent extent(bottom.support.plane.normal, positionsOf(places));
+  const float reach = max_rim_distance * static_cast<float>(std::sqrt(bottom.area));
+  const PointGrid grid(positionsOf(places), reach);
+  std::vector<std::uint32_t> rim;
+  for (std::uint32_t i = 0; i < is_free.size(); ++i) {
+    if (!is_free[i])
+      continue;
+    const SurfaceNode node{
+        positionOf(input.points, i), normalOf(input, i), input.spacings[i]};
+    const float height = heightOf(node, bottom.support.plane);
+    const auto ends_here = std::count_if(walls.begin(), walls.end(), [&](float wall) {
+      return std::abs(height - wall / node.spacing) < around_spacings;
+    });
+    const Vector3f foot =
+        node.position - height * node.spacing * bottom.support.plane.normal;
+    if (ends_here >= min_walls && !extent.isInside(foot) && isNear(foot, grid, reach))
+      rim.push_back(i);
+  }
+  return rim;
 }
 
 } // namespace
@@ -92,8 +144,19 @@ supportPlanes(const InstanceInput& input,
   const std::vector<SupportPart> parts = supportParts(nodes, offsetLimit(input), unit);
   std::vector<char> is_free = members;
   std::vector<Support> supports;
-  for (const std::size_t k : carriersAmong(parts, nodes, unit, input.threads))
+  const std::vector<std::size_t> carriers =
+      carriersAmong(parts, nodes, unit, input.threads);
+  for (const std::size_t k : carriers)
     supports.push_back(supportOf(parts[k], input, unit, is_free));
+  for (std::size_t s = 0; s < carriers.size(); ++s) {
+    const SupportPart& bottom = parts[carriers[s]];
+    std::vector<float> walls;
+    for (const std::size_t k : carriers)
+      if (isWallOf(parts[k], bottom, unit))
+        walls.push_back(heightOfWall(parts[k], bottom));
+    if (static_cast<std::ptrdiff_t>(walls.size()) >= min_walls)
+      supports[s].rim = rimOf(bottom, walls, input, is_free);
+  }
   return supports;
 }
 

@@ -21,6 +21,7 @@ struct Support {
   /** A little above the plane where things touch it, as cameras smear it there. They
    * are of no object, though they may be of an object's face. */
   std::vector<std::uint32_t> smeared;
+  std::vector<std::uint32_t> rim; ///< of its walls: level, beside it
 };
 
 /** \brief The supports of a cloud, as wavy as a depth camera makes them.

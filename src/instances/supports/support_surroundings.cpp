@@ -26,6 +26,7 @@ constexpr float rim_depth = 0.125f;
 /** What a node is to a part of a plane. */
 struct Relation {
   bool is_on = false, is_side = false, is_lower = false;
+  bool is_through = false;
   bool is_before = false, is_on_top = false, is_behind = false; ///< and near it
 };
 
@@ -50,6 +51,7 @@ public:
     const bool is_inside =
         (may_be_beside || is_near) && extent_.isInside(node.position);
     const bool is_beside = may_be_beside && !is_inside;
+    relation.is_through = is_low && is_inside;
     relation.is_side = is_beside && is_steep;
     relation.is_lower = is_beside && (!is_steep || -height * node.spacing > rim_depth_);
     relation.is_before = is_near && height > 0.0f;
@@ -108,6 +110,7 @@ surroundingsOf(const SupportPart& part,
     around.others += relation.is_on ? 0.0 : area;
     around.sides += relation.is_side ? area : 0.0;
     around.lower += relation.is_lower ? area : 0.0;
+    around.through += relation.is_through ? area : 0.0;
     around.before += relation.is_before ? area : 0.0;
     around.on_top += relation.is_on_top ? area : 0.0;
     around.behind += relation.is_behind ? area : 0.0;
@@ -120,6 +123,7 @@ levelsOf(const SupportPart& part, const Nodes& nodes, float unit, unsigned threa
 {
   const Extent extent(part.support.plane.normal, positionsOf(placesOf(part.nodes)));
   const float band = bandOf(part);
+  const Vector3f& center = part.support.plane.center;
   std::vector<char> is_above(nodes.size(), 0);
   kernels::parallelForEach(nodes.size(), threads, [&](std::size_t k) {
     is_above[k] = heightOf(nodes[k], part.support.plane) > band &&
@@ -129,7 +133,9 @@ levelsOf(const SupportPart& part, const Nodes& nodes, float unit, unsigned threa
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const double area = areaOf(nodes[k], unit);
     levels.above += is_above[k] ? area : 0.0;
-    levels.below += heightOf(nodes[k], part.support.plane) < -band ? area : 0.0;
+    const float tilt = max_plane_tilt * (nodes[k].position - center).norm();
+    const float below = -heightOf(nodes[k], part.support.plane) - band;
+    levels.below += below * nodes[k].spacing > tilt ? area : 0.0;
   }
   return levels;
 }

@@ -22,13 +22,17 @@ float bandOf(const SupportPart& part);
 
 /** \brief The areas of what is around a flat part, square meters. */
 struct Surroundings {
-  double before = 0.0; ///< near it, and before its plane
-  double on_top = 0.0; ///< what of that has the part on most sides of it
-  double behind = 0.0; ///< near it, behind its plane, and beside it
-  double sides = 0.0;  ///< steep to it, behind and beside it, not far down
-  double lower = 0.0;  ///< likewise, but level to it, or deeper than a rim
-  double others = 0.0; ///< all that is not on the plane, near or not
+  double before = 0.0;  ///< near it, and before its plane
+  double on_top = 0.0;  ///< what of that has the part on most sides of it
+  double behind = 0.0;  ///< near it, behind its plane, and beside it
+  double sides = 0.0;   ///< steep to it, behind and beside it, not far down
+  double lower = 0.0;   ///< likewise, but level to it, or deeper than a rim
+  double through = 0.0; ///< behind its plane, with the part on most sides of it
+  double others = 0.0;  ///< all that is not on the plane, near or not
 };
+
+// Of 2 degrees: how far the plane of a part is tilted by noise.
+constexpr float max_plane_tilt = 0.035f;
 
 /** \brief The areas of what is before and behind a flat part, near or not, square
  * meters. */
