@@ -38,10 +38,8 @@ cloudFormatOf(const std::string& path, std::string_view head, unsigned floats)
     return CloudFormat::ply;
   if (floats > 0)
     return CloudFormat::kitti;
-  head = withoutByteOrderMark(head);
-  return splitWords(takeLine(head)) == std::vector<std::string_view>{"ply"}
-             ? CloudFormat::ply
-             : CloudFormat::pcd;
+  return withoutByteOrderMark(head).substr(0, 3) == "ply" ? CloudFormat::ply
+                                                          : CloudFormat::pcd;
 }
 
 CloudFile

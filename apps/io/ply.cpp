@@ -78,7 +78,8 @@ struct Header {
   std::uint32_t columns = 0, rows = 0;
   std::vector<Element> elements;
   std::string format;
-  bool is_in_memory = true; ///< all of the file
+  bool is_in_memory = true;   ///< all of the file
+  bool is_in_element = false; ///< the last line described one
 };
 
 bool
@@ -172,6 +173,8 @@ void
 readLine(const Words& words, Header& header)
 {
   const std::string_view keyword = words.front();
+  const bool was_in_element = header.is_in_element;
+  header.is_in_element = keyword == "element" || keyword == "property";
   if (keyword == "comment")
     readViewpoint(words, header.cloud);
   else if (keyword == "element")
@@ -194,7 +197,7 @@ readLine(const Words& words, Header& header)
     else if (value && words[1] == "num_rows")
       header.rows = *value;
   }
-  else
+  else if (was_in_element) // elsewhere it is a comment's second line, as PCL sees it
     fail(header.cloud.path,
          "the header has a line " + inQuotes(keyword),
          "format, comment, obj_info, element, property or end_header");
@@ -231,6 +234,31 @@ addFields(const Element& vertex, Header& header)
   cloud.blob.width = static_cast<std::uint32_t>(vertex.count);
   cloud.blob.height = 1;
   setLayout(header);
+}
+
+/** Whether lines end with a carriage return alone, as Rhinoceros writes them. */
+bool
+hasOldLineEnds(std::string_view file)
+{
+  const std::size_t end = file.find_first_of("\r\n");
+  return end != std::string_view::npos && file[end] == '\r' &&
+         file.substr(end + 1, 1) != "\n";
+}
+
+/** The same file with new lines in all of its text. */
+std::string
+withNewLines(std::string_view file)
+{
+  std::string text(file);
+  const std::string last = "end_header\r";
+  const std::size_t end = text.find(last);
+  const bool has_text = end == std::string::npos || text.find("format ascii") < end;
+  std::replace(text.begin(),
+               has_text ? text.end()
+                        : text.begin() + static_cast<std::ptrdiff_t>(end + last.size()),
+               '\r',
+               '\n');
+  return text;
 }
 
 /** Takes the header off the file. */
@@ -752,6 +780,8 @@ appendPoints(const CloudFile& cloud, bool is_text, std::string& text)
 std::optional<PointRows>
 rowsOfPly(const std::string& path, std::string_view head)
 {
+  if (hasOldLineEnds(head))
+    return std::nullopt;
   std::string_view rest = head;
   Header header = readHeader(path, rest, false);
   if (!hasRows(header))
@@ -763,6 +793,8 @@ rowsOfPly(const std::string& path, std::string_view head)
 CloudFile
 decodePly(const std::string& path, std::string_view file)
 {
+  if (hasOldLineEnds(file))
+    return decodePly(path, withNewLines(file));
   Header header = readHeader(path, file, true);
   if (hasRows(header) && header.format != "ascii")
     readBinaryPoints(header.cloud, file);
