@@ -551,6 +551,8 @@ readBinaryPoints(CloudFile& cloud, std::string_view body)
 std::optional<PointRows>
 rowsOfPcd(const std::string& path, std::string_view head)
 {
+  if (hasOldLineEnds(head))
+    return std::nullopt;
   const HeaderLines lines(path, head);
   const PCDFormat format = formatBy(lines, path);
   if (format == PCDFormat::binary_compressed)
@@ -569,6 +571,8 @@ finishPcd(CloudFile& cloud)
 CloudFile
 decodePcd(const std::string& path, std::string_view file)
 {
+  if (hasOldLineEnds(file))
+    return decodePcd(path, withNewLines(file, "DATA", "DATA ascii"));
   const HeaderLines lines(path, file);
   CloudFile cloud = describedBy(lines, path, true);
   const PCDFormat format = formatBy(lines, path);

@@ -236,31 +236,6 @@ addFields(const Element& vertex, Header& header)
   setLayout(header);
 }
 
-/** Whether lines end with a carriage return alone, as Rhinoceros writes them. */
-bool
-hasOldLineEnds(std::string_view file)
-{
-  const std::size_t end = file.find_first_of("\r\n");
-  return end != std::string_view::npos && file[end] == '\r' &&
-         file.substr(end + 1, 1) != "\n";
-}
-
-/** The same file with new lines in all of its text. */
-std::string
-withNewLines(std::string_view file)
-{
-  std::string text(file);
-  const std::string last = "end_header\r";
-  const std::size_t end = text.find(last);
-  const bool has_text = end == std::string::npos || text.find("format ascii") < end;
-  std::replace(text.begin(),
-               has_text ? text.end()
-                        : text.begin() + static_cast<std::ptrdiff_t>(end + last.size()),
-               '\r',
-               '\n');
-  return text;
-}
-
 /** Takes the header off the file. */
 Header
 readHeader(const std::string& path, std::string_view& file, bool is_in_memory)
@@ -794,7 +769,7 @@ CloudFile
 decodePly(const std::string& path, std::string_view file)
 {
   if (hasOldLineEnds(file))
-    return decodePly(path, withNewLines(file));
+    return decodePly(path, withNewLines(file, "end_header", "format ascii"));
   Header header = readHeader(path, file, true);
   if (hasRows(header) && header.format != "ascii")
     readBinaryPoints(header.cloud, file);

@@ -307,7 +307,7 @@ TEST_F(Readers, PlyOfEitherOrderOfBytes)
   expectTwoPoints(decodeAnyCloud("-", binary_ply + body + bytesOf(two_points)));
 }
 
-TEST_F(Readers, PlyLinesThatEndWithACarriageReturnAlone) // as of Rhinoceros
+TEST_F(Readers, LinesThatEndWithACarriageReturnAlone) // as of Rhinoceros
 {
   const auto old = [](std::string text) {
     std::replace(text.begin(), text.end(), '\n', '\r');
@@ -319,6 +319,14 @@ TEST_F(Readers, PlyLinesThatEndWithACarriageReturnAlone) // as of Rhinoceros
     expectTwoPoints(
         decodeAnyCloud(name, old("ply\nformat ascii 1.0\n" + body + two_rows)));
   }
+  const std::string head = pcdHead("F F F");
+  expectTwoPoints(decodePcd(
+      "b.pcd", old("# .PCD\n" + head + "DATA binary\n") + bytesOf(two_points)));
+  expectTwoPoints(decodePcd("a.pcd", old(head + "DATA ascii\n" + two_rows)));
+  for (const char* const cut : {"V\r", "DATA\r", "VERSION 0.7\rDATA", "\r"})
+    EXPECT_THROW(decodePcd("cut.pcd", cut), InputError);
+  for (const char* const cut : {"ply\r", "ply\rformat ascii 1.0\rend_header"})
+    EXPECT_THROW(decodePly("cut.ply", cut), InputError);
   // A carriage return in the data is no line end.
   const std::string bytes(two_points.size() * sizeof(float), '\r');
   EXPECT_EQ(decodePly("data.ply", old(binary_ply + body) + bytes).blob.data,
