@@ -10,6 +10,7 @@
 #include "io/kitti_file.h"
 #include "io/pcd.h"
 #include "io/ply.h"
+#include "io/text.h"
 
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
@@ -67,7 +68,8 @@ protected:
       const pcl::PCLPointField* const same =
           f < ours.blob.fields.size() && ours.blob.fields[f].name == field.name
               ? &ours.blob.fields[f]
-              : findField(ours, field.name);
+          : findField(ours, field.name) ? findField(ours, field.name)
+                                        : findField(ours, toLower(field.name)); // X Y Z
       if (field.name == "_" || !same) {
         EXPECT_EQ(field.name, "_");
         continue;
