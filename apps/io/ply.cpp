@@ -36,7 +36,8 @@ constexpr PlyType ply_types[] = {{pcl::PCLPointField::INT8, "char", "int8"},
                                  {pcl::PCLPointField::INT32, "int", "int32"},
                                  {pcl::PCLPointField::UINT32, "uint", "uint32"},
                                  {pcl::PCLPointField::FLOAT32, "float", "float32"},
-                                 {pcl::PCLPointField::FLOAT64, "double", "float64"}};
+                                 {pcl::PCLPointField::FLOAT64, "double", "float64"},
+                                 {pcl::PCLPointField::BOOL, "uchar", "bool"}};
 
 std::optional<std::uint8_t>
 datatypeOf(std::string_view name)
@@ -51,8 +52,6 @@ datatypeOf(std::string_view name)
 const char*
 nameOf(std::uint8_t datatype)
 {
-  if (datatype == pcl::PCLPointField::BOOL)
-    return "uchar";
   for (const PlyType& type : ply_types)
     if (type.datatype == datatype)
       return type.name;

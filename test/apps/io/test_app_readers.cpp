@@ -553,6 +553,25 @@ TEST_F(Readers, BooleansStayBooleans)
   sameAsPcl("again.pcd", encodeCloud(cloud, PCDFormat::binary_compressed));
   EXPECT_EQ(labelsOf(decodePly("bool.ply", encodePly(cloud)), "is"),
             labelsOf(cloud, "is"));
+  const CloudFile ply = decodePly("pyntcloud.ply",
+                                  binary_ply + "element vertex 1\n" + xyz_properties +
+                                      "property bool is\nend_header\n" +
+                                      bytesOf(std::vector<float>{1, 2, 3}) + '\1');
+  EXPECT_EQ(ply.blob.fields.back().datatype, pcl::PCLPointField::BOOL);
+  EXPECT_EQ(labelsOf(ply, "is"), std::vector<std::uint32_t>{1});
+}
+
+TEST_F(Readers, PointersOfGitLfsAreNamed)
+{
+  for (const char* const name : {"a.pcd", "a.ply", "a.bin", "a"})
+    try {
+      decodeAnyCloud(name,
+                     "version https://git-lfs.github.com/spec/v1\noid sha256:0\n");
+      FAIL() << name;
+    }
+    catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("git lfs pull"), std::string::npos);
+    }
 }
 
 TEST_F(Readers, PlyColorsAndNormalsHaveThePclNames)
