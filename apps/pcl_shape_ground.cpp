@@ -66,10 +66,11 @@ addGround(CloudFile& file,
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < ground.size(); ++i)
     count += ground[i] = likelihood[i] >= threshold;
-  if (count == 0)
+  constexpr double few = 0.01; // scans of streets have 10 % and more, of halls some
+  if (static_cast<double>(count) < few * static_cast<double>(countFinite(*points)))
     logLine(arguments.app() + ": " + file.path +
-            ": warning: no ground was found; is -up " + arguments.text("up", "0,0,1") +
-            " right?");
+            ": warning: " + (count == 0 ? "no ground" : "very little ground") +
+            " was found; is -up " + arguments.text("up", "0,0,1") + " right?");
   const pcl::GroundParameters& used = segmentation.getParameters();
   report.setText("parameters", "up", arguments.text("up", "0,0,1"));
   report.setNumber("parameters", "max_slope_degrees", used.max_slope / degree);

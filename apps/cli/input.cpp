@@ -87,7 +87,7 @@ beforeFloat(const CloudFile& cloud,
 }
 
 void
-warnOfRounding(const Arguments& arguments, const CloudFile& cloud)
+warnOfRounding(const Arguments& arguments, const CloudFile& cloud, Report& report)
 {
   const auto &x = *findField(cloud, "x"), &y = *findField(cloud, "y"),
              &z = *findField(cloud, "z");
@@ -106,6 +106,7 @@ warnOfRounding(const Arguments& arguments, const CloudFile& cloud)
                                  : pcl::destructiveFloatSpacing(cloud.size(), pointAt);
   if (step == 0.0)
     return;
+  report.setFlag("parameters", "rounded_coordinates", true);
   char text[128]; // two numbers of up to 12 characters
   std::snprintf(
       text,
@@ -185,7 +186,7 @@ chooseOffset(const Arguments& arguments, CloudFile& cloud, Report& report)
   if (given || exceed_floats)
     report.setJson("parameters", "offset", cloud.offset);
   if (!exceed_floats || given)
-    warnOfRounding(arguments, cloud);
+    warnOfRounding(arguments, cloud, report);
 }
 
 CloudFile

@@ -64,6 +64,12 @@ Report::setFlag(const std::string& section, const std::string& name, bool value)
   setJson(section, name, value);
 }
 
+bool
+Report::hasFlag(const std::string& section, const std::string& name) const
+{
+  return sections_->value(section, Json::object()).value(name, false);
+}
+
 std::uint64_t
 Report::count(const std::string& section, const std::string& name) const
 {

@@ -50,6 +50,9 @@ public:
     return stage();
   }
 
+  /** \brief Whether a flag was set to true. */
+  bool hasFlag(const std::string& section, const std::string& name) const;
+
   /** \brief A value that was set. \throws std::exception if it was not */
   std::uint64_t count(const std::string& section, const std::string& name) const;
 

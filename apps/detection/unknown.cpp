@@ -69,7 +69,8 @@ areMany(const pcl::XYZView& points, const std::vector<float>& values)
 void
 addReasons(const std::string& path, const pcl::UnknownPoints& points, Report& report)
 {
-  if (points.rounded < points.unknown) // else chooseOffset() has said it
+  const bool is_said = report.hasFlag("parameters", "rounded_coordinates");
+  if (points.rounded < points.unknown || !is_said) // by chooseOffset()
     logLine(path + ": warning: " + std::to_string(points.unknown) + " of " +
             std::to_string(points.finite) +
             " points got no answer: " + reasonsOf(points));

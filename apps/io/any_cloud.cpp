@@ -4,6 +4,7 @@
 
 #include "io/any_cloud.h"
 
+#include "io/errors.h"
 #include "io/files.h"
 #include "io/kitti_file.h"
 #include "io/ply.h"
@@ -29,6 +30,10 @@ endingOf(const std::string& path)
 CloudFormat
 cloudFormatOf(const std::string& path, std::string_view head, unsigned floats)
 {
+  constexpr std::string_view pointer = "version https://git-lfs";
+  if (head.substr(0, pointer.size()) == pointer)
+    throw InputError(path + ": a pointer of Git LFS; expected the file itself, which "
+                            "'git lfs pull' fetches");
   const std::string ending = endingOf(path);
   if (ending == ".pcd")
     return CloudFormat::pcd;
@@ -38,10 +43,8 @@ cloudFormatOf(const std::string& path, std::string_view head, unsigned floats)
     return CloudFormat::ply;
   if (floats > 0)
     return CloudFormat::kitti;
-  head = withoutByteOrderMark(head);
-  return splitWords(takeLine(head)) == std::vector<std::string_view>{"ply"}
-             ? CloudFormat::ply
-             : CloudFormat::pcd;
+  return withoutByteOrderMark(head).substr(0, 3) == "ply" ? CloudFormat::ply
+                                                          : CloudFormat::pcd;
 }
 
 CloudFile

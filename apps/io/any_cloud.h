@@ -24,7 +24,7 @@ enum class CloudFormat { pcd, ply, kitti };
 /** \brief The format that the path's ending says, in whatever case: .bin is a
  * velodyne/NAME.bin of KITTI. With another ending a file is KITTI's if the floats of
  * a point are given, PLY if it begins so, else PCD. \param[in] head the first bytes of
- * the file */
+ * the file. \throws InputError if it is a pointer of Git LFS */
 CloudFormat
 cloudFormatOf(const std::string& path, std::string_view head, unsigned floats);
 

@@ -62,7 +62,8 @@ public:
     return found == lines_.end() ? nullptr : &found->second;
   }
 
-  /** The words after a keyword; \p count of them. */
+  /** The words after a keyword; \p count of them, or after a single one whatever PCL
+   * does not look at, such as a remark. */
   const Words& words(const std::string& keyword, std::size_t count) const;
 
   std::uint64_t integer(const std::string& keyword, std::uint64_t max) const;
@@ -132,7 +133,8 @@ HeaderLines::words(const std::string& keyword, std::size_t count) const
   const Words* const found = find(keyword);
   if (!found)
     fail(path_, "the header has no " + keyword + " line", "a complete PCD header");
-  if (found->size() != count)
+  const bool fits = count == 1 ? !found->empty() : found->size() == count;
+  if (!fits)
     fail(path_,
          keyword + " has " + std::to_string(found->size()) + " values",
          std::to_string(count));
@@ -149,6 +151,13 @@ HeaderLines::integer(const std::string& keyword, std::uint64_t max) const
          keyword + " is " + inQuotes(word),
          "a whole number from 1 to " + std::to_string(max));
   return *value;
+}
+
+bool
+isCoordinate(std::string_view name)
+{
+  const std::string lower = toLower(name);
+  return lower == "x" || lower == "y" || lower == "z";
 }
 
 void
@@ -177,6 +186,8 @@ readFields(const HeaderLines& lines, CloudFile& cloud)
            "SIZE 1, 2, 4 or 8 with TYPE I or U, SIZE 4 or 8 with TYPE F, SIZE 1 with "
            "TYPE B");
     const auto count = wholeNumber(counts[i]);
+    if (count == 0 && !isCoordinate(name))
+      continue; // as in PCL: some write padding of no bytes
     if (!count || *count == 0 || *count > max_count)
       fail(cloud.path,
            field + " has COUNT " + inQuotes(counts[i]),
@@ -190,6 +201,8 @@ readFields(const HeaderLines& lines, CloudFile& cloud)
            "a point has more than " + std::to_string(max_bytes) + " bytes",
            "fewer fields or smaller COUNT");
   }
+  if (cloud.blob.fields.empty())
+    fail(cloud.path, "every COUNT is 0", "at least x y z with 1");
   cloud.blob.point_step = static_cast<std::uint32_t>(step);
 }
 
@@ -384,7 +397,10 @@ PCDFormat
 formatBy(const HeaderLines& lines, const std::string& path)
 {
   const std::string_view word = lines.words("DATA", 1).front();
-  const auto format = formatOf(word);
+  // As in PCL, text may begin without a new line; what is on this one is lost.
+  constexpr std::size_t letters = 5;
+  const bool is_ascii = toLower(word.substr(0, letters)) == nameOf(PCDFormat::ascii);
+  const auto format = is_ascii ? PCDFormat::ascii : formatOf(word);
   if (!format)
     fail(path, "DATA is " + inQuotes(word), "ascii, binary or binary_compressed");
   return *format;
@@ -513,7 +529,7 @@ readAsciiPoints(CloudFile& cloud, std::string_view body)
       fail(cloud.path,
            "point " + std::to_string(row) + " has " + std::to_string(words.size()) +
                " columns",
-           std::to_string(columns) + " by FIELDS and COUNT");
+           std::to_string(columns) + " by FIELDS and COUNT, with blanks between them");
     readRow(cloud, words, row++);
   }
   if (row < cloud.size())
@@ -535,6 +551,8 @@ readBinaryPoints(CloudFile& cloud, std::string_view body)
 std::optional<PointRows>
 rowsOfPcd(const std::string& path, std::string_view head)
 {
+  if (hasOldLineEnds(head))
+    return std::nullopt;
   const HeaderLines lines(path, head);
   const PCDFormat format = formatBy(lines, path);
   if (format == PCDFormat::binary_compressed)
@@ -553,6 +571,8 @@ finishPcd(CloudFile& cloud)
 CloudFile
 decodePcd(const std::string& path, std::string_view file)
 {
+  if (hasOldLineEnds(file))
+    return decodePcd(path, withNewLines(file, "DATA", "DATA ascii"));
   const HeaderLines lines(path, file);
   CloudFile cloud = describedBy(lines, path, true);
   const PCDFormat format = formatBy(lines, path);

@@ -36,7 +36,8 @@ constexpr PlyType ply_types[] = {{pcl::PCLPointField::INT8, "char", "int8"},
                                  {pcl::PCLPointField::INT32, "int", "int32"},
                                  {pcl::PCLPointField::UINT32, "uint", "uint32"},
                                  {pcl::PCLPointField::FLOAT32, "float", "float32"},
-                                 {pcl::PCLPointField::FLOAT64, "double", "float64"}};
+                                 {pcl::PCLPointField::FLOAT64, "double", "float64"},
+                                 {pcl::PCLPointField::BOOL, "uchar", "bool"}};
 
 std::optional<std::uint8_t>
 datatypeOf(std::string_view name)
@@ -51,8 +52,6 @@ datatypeOf(std::string_view name)
 const char*
 nameOf(std::uint8_t datatype)
 {
-  if (datatype == pcl::PCLPointField::BOOL)
-    return "uchar";
   for (const PlyType& type : ply_types)
     if (type.datatype == datatype)
       return type.name;
@@ -78,7 +77,8 @@ struct Header {
   std::uint32_t columns = 0, rows = 0;
   std::vector<Element> elements;
   std::string format;
-  bool is_in_memory = true; ///< all of the file
+  bool is_in_memory = true;   ///< all of the file
+  bool is_in_element = false; ///< the last line described one
 };
 
 bool
@@ -172,6 +172,8 @@ void
 readLine(const Words& words, Header& header)
 {
   const std::string_view keyword = words.front();
+  const bool was_in_element = header.is_in_element;
+  header.is_in_element = keyword == "element" || keyword == "property";
   if (keyword == "comment")
     readViewpoint(words, header.cloud);
   else if (keyword == "element")
@@ -194,7 +196,7 @@ readLine(const Words& words, Header& header)
     else if (value && words[1] == "num_rows")
       header.rows = *value;
   }
-  else
+  else if (was_in_element) // elsewhere it is a comment's second line, as PCL sees it
     fail(header.cloud.path,
          "the header has a line " + inQuotes(keyword),
          "format, comment, obj_info, element, property or end_header");
@@ -752,6 +754,8 @@ appendPoints(const CloudFile& cloud, bool is_text, std::string& text)
 std::optional<PointRows>
 rowsOfPly(const std::string& path, std::string_view head)
 {
+  if (hasOldLineEnds(head))
+    return std::nullopt;
   std::string_view rest = head;
   Header header = readHeader(path, rest, false);
   if (!hasRows(header))
@@ -763,6 +767,8 @@ rowsOfPly(const std::string& path, std::string_view head)
 CloudFile
 decodePly(const std::string& path, std::string_view file)
 {
+  if (hasOldLineEnds(file))
+    return decodePly(path, withNewLines(file, "end_header", "format ascii"));
   Header header = readHeader(path, file, true);
   if (hasRows(header) && header.format != "ascii")
     readBinaryPoints(header.cloud, file);

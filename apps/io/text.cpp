@@ -77,6 +77,27 @@ withoutByteOrderMark(std::string_view text)
   return text.substr(0, mark.size()) == mark ? text.substr(mark.size()) : text;
 }
 
+bool
+hasOldLineEnds(std::string_view text)
+{
+  const std::size_t end = text.find_first_of("\r\n");
+  return end != std::string_view::npos && text[end] == '\r' &&
+         text.substr(end + 1, 1) != "\n";
+}
+
+std::string
+withNewLines(std::string_view file, std::string_view last, std::string_view mark)
+{
+  std::string text(file);
+  const std::size_t last_line = text.find('\r' + std::string(last));
+  const std::size_t end = text.find('\r', std::min(last_line, text.size() - 1) + 1);
+  const bool has_text = text.substr(0, end).find(mark) != std::string::npos;
+  const std::size_t size = has_text ? text.size() : std::min(end, text.size() - 1) + 1;
+  std::replace(
+      text.begin(), text.begin() + static_cast<std::ptrdiff_t>(size), '\r', '\n');
+  return text;
+}
+
 std::string_view
 takeLine(std::string_view& text)
 {

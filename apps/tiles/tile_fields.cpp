@@ -433,7 +433,8 @@ requireFew(std::uint64_t unknown, std::uint64_t places)
     throw InputError(std::to_string(unknown) + " of " + std::to_string(places) +
                      " places got no edge likelihood, as in clouds of very uneven "
                      "density: pcl_shape_detect samples such a cloud evenly, which "
-                     "cannot be done in tiles; expected at most 2 %");
+                     "cannot be done in tiles, and says why in others; expected at "
+                     "most 2 %");
 }
 
 /** \param[in] name of results that begin with the number of their tile */

@@ -221,8 +221,8 @@ styleOf(std::int64_t label,
   return result;
 }
 
-/** Whether the field holds labels: a known name, or whole numbers of which not too many
- * differ. */
+/** Whether the field holds labels: a known name, or whole numbers, not too large, of
+ * which not too many differ. */
 bool
 hasLabels(const CloudFile& cloud,
           const std::string& field,
@@ -234,7 +234,8 @@ hasLabels(const CloudFile& cloud,
   if (type == pcl::PCLPointField::FLOAT32 || type == pcl::PCLPointField::FLOAT64)
     return false;
   const std::set<double> different(values.begin(), values.end());
-  return different.size() <= max_labels;
+  return different.size() <= max_labels &&
+         std::all_of(different.begin(), different.end(), isWhole); // no nanoseconds
 }
 
 /** The place of label 0 in the legend, if it means that there is nothing at a point. */

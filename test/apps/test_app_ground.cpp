@@ -98,6 +98,28 @@ TEST_F(AppGround, WithoutGroundItWarns)
   EXPECT_EQ(std::count(ground.begin(), ground.end(), 0u), 1600);
 }
 
+TEST_F(AppGround, OfATiltedScanItWarns)
+{
+  // A road seen by a sensor that leans by 45 degrees, and a few points that are level.
+  const auto row = [](double x, double y, double z) {
+    return std::to_string(x) + ' ' + std::to_string(y) + ' ' + std::to_string(z);
+  };
+  std::vector<std::string> rows;
+  for (int i = 0; i < 100; ++i)
+    for (int k = 0; k < 100; ++k)
+      rows.push_back(row(0.1 * i, 0.1 * k, 5.0 + 0.1 * i));
+  for (int i = 0; i < 81; ++i)
+    rows.push_back(row(-0.5 - 0.3 * (i % 9), 0.3 * (i / 9), -2.0));
+  const std::string in = file("tilted.pcd", asciiCloud("x y z", "F F F", rows));
+  const std::string out = path("out.pcd");
+  const Outcome level = runApp(app, {in, out});
+  EXPECT_NE(level.err.find("very little ground was found; is -up 0,0,1 right?"),
+            std::string::npos)
+      << level.err;
+  const Outcome right = runApp(app, {in, out, "-up", "-0.7071,0,0.7071"});
+  EXPECT_EQ(right.err, "");
+}
+
 TEST_F(AppGround, UpIsAnOption)
 {
   const std::string in =

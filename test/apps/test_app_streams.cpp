@@ -247,6 +247,47 @@ TEST_F(Streams, CoordinatesThatFloatDestroyedGiveAWarning)
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 
+TEST_F(Streams, FillersDoNotMoveTheOffset)
+{
+  const CloudFile clean = movedFold(500000, 5400000, 300);
+  const pcl::DoubleXYZ points = coordinatesOf(clean);
+  for (const double filler : {0.0, -9999.0}) {
+    CloudFile cloud = clean;
+    const std::array<double, 3> place{filler, filler, filler};
+    for (std::size_t i = 0; i < points.size() / 2; ++i) {
+      const auto* const bytes = reinterpret_cast<const std::uint8_t*>(place.data());
+      cloud.blob.data.insert(
+          cloud.blob.data.end(), bytes, bytes + cloud.blob.point_step);
+      ++cloud.blob.width;
+    }
+    ASSERT_EQ(cloud.blob.point_step, sizeof(place));
+    writeFile(path("fillers.pcd"), encodeCloud(cloud, PCDFormat::binary));
+    const Outcome outcome = runApp(edges, {path("fillers.pcd"), path("out.pcd")});
+    EXPECT_NE(outcome.err.find("offset 500000,5400000,301"), std::string::npos)
+        << outcome.err;
+    EXPECT_NE(outcome.err.find("900 of 2700 points got no answer"), std::string::npos)
+        << outcome.err;
+    const auto found = labelsOf(readAnyCloud(path("out.pcd")), "edge");
+    EXPECT_GT(std::count(found.begin(), found.end(), 1u), 0) << filler;
+  }
+}
+
+TEST_F(Streams, SitesTooFarApartForOneOffsetAreSaid)
+{
+  CloudFile cloud = movedFold(500000, 5400000, 300);
+  const CloudFile near = movedFold(0, 0, 0);
+  for (int sites = 0; sites < 2; ++sites) {
+    cloud.blob.data.insert(
+        cloud.blob.data.end(), near.blob.data.begin(), near.blob.data.end());
+    cloud.blob.width += near.blob.width;
+  }
+  writeFile(path("sites.pcd"), encodeCloud(cloud, PCDFormat::binary));
+  const Outcome outcome = runApp(edges, {path("sites.pcd"), path("out.pcd")});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("coordinates too large for float"), std::string::npos)
+      << outcome.err;
+}
+
 TEST_F(Streams, ALimitOfTheFileSizeLeavesNothing)
 {
   fold("in.pcd");

@@ -63,6 +63,20 @@ protected:
   }
 };
 
+TEST_F(ViewerPages, ShowTimesInNanosecondsAsNumbers)
+{
+  const std::string cloud =
+      "FIELDS x y z t\nSIZE 4 4 4 8\nTYPE F F F U\nPOINTS 2\nDATA "
+      "ascii\n0 0 1 1700000000000000000\n0 1 1 1700000000000000100\n";
+  const Json header = headerOf(pageOf({file("times.pcd", cloud)}));
+  for (const Json& field : header["fields"])
+    if (field["name"] == "t") {
+      EXPECT_EQ(field["kind"], "numbers");
+      return;
+    }
+  FAIL() << "the page has no field t";
+}
+
 TEST_F(ViewerPages, HaveAllFieldsAndWhatIsKnownOfThem)
 {
   const Json header = headerOf(

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -118,10 +119,33 @@ coordinateOffset(const CoordinateScale& scale)
   return offset;
 }
 
-inline std::array<double, 3>
-coordinateOffset(const DoubleXYZ& points)
+/** \brief The finite points, sorted. Of a place where more than a percent of them are,
+ * as the 0,0,0 or -9999 that stands for no return, one. */
+inline DoubleXYZ
+withoutFillers(DoubleXYZ points)
 {
-  return coordinateOffset(coordinateScale(points));
+  const auto isNotFinite = [](const std::array<double, 3>& p) {
+    return !std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]);
+  };
+  points.erase(std::remove_if(points.begin(), points.end(), isNotFinite), points.end());
+  std::sort(points.begin(), points.end());
+  const std::size_t most = std::max<std::size_t>(1, points.size() / 100);
+  auto to = points.begin();
+  for (auto place = points.begin(); place != points.end();) {
+    const auto next = std::upper_bound(place, points.end(), *place);
+    const bool are_fillers = static_cast<std::size_t>(next - place) > most;
+    to = std::copy(are_fillers ? next - 1 : place, next, to);
+    place = next;
+  }
+  points.erase(to, points.end());
+  return points;
+}
+
+/** \brief The same of points, without the fillers among them. */
+inline std::array<double, 3>
+coordinateOffset(DoubleXYZ points)
+{
+  return coordinateOffset(coordinateScale(withoutFillers(std::move(points))));
 }
 
 /** \brief The distance between neighboring floats at the largest coordinate of points

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <random>
 #include <string>
@@ -67,6 +68,15 @@ plyOf(const std::string& format, const std::string& body)
          body;
 }
 
+/** \brief With carriage returns alone, up to and with the line that begins so. */
+std::string
+withOldLineEnds(std::string file, const std::string& last)
+{
+  const auto end = static_cast<std::ptrdiff_t>(file.find('\n', file.find(last)) + 1);
+  std::replace(file.begin(), file.begin() + end, '\n', '\r');
+  return file;
+}
+
 struct Whole {
   std::string name, contents;
 };
@@ -81,6 +91,12 @@ wholeFiles()
   return {
       {"ascii.pcd", encodeAnyCloud("a.pcd", cloud, PCDFormat::ascii)},
       {"binary.pcd", encodeAnyCloud("a.pcd", cloud, PCDFormat::binary)},
+      {"old.pcd",
+       withOldLineEnds(encodeAnyCloud("a.pcd", cloud, PCDFormat::binary), "DATA")},
+      {"old.ply",
+       withOldLineEnds(
+           plyOf("binary_little_endian", std::string(4, '\0') + list + vertex),
+           "end_header")},
       {"compressed.pcd", encodeAnyCloud("a.pcd", cloud, PCDFormat::binary_compressed)},
       {"ascii.ply", plyOf("ascii", "1\n1 2 3 4 5 6 1 5\n1 2 3 4 5 6 0\n")},
       {"little.ply",

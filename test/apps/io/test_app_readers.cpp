@@ -10,6 +10,7 @@
 #include "io/kitti_file.h"
 #include "io/pcd.h"
 #include "io/ply.h"
+#include "io/text.h"
 
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
@@ -67,7 +68,8 @@ protected:
       const pcl::PCLPointField* const same =
           f < ours.blob.fields.size() && ours.blob.fields[f].name == field.name
               ? &ours.blob.fields[f]
-              : findField(ours, field.name);
+          : findField(ours, field.name) ? findField(ours, field.name)
+                                        : findField(ours, toLower(field.name)); // X Y Z
       if (field.name == "_" || !same) {
         EXPECT_EQ(field.name, "_");
         continue;
@@ -160,6 +162,36 @@ TEST_F(Readers, OldPcdHeaders)
       "width.pcd",
       "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 1\nDATA ascii\n" +
           two_rows));
+}
+
+TEST_F(Readers, PaddingOfNoBytes)
+{
+  const std::string head =
+      "VERSION 0.7\nFIELDS x y _ z _\nSIZE 4 4 1 4 1\nTYPE F F U F U\nCOUNT 1 1 0 1 "
+      "4\nWIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA binary\n";
+  std::vector<float> values;
+  for (std::size_t i = 0; i < two_points.size(); ++i) {
+    values.push_back(two_points[i]);
+    if (i % 3 == 2)
+      values.push_back(0.0f); // the padding of four bytes
+  }
+  expectTwoPoints(sameAsPcl("hesai.pcd", head + bytesOf(values)));
+  EXPECT_THROW(decodePcd("none.pcd",
+                         "FIELDS a b\nSIZE 4 4\nTYPE F F\nCOUNT 0 0\nPOINTS 1\nDATA "
+                         "binary\n"),
+               InputError);
+}
+
+TEST_F(Readers, WhatFollowsTheValueOfAPcdHeader)
+{
+  expectTwoPoints(
+      sameAsPcl("remarks.pcd",
+                "VERSION 0.7 made by hand\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F "
+                "F\nCOUNT 1 1 1\nWIDTH 2 # columns\nHEIGHT 1 # row\nPOINTS 2 "
+                "#\nDATA ascii # rows follow\n" +
+                    two_rows));
+  expectTwoPoints(sameAsPcl("no_line_end.pcd",
+                            pcdHead("F F F") + "DATA ascii-1.5 2 3\n" + two_rows));
 }
 
 TEST_F(Readers, NumbersAsOthersWriteThem)
@@ -275,6 +307,49 @@ TEST_F(Readers, PlyOfEitherOrderOfBytes)
                                 reversed(bytesOf(two_points), sizeof(float))));
   expectTwoPoints(decodeAnyCloud("SCAN.PLY", binary_ply + body + bytesOf(two_points)));
   expectTwoPoints(decodeAnyCloud("-", binary_ply + body + bytesOf(two_points)));
+}
+
+TEST_F(Readers, LinesThatEndWithACarriageReturnAlone) // as of Rhinoceros
+{
+  const auto old = [](std::string text) {
+    std::replace(text.begin(), text.end(), '\n', '\r');
+    return text;
+  };
+  const std::string body = "element vertex 2\n" + xyz_properties + "end_header\n";
+  for (const char* const name : {"old.ply", "old"}) {
+    expectTwoPoints(decodeAnyCloud(name, old(binary_ply + body) + bytesOf(two_points)));
+    expectTwoPoints(
+        decodeAnyCloud(name, old("ply\nformat ascii 1.0\n" + body + two_rows)));
+  }
+  const std::string head = pcdHead("F F F");
+  expectTwoPoints(decodePcd(
+      "b.pcd", old("# .PCD\n" + head + "DATA binary\n") + bytesOf(two_points)));
+  expectTwoPoints(decodePcd("a.pcd", old(head + "DATA ascii\n" + two_rows)));
+  for (const char* const cut : {"V\r", "DATA\r", "VERSION 0.7\rDATA", "\r"})
+    EXPECT_THROW(decodePcd("cut.pcd", cut), InputError);
+  for (const char* const cut : {"ply\r", "ply\rformat ascii 1.0\rend_header"})
+    EXPECT_THROW(decodePly("cut.ply", cut), InputError);
+  // A carriage return in the data is no line end.
+  const std::string bytes(two_points.size() * sizeof(float), '\r');
+  EXPECT_EQ(decodePly("data.ply", old(binary_ply + body) + bytes).blob.data,
+            std::vector<std::uint8_t>(bytes.size(), '\r'));
+}
+
+TEST_F(Readers, PlyCommentsOfSeveralLines)
+{
+  const std::string body = "element vertex 2\n" + xyz_properties + "end_header\n";
+  expectTwoPoints(sameAsPcl("blender.ply",
+                            "ply\nformat ascii 1.0\nCreated by Blender3D 247, source "
+                            "file:\n" +
+                                body + two_rows));
+  expectTwoPoints(sameAsPcl("two.ply",
+                            "ply\nformat ascii 1.0\ncomment one\n  and two\nand "
+                            "three\n" +
+                                body + two_rows));
+  EXPECT_THROW(decodePly("word.ply",
+                         "ply\nformat ascii 1.0\nelement vertex 2\n" + xyz_properties +
+                             "propertx float a\nend_header\n" + two_rows),
+               InputError);
 }
 
 TEST_F(Readers, PlyListsAndOtherElements)
@@ -478,6 +553,25 @@ TEST_F(Readers, BooleansStayBooleans)
   sameAsPcl("again.pcd", encodeCloud(cloud, PCDFormat::binary_compressed));
   EXPECT_EQ(labelsOf(decodePly("bool.ply", encodePly(cloud)), "is"),
             labelsOf(cloud, "is"));
+  const CloudFile ply = decodePly("pyntcloud.ply",
+                                  binary_ply + "element vertex 1\n" + xyz_properties +
+                                      "property bool is\nend_header\n" +
+                                      bytesOf(std::vector<float>{1, 2, 3}) + '\1');
+  EXPECT_EQ(ply.blob.fields.back().datatype, pcl::PCLPointField::BOOL);
+  EXPECT_EQ(labelsOf(ply, "is"), std::vector<std::uint32_t>{1});
+}
+
+TEST_F(Readers, PointersOfGitLfsAreNamed)
+{
+  for (const char* const name : {"a.pcd", "a.ply", "a.bin", "a"})
+    try {
+      decodeAnyCloud(name,
+                     "version https://git-lfs.github.com/spec/v1\noid sha256:0\n");
+      FAIL() << name;
+    }
+    catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("git lfs pull"), std::string::npos);
+    }
 }
 
 TEST_F(Readers, PlyColorsAndNormalsHaveThePclNames)
