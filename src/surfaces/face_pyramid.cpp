@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -40,6 +41,9 @@ constexpr double layer_noise = 0.1;
 // Of a layer's points: half of a sheet with normal noise is 2.7 of its own off the
 // other.
 constexpr float layer_deviations = 3.0f;
+// Of both, and of the noise: halves of an even thickness are 3.5 of their own apart.
+constexpr float sheet_deviations = 5.0f;
+constexpr float one_sheet = std::numeric_limits<float>::infinity();
 
 using Link = FaceLink;
 
@@ -98,10 +102,74 @@ struct NodesOfCells {
   std::vector<std::uint32_t> point_of_node;
 };
 
-/** Adds the nodes of a cell: of its points those with similar normals. */
+/** Where sorted heights are those of two sheets: how many are below. The squares of
+ * heights about the means of both are least there. \return 0 where they are of one */
+std::size_t
+endOfLowerSheet(const std::vector<float>& heights, float min_distance)
+{
+  const auto count = static_cast<float>(heights.size());
+  const float sum = std::accumulate(heights.begin(), heights.end(), 0.0f);
+  const float squares =
+      std::inner_product(heights.begin(), heights.end(), heights.begin(), 0.0f);
+  std::size_t end = 0;
+  float least = std::numeric_limits<float>::infinity(), apart = 0.0f, below = 0.0f;
+  for (std::size_t k = 1; k < heights.size(); ++k) {
+    below += heights[k - 1];
+    const auto size = static_cast<float>(k);
+    const float low = below / size, high = (sum - below) / (count - size);
+    const float left = squares - size * low * low - (count - size) * high * high;
+    if (left >= least)
+      continue;
+    least = left;
+    apart = high - low;
+    end = k;
+  }
+  const float deviation = std::sqrt(std::max(0.0f, least) / count);
+  return apart > std::max(min_distance, sheet_deviations * deviation) ? end : 0;
+}
+
+/** Leaves of points with similar normals those on the sheet of the first one. */
+void
+keepFirstSheet(const XYZView& points,
+               const ShapeField& field,
+               float min_distance,
+               std::vector<std::uint32_t>& members)
+{
+  const Vector3f first = positionOf(points, members.front());
+  Vector3f normal = Vector3f::Zero();
+  for (const std::uint32_t i : members)
+    normal += aligned(field.normals[members.front()], field.normals[i]);
+  normal.normalize();
+  const auto height_of = [&](std::uint32_t i) {
+    return normal.dot(positionOf(points, i) - first);
+  };
+  std::vector<float> heights;
+  heights.reserve(members.size());
+  for (const std::uint32_t i : members)
+    heights.push_back(height_of(i));
+  std::sort(heights.begin(), heights.end());
+  while (const std::size_t end = endOfLowerSheet(heights, min_distance)) {
+    const auto border = heights.begin() + static_cast<std::ptrdiff_t>(end);
+    if (*border > 0.0f)
+      heights.erase(border, heights.end());
+    else
+      heights.erase(heights.begin(), border);
+  }
+  members.erase(std::remove_if(members.begin(),
+                               members.end(),
+                               [&](std::uint32_t i) {
+                                 const float height = height_of(i);
+                                 return height < heights.front() ||
+                                        height > heights.back();
+                               }),
+                members.end());
+}
+
+/** Adds the nodes of a cell: of its points those with similar normals, on one sheet. */
 void
 addNodes(const XYZView& points,
          const ShapeField& field,
+         float min_distance,
          std::vector<CellPoint>::iterator begin,
          std::vector<CellPoint>::iterator end,
          std::vector<std::uint32_t>& node_of_point,
@@ -113,19 +181,24 @@ addNodes(const XYZView& points,
   std::vector<std::uint32_t> members;
   for (auto rest = begin; rest != end;) {
     const Vector3f& normal = field.normals[rest->point];
-    members.clear();
-    const auto is_of_node = [&](const CellPoint& p) {
+    const auto is_similar = [&](const CellPoint& p) {
       return std::abs(field.normals[p.point].dot(normal)) > same_face;
     };
-    const auto next = std::stable_partition(rest, end, is_of_node);
-    if (next == rest) { // a normal that is not of length 1
+    members.clear();
+    for (auto p = rest; p != end; ++p)
+      if (is_similar(*p))
+        members.push_back(p->point);
+    if (members.empty()) { // a normal that is not of length 1
       ++rest;
       continue;
     }
-    for (; rest != next; ++rest) {
-      members.push_back(rest->point);
-      node_of_point[rest->point] = static_cast<std::uint32_t>(nodes.level.nodes.size());
-    }
+    if (min_distance < one_sheet)
+      keepFirstSheet(points, field, min_distance, members);
+    for (const std::uint32_t i : members)
+      node_of_point[i] = static_cast<std::uint32_t>(nodes.level.nodes.size());
+    rest = std::stable_partition(rest, end, [&](const CellPoint& p) {
+      return node_of_point[p.point] != FacePyramid::none;
+    });
     nodes.point_of_node.push_back(members.front());
     addNode(points, field, members, nodes.level);
   }
@@ -142,6 +215,7 @@ append(const std::vector<T>& more, std::vector<T>& all)
 void
 collectNodes(const XYZView& points,
              const ShapeField& field,
+             float min_distance,
              unsigned threads,
              FacePyramid& pyramid)
 {
@@ -156,7 +230,13 @@ collectNodes(const XYZView& points,
   std::vector<NodesOfCells> parts((cells + part - 1) / part);
   kernels::parallelFor(parts.size(), threads, [&](std::size_t p) {
     for (std::size_t cell = p * part; cell < std::min(cells, (p + 1) * part); ++cell)
-      addNodes(points, field, at(cell), at(cell + 1), pyramid.node_of_point, parts[p]);
+      addNodes(points,
+               field,
+               min_distance,
+               at(cell),
+               at(cell + 1),
+               pyramid.node_of_point,
+               parts[p]);
   });
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const auto before = static_cast<std::uint32_t>(level.nodes.size());
@@ -170,22 +250,30 @@ collectNodes(const XYZView& points,
   }
 }
 
-/** Whether one node may follow the other on a face. */
-bool
-areOfOneFace(const FaceNode& a, const FaceNode& b)
-{
-  const Vector3f offset = b.position - a.position;
-  const float rise = max_rise * offset.norm();
-  return std::abs(a.normal.dot(b.normal)) > same_face &&
-         std::abs(offset.dot(a.normal)) < rise && std::abs(offset.dot(b.normal)) < rise;
-}
-
 /** The standard deviation of a node's points along a direction. */
 float
 thickness(const FaceLevel& level, std::uint32_t node, const Vector3f& normal)
 {
   const float squares = normal.dot(level.scatters[node] * normal);
   return std::sqrt(std::max(0.0f, squares) / level.nodes[node].count);
+}
+
+/** Whether one node may follow the other on a face. */
+bool
+areOfOneFace(const FaceLevel& level,
+             std::uint32_t i,
+             std::uint32_t j,
+             float min_distance)
+{
+  const FaceNode &a = level.nodes[i], &b = level.nodes[j];
+  const Vector3f offset = b.position - a.position;
+  const float height =
+      std::max(std::abs(offset.dot(a.normal)), std::abs(offset.dot(b.normal)));
+  return std::abs(a.normal.dot(b.normal)) > same_face &&
+         height < max_rise * offset.norm() &&
+         (height < min_distance ||
+          height < sheet_deviations * std::max(thickness(level, i, a.normal),
+                                               thickness(level, j, b.normal)));
 }
 
 /** Layers of the sheet that a node is on, above or below it, in their order: sums over
@@ -248,7 +336,7 @@ forEachLink(const FaceLevel& level, const Visit& visit)
 }
 
 void
-linkFirst(FaceLevel& level, unsigned threads)
+linkFirst(FaceLevel& level, float min_distance, unsigned threads)
 {
   const PointGrid grid(positionsOf(level.nodes), link_cells * level.cell);
   const auto reachOf = [&](const FaceNode& node) {
@@ -261,7 +349,8 @@ linkFirst(FaceLevel& level, unsigned threads)
           const FaceNode& other = level.nodes[j];
           const float back = reachOf(other);
           const bool is_found_from_there = squared < back * back;
-          if (j == i || (is_found_from_there && j < i) || !areOfOneFace(node, other))
+          if (j == i || (is_found_from_there && j < i) ||
+              !areOfOneFace(level, i, j, min_distance))
             return;
           links.emplace_back(i, j);
           links.emplace_back(j, i);
@@ -326,13 +415,13 @@ refineNormals(FaceLevel& level, unsigned threads)
 }
 
 void
-cutLinks(FaceLevel& level)
+cutLinks(FaceLevel& level, float min_distance)
 {
   std::size_t kept = 0;
   for (std::uint32_t i = 0, begin = 0; i < level.nodes.size(); ++i) {
     const std::uint32_t end = level.link_begins[i + 1];
     for (; begin < end; ++begin)
-      if (areOfOneFace(level.nodes[i], level.nodes[level.links[begin]]))
+      if (areOfOneFace(level, i, level.links[begin], min_distance))
         level.links[kept++] = level.links[begin];
     level.link_begins[i + 1] = static_cast<std::uint32_t>(kept);
   }
@@ -475,12 +564,16 @@ firstFaces(const XYZView& points,
   first.cell = firstCell(field.noise, spacing);
   if (!(first.cell > 0.0f)) // half of the points share a place with 12 others
     return {};
-  collectNodes(points, field, threads, pyramid);
-  if (field.noise > layer_noise)
+  const bool are_thick = field.noise > layer_noise;
+  const float min_distance =
+      are_thick ? sheet_deviations * static_cast<float>(field.noise) * spacing
+                : one_sheet;
+  collectNodes(points, field, min_distance, threads, pyramid);
+  if (are_thick)
     joinLayers(first, threads);
-  linkFirst(first, threads);
+  linkFirst(first, min_distance, threads);
   refineNormals(first, threads);
-  cutLinks(first);
+  cutLinks(first, min_distance);
   refineNormals(first, threads);
   return pyramid;
 }
@@ -491,7 +584,7 @@ addLevels(std::size_t levels, FacePyramid& pyramid, unsigned threads)
   while (pyramid.levels.size() < levels) {
     FaceLevel next = nextLevel(pyramid.levels.back(), threads);
     refineNormals(next, threads);
-    cutLinks(next);
+    cutLinks(next, one_sheet);
     pyramid.levels.push_back(std::move(next));
   }
 }

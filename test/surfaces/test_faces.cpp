@@ -7,6 +7,7 @@
 #include "segmentation/field_of.h"
 #include "support/bits.h"
 #include "support/random.h"
+#include "support/shapes.h"
 #include "surfaces/face_evidence.h"
 #include "surfaces/face_fit.h"
 #include "surfaces/surface_classification.h"
@@ -195,6 +196,34 @@ TEST(Faces, StepsOfAStaircaseAreFlat)
   }
 }
 
+TEST(Faces, AThinWallIsCurvedWhereItTurns)
+{
+  // With noise a cell is nearly as wide as the wall is thick: 5 distances of points.
+  constexpr double thickness = 5.0, flat = 30.0, height = 60.0, noise = 0.4;
+  for (const double radius : {20.0, 25.0}) {
+    const double arc = 0.5 * pi * radius;
+    const auto wall =
+        sampled(2 * flat + arc, 2 * height, 1.0, noise, [&](double u, double v) {
+          const double inward = v > height ? thickness : 0.0;
+          const double along = std::clamp(u - flat, 0.0, arc), angle = along / radius;
+          const double rest = u - flat - along, r = radius - inward;
+          return Eigen::Vector3d(r * std::sin(angle) + rest * std::cos(angle),
+                                 v > height ? v - height : v,
+                                 200 - r * std::cos(angle) + rest * std::sin(angle));
+        });
+    const ShapeField field = fieldOf(wall);
+    int turning = 0, found = 0;
+    for (std::size_t i = 0; i < wall->size(); ++i) {
+      const double angle = std::atan2((*wall)[i].x, 200.0 - (*wall)[i].z);
+      if (angle > 0.2 && angle < 0.5 * pi - 0.2) {
+        ++turning;
+        found += field.likelihoods[1][i] > 0.5f;
+      }
+    }
+    EXPECT_GE(found, 0.98 * turning) << radius;
+  }
+}
+
 TEST(Faces, NeitherOrderNorThreadsMatter)
 {
   const auto cloud = cylinder(0.05, 0.002);
@@ -239,6 +268,36 @@ TEST(FaceLinks, DoNotDependOnThreads)
   ASSERT_GT(one.nodes.size(), 8192U); // of which threads get parts
   EXPECT_EQ(one.link_begins, three.link_begins);
   EXPECT_EQ(one.links, three.links);
+}
+
+TEST(FaceLinks, DoNotLeadFromOneSheetToAnother)
+{
+  constexpr double half_size = 40.0, noise = 0.4; // distances between points
+  for (const double apart : {4.0, 5.0, 6.0}) {
+    const Cloud::Ptr cloud =
+        sampled(half_size, 2 * half_size, 1.0, noise, [&](double u, double v) {
+          const bool is_upper = v > half_size;
+          return Eigen::Vector3d(u, is_upper ? v - half_size : v, is_upper ? apart : 0);
+        });
+    ShapeField field = edgeFieldOf(cloud);
+    std::fill(field.normals.begin(), field.normals.end(), Eigen::Vector3f::UnitZ());
+    std::fill(field.edge_likelihood.begin(), field.edge_likelihood.end(), 0.0f);
+    const FaceLevel level =
+        segmentation::firstFaces(field.points, field, medianSpacing(field.spacings), 1)
+            .levels.front();
+    const auto height = [&](std::uint32_t node) {
+      return static_cast<double>(level.nodes[node].position.z());
+    };
+    std::uint32_t between = 0, across = 0;
+    for (std::uint32_t i = 0; i < level.nodes.size(); ++i) {
+      between +=
+          std::min(std::abs(height(i)), std::abs(height(i) - apart)) > 0.4 * apart;
+      for (std::uint32_t k = level.link_begins[i]; k < level.link_begins[i + 1]; ++k)
+        across += std::abs(height(i) - height(level.links[k])) > 0.5 * apart;
+    }
+    EXPECT_EQ(between, 0U) << apart;
+    EXPECT_EQ(across, 0U) << apart;
+  }
 }
 
 /** How many windows each node of the next level has in one. */
