@@ -18,7 +18,7 @@
 namespace pcl::tiling {
 namespace {
 
-constexpr int format_version = 8;
+constexpr int format_version = 9;
 const std::string tiles_name = "tiles";
 // Of sections: their counts, their points by tile, and which rows of tiles these are.
 const std::string survey_name = "survey", sections_name = "sections",
