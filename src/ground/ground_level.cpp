@@ -12,6 +12,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -95,12 +96,11 @@ private:
   HeightRange heights_;
 };
 
-/** A sensor may be tilted as far against the ground as the ground is against what is
- * said to be up; radians. */
+/** Radians: ground may be steep, and the sensor on it tilted as much again. */
 float
 maxTilt(const GroundParameters& parameters)
 {
-  constexpr float almost_upright = 1.5f;
+  constexpr float almost_upright = 1.5f; // the model wants less than a right angle
   return std::min(2.0f * parameters.max_slope, almost_upright);
 }
 
@@ -183,8 +183,8 @@ bottomsOf(const GroundCells& cells, float max_step)
   return bottoms;
 }
 
-/** Whether a plane is above most points, and what is near it above the sensor.
- */
+/** Whether a plane is above half of the points, as nothing is below the ground, and
+ * what is near it above the sensor, as half of tilted ground may be. */
 bool
 isCeiling(const GroundCells& cells,
           const PointCloud<PointXYZ>& bottoms,
@@ -194,13 +194,16 @@ isCeiling(const GroundCells& cells,
   const auto above = [&](const auto& x, const auto& y, const auto& z) {
     return z - (plane.height + plane.slope_x * x + plane.slope_y * y);
   };
+  constexpr double almost_all = 0.9;
   std::size_t below = 0, near_above_sensor = 0;
   for (std::size_t i = 0; i < cells.z.size(); ++i)
     below += above(cells.x[i], cells.y[i], cells.z[i]) < -max_step ? 1U : 0U;
   for (const PointXYZ& p : bottoms)
     near_above_sensor +=
         p.z > 0.0f && std::abs(above(p.x, p.y, p.z)) < max_step ? 1U : 0U;
-  return 2 * below > cells.z.size() && 10 * near_above_sensor > 9 * plane.bottoms;
+  return 2 * below > cells.z.size() &&
+         static_cast<double>(near_above_sensor) >
+             almost_all * static_cast<double>(plane.bottoms);
 }
 
 /** The plane of the ground below the sensor; without what is above it if that is a
@@ -213,11 +216,10 @@ planeBelow(const GroundCells& cells,
   const auto below = planeOf(bottoms, parameters, heightsBelow(parameters));
   if (!below || !isCeiling(cells, *bottoms, *below, parameters.max_step))
     return below;
-  auto& points = bottoms->points;
-  points.erase(std::remove_if(points.begin(),
-                              points.end(),
-                              [](const PointXYZ& p) { return p.z > 0.0f; }),
-               points.end());
+  bottoms->erase(std::remove_if(bottoms->begin(),
+                                bottoms->end(),
+                                [](const PointXYZ& p) { return p.z > 0.0f; }),
+                 bottoms->end());
   return planeOf(bottoms, parameters, heightsBelow(parameters));
 }
 

@@ -67,7 +67,7 @@ PlaneFit::run(float weight)
 bool
 PlaneFit::isSpread() const
 {
-  constexpr float min_determinant = 0.09f; // (1/3)^2 / (1 + (1/3)^2)^2
+  constexpr float min_determinant = 0.055f; // (1/4)^2 / (1 + (1/4)^2)^2
   const float x = x_ / n_, y = y_ / n_;
   const float xx = xx_ / n_ - x * x, yy = yy_ / n_ - y * y, xy = xy_ / n_ - x * y;
   return xx * yy - xy * xy > min_determinant * (xx + yy) * (xx + yy);

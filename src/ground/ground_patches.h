@@ -75,7 +75,8 @@ public:
    * meters \return false if the points lie on a line */
   bool run(float weight);
 
-  /** \brief Whether the points are as far from any line as a third of their extent. */
+  /** \brief Whether the points are as far from any line as a quarter of their extent.
+   */
   bool isSpread() const;
 
 private:
