@@ -10,10 +10,13 @@
 #include "ground/ground_level.h"
 #include "ground/obstacles.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace pcl {
 namespace {
@@ -146,21 +149,57 @@ struct NearSurfaces {
   }
 };
 
+/** The places of a scan in cells, with heights above the ground in the large. */
+struct Scan {
+  GroundPlaces places;
+  GroundCells cells;
+  double ground_share; ///< of the cells, see level()
+
+  Scan(const detail::GroundQuery& query,
+       const GroundParameters& parameters,
+       const Eigen::Vector3f& up)
+  : places(groundPlaces(query, up))
+  , cells(groundCells(places, query.threads))
+  {
+    cells.hangs = overhangsOf(cells, parameters.max_step, query.threads);
+    ground_share = level(parameters, query.threads, cells);
+  }
+};
+
+/** Where the ground is steep in the large, the sensor is tilted or on a ramp: then up
+ * is what is perpendicular to it. Not if less is level so, and ground may be as steep.
+ */
+Scan
+leveledScan(const detail::GroundQuery& query, const GroundParameters& parameters)
+{
+  constexpr float max_share = 0.5f; // of the largest slope
+  constexpr double less = 0.9;      // of the cells
+  Scan scan(query, parameters, parameters.up);
+  const Eigen::Vector3f normal(-scan.cells.slope_x, -scan.cells.slope_y, 1.0f);
+  const float tilt = std::atan(normal.head<2>().norm());
+  if (tilt <= max_share * parameters.max_slope)
+    return scan;
+  const auto turn =
+      Eigen::Quaternionf::FromTwoVectors(parameters.up, Eigen::Vector3f::UnitZ());
+  Scan upright(query, parameters, turn.conjugate() * normal);
+  const bool is_less = upright.ground_share < less * scan.ground_share;
+  return is_less && tilt <= parameters.max_slope ? std::move(scan) : std::move(upright);
+}
+
 } // namespace
 
 std::vector<float>
 detail::groundLikelihoods(const GroundQuery& query, const GroundParameters& parameters)
 {
   const float step = parameters.max_step;
-  const GroundPlaces places = groundPlaces(query, parameters.up);
-  GroundCells cells = groundCells(places, query.threads);
-  cells.hangs = overhangsOf(cells, step, query.threads);
-  const bool has_ground = level(parameters, query.threads, cells);
+  const Scan scan = leveledScan(query, parameters);
+  const GroundPlaces& places = scan.places;
+  const GroundCells& cells = scan.cells;
   const std::vector<char> feet = feetOf(cells, step, query.threads);
   GroundPatches all = groundPatches(cells, feet, step, query.threads);
   const std::vector<char> ground =
-      has_ground ? connectedGround(cells, parameters, query.threads, all)
-                 : std::vector<char>(cells.size(), 0);
+      scan.ground_share > 0.0 ? connectedGround(cells, parameters, query.threads, all)
+                              : std::vector<char>(cells.size(), 0);
   const float tolerance = std::clamp(noises * groundNoise(cells, all, ground, step),
                                      min_tolerance * step,
                                      max_tolerance * step);

@@ -12,6 +12,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -53,13 +54,13 @@ heightsBelow(const GroundParameters& parameters)
 class GroundPlaneModel : public SampleConsensusModelPerpendicularPlane<PointXYZ> {
 public:
   GroundPlaneModel(const pcl::PointCloud<PointXYZ>::ConstPtr& bottoms,
-                   float max_slope,
+                   float max_tilt,
                    const HeightRange& heights)
   : SampleConsensusModelPerpendicularPlane<PointXYZ>(bottoms)
   , heights_(heights)
   {
     setAxis(Eigen::Vector3f::UnitZ());
-    setEpsAngle(max_slope);
+    setEpsAngle(max_tilt);
   }
 
   /** The bottoms near the plane, times the share of all that is not below it. */
@@ -95,9 +96,18 @@ private:
   HeightRange heights_;
 };
 
+/** Radians: ground may be steep, and the sensor on it tilted as much again. */
+float
+maxTilt(const GroundParameters& parameters)
+{
+  constexpr float almost_upright = 1.5f; // the model wants less than a right angle
+  return std::min(2.0f * parameters.max_slope, almost_upright);
+}
+
 struct GroundPlane {
   double slope_x, slope_y, height;
   std::size_t bottoms; ///< near it
+  double share;        ///< of all bottoms
 };
 
 std::optional<GroundPlane>
@@ -106,7 +116,7 @@ planeOf(const PointCloud<PointXYZ>::ConstPtr& bottoms,
         const HeightRange& heights)
 {
   const auto model =
-      pcl::make_shared<GroundPlaneModel>(bottoms, parameters.max_slope, heights);
+      pcl::make_shared<GroundPlaneModel>(bottoms, maxTilt(parameters), heights);
   RandomSampleConsensus<PointXYZ> consensus(model, parameters.max_step);
   consensus.setMaxIterations(max_samples);
   const detail::Quiet quiet;
@@ -117,7 +127,9 @@ planeOf(const PointCloud<PointXYZ>::ConstPtr& bottoms,
   consensus.getModelCoefficients(plane);
   consensus.getInliers(near);
   const auto over = [&](int i) { return -double{plane[i]} / double{plane[2]}; };
-  return GroundPlane{over(0), over(1), over(3), near.size()};
+  const double share =
+      static_cast<double>(near.size()) / static_cast<double>(bottoms->size());
+  return GroundPlane{over(0), over(1), over(3), near.size(), share};
 }
 
 /** Whether the sensor is in the middle of the bottoms, or looks at them from near. */
@@ -129,28 +141,6 @@ isSensorNear(const PointCloud<PointXYZ>& bottoms)
     box.extend(Eigen::Vector2f(p.x, p.y));
   return box.exteriorDistance(Eigen::Vector2f(0.0f, 0.0f)) <=
          max_gap * box.sizes().norm();
-}
-
-/** The plane of the ground, below the sensor if there is one. */
-std::optional<GroundPlane>
-groundPlane(const PointCloud<PointXYZ>::ConstPtr& bottoms,
-            const GroundParameters& parameters,
-            GroundCells& cells)
-{
-  const bool is_known = cells.around || parameters.sensor_height > 0.0f;
-  if (is_known || isSensorNear(*bottoms)) {
-    const auto below = planeOf(bottoms, parameters, heightsBelow(parameters));
-    cells.below_sensor = true;
-    if (is_known)
-      return below;
-    const auto any = planeOf(bottoms, parameters, HeightRange());
-    if (below && static_cast<double>(below->bottoms) >=
-                     min_below_share * static_cast<double>(any ? any->bottoms : 0))
-      return below;
-    cells.below_sensor = false;
-    return any;
-  }
-  return planeOf(bottoms, parameters, HeightRange());
 }
 
 /** Whether more points of a cell are above its bottom, as on a wall, than around it.
@@ -193,15 +183,83 @@ bottomsOf(const GroundCells& cells, float max_step)
   return bottoms;
 }
 
+/** Whether a plane is above half of the points, as nothing is below the ground, and
+ * what is near it above the sensor, as half of tilted ground may be. */
+bool
+isCeiling(const GroundCells& cells,
+          const PointCloud<PointXYZ>& bottoms,
+          const GroundPlane& plane,
+          float max_step)
+{
+  const auto above = [&](const auto& x, const auto& y, const auto& z) {
+    return z - (plane.height + plane.slope_x * x + plane.slope_y * y);
+  };
+  constexpr double almost_all = 0.9;
+  std::size_t below = 0, near_above_sensor = 0;
+  for (std::size_t i = 0; i < cells.z.size(); ++i)
+    below += above(cells.x[i], cells.y[i], cells.z[i]) < -max_step ? 1U : 0U;
+  for (const PointXYZ& p : bottoms)
+    near_above_sensor +=
+        p.z > 0.0f && std::abs(above(p.x, p.y, p.z)) < max_step ? 1U : 0U;
+  return 2 * below > cells.z.size() &&
+         static_cast<double>(near_above_sensor) >
+             almost_all * static_cast<double>(plane.bottoms);
+}
+
+/** The plane of the ground below the sensor; without what is above it if that is a
+ * ceiling. */
+std::optional<GroundPlane>
+planeBelow(const GroundCells& cells,
+           const PointCloud<PointXYZ>::Ptr& bottoms,
+           const GroundParameters& parameters)
+{
+  const auto below = planeOf(bottoms, parameters, heightsBelow(parameters));
+  if (!below || !isCeiling(cells, *bottoms, *below, parameters.max_step))
+    return below;
+  bottoms->erase(std::remove_if(bottoms->begin(),
+                                bottoms->end(),
+                                [](const PointXYZ& p) { return p.z > 0.0f; }),
+                 bottoms->end());
+  return planeOf(bottoms, parameters, heightsBelow(parameters));
+}
+
+/** The plane of the ground, below the sensor if there is one. */
+std::optional<GroundPlane>
+groundPlane(const GroundParameters& parameters, GroundCells& cells)
+{
+  auto bottoms = bottomsOf(cells, parameters.max_step);
+  cells.below_sensor =
+      cells.around || parameters.sensor_height > 0.0f || isSensorNear(*bottoms);
+  if (!cells.below_sensor)
+    return planeOf(bottoms, parameters, HeightRange());
+  const auto below = planeBelow(cells, bottoms, parameters);
+  const auto isEnough = [&](std::size_t best) {
+    return below && static_cast<double>(below->bottoms) >=
+                        min_below_share * static_cast<double>(best);
+  };
+  if (parameters.sensor_height > 0.0f || isEnough(bottoms->size()))
+    return below;
+  // Without a sensor nothing is known to hang.
+  std::vector<char> hangs(cells.size(), 0);
+  std::swap(hangs, cells.hangs);
+  bottoms = bottomsOf(cells, parameters.max_step);
+  const auto any = planeOf(bottoms, parameters, HeightRange());
+  cells.below_sensor = !any || isEnough(any->bottoms) ||
+                       isCeiling(cells, *bottoms, *any, parameters.max_step);
+  if (!cells.below_sensor)
+    return any;
+  std::swap(hangs, cells.hangs);
+  return below;
+}
+
 } // namespace
 
-bool
+double
 level(const GroundParameters& parameters, unsigned threads, GroundCells& cells)
 {
-  const auto plane =
-      groundPlane(bottomsOf(cells, parameters.max_step), parameters, cells);
+  const auto plane = groundPlane(parameters, cells);
   if (!plane)
-    return false;
+    return 0.0;
   cells.slope_x = static_cast<float>(plane->slope_x);
   cells.slope_y = static_cast<float>(plane->slope_y);
   const auto height = static_cast<float>(plane->height);
@@ -210,7 +268,7 @@ level(const GroundParameters& parameters, unsigned threads, GroundCells& cells)
     for (std::size_t i = cells.begins[cell]; i < cells.begins[cell + 1]; ++i)
       cells.z[i] -= height + cells.slope_x * cells.x[i] + cells.slope_y * cells.y[i];
   });
-  return true;
+  return plane->share;
 }
 
 } // namespace pcl::segmentation

@@ -64,6 +64,15 @@ PlaneFit::run(float weight)
   return true;
 }
 
+bool
+PlaneFit::isSpread() const
+{
+  constexpr float min_determinant = 0.055f; // (1/4)^2 / (1 + (1/4)^2)^2
+  const float x = x_ / n_, y = y_ / n_;
+  const float xx = xx_ / n_ - x * x, yy = yy_ / n_ - y * y, xy = xy_ / n_ - x * y;
+  return xx * yy - xy * xy > min_determinant * (xx + yy) * (xx + yy);
+}
+
 namespace {
 
 // Patches on lines beside each other are neighbors up to a fifth of their range.
@@ -171,12 +180,13 @@ levelOne(const std::vector<GroundPatch>& low,
 
 /** A plane through the patch and a neighbor in each of both directions, then one that
  * fits to all neighbors that it passes nearby. Where one line of points is all there
- * is, the ground is as level across it as in the large.
+ * is, the ground is as level across it as in the large. What is nearer than the heights
+ * of a patch's own points differ, as at the feet of a robot, tells little of its slope.
  * \return false if there is none */
 bool
 fitRobustly(const std::vector<GroundPatch>& low,
             const PatchNeighbors& neighbors,
-            float near,
+            float near, ///< how far points of a surface are from it, meters
             GroundPatch& patch)
 {
   const GroundPatch* const along =
@@ -202,7 +212,10 @@ fitRobustly(const std::vector<GroundPatch>& low,
         near + plane_error * distance)
       second.add(other);
   }
-  second.run(weight);
+  if (second.run(weight) && along && second.isSpread()) {
+    patch.slope_x = patch.slope_y = 0.0f;
+    second.run(near * near);
+  }
   return true;
 }
 

@@ -75,6 +75,10 @@ public:
    * meters \return false if the points lie on a line */
   bool run(float weight);
 
+  /** \brief Whether the points are as far from any line as a quarter of their extent.
+   */
+  bool isSpread() const;
+
 private:
   GroundPatch& patch_;
   // Sums of offsets from the patch, whose plane need not go through it.

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -96,6 +97,30 @@ TEST(GroundOfFields, BehindABankOrADitchTheyAreFound)
     const scene::LidarScan scan = scanOf(StreetPlace::Country, forward, seed);
     EXPECT_GE(f1(likelihoodsOf(cloudOf(scan)), scan.ground), 0.97) << seed;
   }
+}
+
+TEST(GroundOfCorridors, RobotsSeeItNearby)
+{
+  const Sensor forward{LidarPattern::Rosette70, 64};
+  for (const std::uint64_t seed : {1111U, 1112U, 1113U}) {
+    const scene::LidarScan scan = scanOf(StreetPlace::Corridor, forward, seed);
+    EXPECT_GE(f1(likelihoodsOf(cloudOf(scan)), scan.ground), 0.97) << seed;
+  }
+}
+
+TEST(GroundOfGarages, ACeilingBeforeAWallIsNone)
+{
+  const Sensor forward{LidarPattern::Rosette120, 64};
+  const scene::LidarScan wall = scanOf(StreetPlace::Garage, forward, 1102);
+  ASSERT_EQ(std::count(wall.ground.begin(), wall.ground.end(), 1U), 0);
+  const std::vector<float> likelihoods = likelihoodsOf(cloudOf(wall));
+  EXPECT_EQ(std::count_if(likelihoods.begin(),
+                          likelihoods.end(),
+                          [](float likelihood) { return likelihood >= 0.5f; }),
+            0);
+  // With a little ground before it.
+  const scene::LidarScan more = scanOf(StreetPlace::Garage, forward, 1103);
+  EXPECT_GE(f1(likelihoodsOf(cloudOf(more)), more.ground), 0.95);
 }
 
 TEST(GroundOfMovingScanners, IsFoundThoughTheScanDoesNotFitTogether)

@@ -103,24 +103,37 @@ TEST_P(Streets, UpMayBeAnyDirectionAndTheSensorAnywhere)
 TEST_P(Streets, ATiltedSensorFindsTheSame)
 {
   constexpr double streets = 4.0;
-  double level = 0.0, tilted = 0.0;
-  for (std::uint64_t seed = 323; seed < 327; ++seed) {
-    const scene::LidarScan scan = street(seed, GetParam());
-    const Cloud::Ptr cloud = cloudOf(scan);
-    const double level_f1 = f1(likelihoodsOf(cloud), scan.ground);
-    const Eigen::AngleAxisf tilt(0.1f, Eigen::Vector3f(1.0f, 1.0f, 0.0f).normalized());
-    for (PointXYZ& p : *cloud)
-      p.getVector3fMap() = tilt * p.getVector3fMap();
-    const double tilted_f1 = f1(likelihoodsOf(cloud), scan.ground);
-    if (GetParam() == 64U) {
-      EXPECT_GE(tilted_f1, 0.97) << seed;
-      EXPECT_NEAR(tilted_f1, level_f1, 0.01) << seed;
+  for (const float angle :
+       {0.1f, 0.44f}) { // 6 degrees, and more than the largest slope
+    double level = 0.0, tilted = 0.0;
+    for (std::uint64_t seed = 323; seed < 327; ++seed) {
+      const scene::LidarScan scan = street(seed, GetParam());
+      const Cloud::Ptr cloud = cloudOf(scan);
+      const double level_f1 = f1(likelihoodsOf(cloud), scan.ground);
+      const Eigen::AngleAxisf tilt(angle,
+                                   Eigen::Vector3f(1.0f, 1.0f, 0.0f).normalized());
+      for (PointXYZ& p : *cloud)
+        p.getVector3fMap() = tilt * p.getVector3fMap();
+      const double tilted_f1 = f1(likelihoodsOf(cloud), scan.ground);
+      if (GetParam() == 64U) {
+        EXPECT_GE(tilted_f1, 0.97) << seed << ", " << angle;
+        EXPECT_NEAR(tilted_f1, level_f1, 0.01) << seed << ", " << angle;
+      }
+      level += level_f1 / streets;
+      tilted += tilted_f1 / streets;
     }
-    level += level_f1 / streets;
-    tilted += tilted_f1 / streets;
+    EXPECT_GE(tilted, 0.97) << angle;
+    EXPECT_NEAR(tilted, level, 0.01) << angle;
   }
-  EXPECT_GE(tilted, 0.97);
-  EXPECT_NEAR(tilted, level, 0.01);
+}
+
+TEST_P(Streets, GroundIsFoundFarAboveTheZeroOfAMap)
+{
+  const scene::LidarScan scan = street(328, GetParam());
+  const Cloud::Ptr cloud = cloudOf(scan);
+  for (PointXYZ& p : *cloud)
+    p.z += 120.0f;
+  EXPECT_GE(f1(likelihoodsOf(cloud), scan.ground), 0.97);
 }
 
 TEST_P(Streets, FarOutliersDoNotSpoilIt)
