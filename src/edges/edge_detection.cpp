@@ -62,7 +62,12 @@ creasesAmong(const std::vector<Agreement>& agreements, float needed)
   return creases;
 }
 
-/** Points near an agreement take its likelihood, evidence / (evidence + needed). */
+// A crease of sparse points, such as strays in a shadow, is no band of the dense ones
+// beside them. By chance spacings differ by less.
+constexpr float most_of_own = 1.4f;
+
+/** Points near an agreement, in spacings of both, take its likelihood, evidence /
+ * (evidence + needed). */
 void
 markBands(const std::vector<Agreement>& agreements,
           float needed,
@@ -74,8 +79,9 @@ markBands(const std::vector<Agreement>& agreements,
     const Vector3f center = Eigen::Map<const Vector3f>(agreement.point.position.data());
     const float likelihood = agreement.evidence / (agreement.evidence + needed);
     grid.forEachWithin(
-        center, band * agreement.point.spacing, [&](std::uint32_t i, float) {
-          if (!(field.edge_likelihood[i] >= likelihood))
+        center, band * agreement.point.spacing, [&](std::uint32_t i, float squared) {
+          const float own = band * most_of_own * field.spacings[i];
+          if (squared < own * own && !(field.edge_likelihood[i] >= likelihood))
             field.edge_likelihood[i] = likelihood;
         });
   }
