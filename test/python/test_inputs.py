@@ -162,6 +162,7 @@ def test_other_types():
 
 
 def test_no_ground_warns():
+    wall = SOME * np.float32([1, 1, 0])
     with pytest.warns(RuntimeWarning, match="no ground was found"):
-        ground, likelihood = pcl_shape.ground(SOME, up=(1, 0, 0), sensor=(5, 0, 0))
+        ground, likelihood = pcl_shape.ground(wall, up=(1, 0, 0), sensor=(0, 0, 1))
     assert not ground.any() and likelihood.shape == ground.shape == (1700,)
