@@ -107,7 +107,7 @@ main(int argc, char** argv)
       "1 on road, sidewalk and the\nlike in a vehicle's laser scan, "
       "0 elsewhere. The scanner is at the VIEWPOINT.");
   command_line.option("up", "X,Y,Z", "a direction, roughly up (0,0,1)")
-      .option("max_slope", "A", "of the ground towards up, degrees (20)")
+      .option("max_slope", "A", "of the ground, degrees (20)")
       .option("max_step", "S", "that ground continues over, meters: a curb (0.2)")
       .option("sensor_height",
               "H",

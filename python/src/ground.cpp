@@ -88,7 +88,8 @@ constexpr const char* ground_text =
 
 points: float32 or float64 (n, 3), meters.
 up: (3,), where up is, roughly; of any length but 0.
-max_slope: the steepest ground towards up, radians, below pi / 2.
+max_slope: the steepest ground against its plane in the large, or up where that is no
+    steeper than half of this; radians, below pi / 2.
 max_step: the highest curb that ground continues over, meters.
 threshold: the likelihood from which a point is ground, 0 to 1.
 sensor_height: of the sensor above the ground, meters; 0 if it is not known.

@@ -174,6 +174,7 @@ leveledScan(const detail::GroundQuery& query, const GroundParameters& parameters
 {
   constexpr float max_share = 0.5f; // of the largest slope
   constexpr double less = 0.9;      // of the cells
+  constexpr double half = 0.5;      // likewise: a steep plane with fewer is no ground
   Scan scan(query, parameters, parameters.up);
   const Eigen::Vector3f normal(-scan.cells.slope_x, -scan.cells.slope_y, 1.0f);
   const float tilt = std::atan(normal.head<2>().norm());
@@ -183,7 +184,11 @@ leveledScan(const detail::GroundQuery& query, const GroundParameters& parameters
       Eigen::Quaternionf::FromTwoVectors(parameters.up, Eigen::Vector3f::UnitZ());
   Scan upright(query, parameters, turn.conjugate() * normal);
   const bool is_less = upright.ground_share < less * scan.ground_share;
-  return is_less && tilt <= parameters.max_slope ? std::move(scan) : std::move(upright);
+  if (is_less && tilt <= parameters.max_slope)
+    return scan;
+  if (tilt > parameters.max_slope && upright.ground_share < half)
+    upright.ground_share = 0.0;
+  return upright;
 }
 
 } // namespace

@@ -88,7 +88,10 @@ protected:
   {
     if (!SampleConsensusModelPerpendicularPlane<PointXYZ>::isModelValid(plane))
       return false;
-    const double height = -double{plane[3]} / double{plane[2]};
+    // Along the plane's normal: the sensor may be tilted.
+    const double norm = double{plane.head<3>().norm()};
+    const double height =
+        std::copysign(double{plane[3]} / norm, -double{plane[3]} * double{plane[2]});
     return height >= heights_.min && height <= heights_.max;
   }
 
@@ -96,12 +99,16 @@ private:
   HeightRange heights_;
 };
 
-/** Radians: ground may be steep, and the sensor on it tilted as much again. */
+/** Radians: ground may be steep, and the sensor on it tilted as much again, but not by
+ * more than 25 degrees. */
 float
 maxTilt(const GroundParameters& parameters)
 {
+  constexpr float max_of_sensor = 0.44f;
   constexpr float almost_upright = 1.5f; // the model wants less than a right angle
-  return std::min(2.0f * parameters.max_slope, almost_upright);
+  return std::min({2.0f * parameters.max_slope,
+                   parameters.max_slope + max_of_sensor,
+                   almost_upright});
 }
 
 struct GroundPlane {

@@ -41,7 +41,7 @@ edgePointsOf(const ShapeField& field, float bands)
 TEST(EdgeBands, ReachAsFarAsThePointsInThemAreDense)
 {
   const auto cloud = cloudOf(cameraScene(802, scene::Noise::TimeOfFlight));
-  const EdgePoints points = edgePointsOf(edgeFieldOf(cloud), 1.5f);
+  const EdgePoints points = edgePointsOf(edgeFieldOf(cloud), 2.1f);
   EXPECT_GT(points.all, 1000);
   EXPECT_EQ(0, points.far);
 }

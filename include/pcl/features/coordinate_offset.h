@@ -119,8 +119,24 @@ coordinateOffset(const CoordinateScale& scale)
   return offset;
 }
 
-/** \brief The finite points, sorted. Of a place where more than a percent of them are,
- * as the 0,0,0 or -9999 that stands for no return, one. */
+/** \brief Whether more than so many of the points share an x. */
+inline bool
+shareX(const DoubleXYZ& points, std::size_t most)
+{
+  std::vector<double> xs;
+  xs.reserve(points.size());
+  for (const std::array<double, 3>& p : points)
+    xs.push_back(p[0]);
+  std::sort(xs.begin(), xs.end());
+  for (std::size_t i = most; i < xs.size(); ++i)
+    if (xs[i] == xs[i - most])
+      return true;
+  return false;
+}
+
+/** \brief The finite points. Of a place where more than one and more than a percent of
+ * them are, as the 0,0,0 or -9999 that stands for no return, one; sorted, if there is
+ * such a place. */
 inline DoubleXYZ
 withoutFillers(DoubleXYZ points)
 {
@@ -128,17 +144,19 @@ withoutFillers(DoubleXYZ points)
     return !std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]);
   };
   points.erase(std::remove_if(points.begin(), points.end(), isNotFinite), points.end());
-  std::sort(points.begin(), points.end());
   const std::size_t most = std::max<std::size_t>(1, points.size() / 100);
-  auto to = points.begin();
+  if (!shareX(points, most))
+    return points;
+  std::sort(points.begin(), points.end());
+  DoubleXYZ others;
   for (auto place = points.begin(); place != points.end();) {
-    const auto next = std::upper_bound(place, points.end(), *place);
+    const auto next = std::find_if(
+        place, points.end(), [&](const auto& other) { return other != *place; });
     const bool are_fillers = static_cast<std::size_t>(next - place) > most;
-    to = std::copy(are_fillers ? next - 1 : place, next, to);
+    others.insert(others.end(), are_fillers ? next - 1 : place, next);
     place = next;
   }
-  points.erase(to, points.end());
-  return points;
+  return others;
 }
 
 /** \brief The same of points, without the fillers among them. */

@@ -199,6 +199,22 @@ OrientedPlaneModel::countWithinDistance(const Eigen::VectorXf& coefficients,
   });
 }
 
+void
+OrientedPlaneModel::selectWithinDistance(const Eigen::VectorXf& coefficients,
+                                         double threshold,
+                                         Indices& inliers)
+{
+  PlaneModel::selectWithinDistance(coefficients, threshold, inliers);
+  const Eigen::Vector3f normal = coefficients.head<3>().normalized();
+  const auto has_other_normal = [&](index_t i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Eigen::Vector3f own(normal_x_[k], normal_y_[k], normal_z_[k]);
+    return !(std::abs(normal.dot(own)) > min_cosine_);
+  };
+  inliers.erase(std::remove_if(inliers.begin(), inliers.end(), has_other_normal),
+                inliers.end());
+}
+
 template <>
 std::size_t
 SphereModel::countWithinDistance(const Eigen::VectorXf& coefficients,

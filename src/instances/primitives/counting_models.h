@@ -98,6 +98,10 @@ public:
   std::size_t countWithinDistance(const Eigen::VectorXf& coefficients,
                                   double threshold) const override;
 
+  void selectWithinDistance(const Eigen::VectorXf& coefficients,
+                            double threshold,
+                            Indices& inliers) override;
+
 private:
   CountedPoints points_;
   std::vector<float> normal_x_, normal_y_, normal_z_;

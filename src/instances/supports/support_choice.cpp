@@ -34,9 +34,11 @@ constexpr double max_lower = 0.1;
 // on.
 constexpr double max_lower_of_high = 0.04;
 // Likewise: tables, bottoms and walls have .01 at most, tops of many things .1 to .3.
-constexpr double max_through = 0.1;
+constexpr double max_through = 0.05;
 // Likewise, of what is near it: a cup on a table of 50 x 50 cm has .0075.
 constexpr double min_things = 0.005;
+// Of a part's area, what is behind it by chance.
+constexpr double max_stray_behind = 0.005;
 constexpr double max_below = 0.02;   // of all that is not on the lowest part: noise
 constexpr float same_level = 0.94f;  // cosine of 20 degrees
 constexpr double min_in_plane = 0.8; // of a part's nodes, as of a face's points
@@ -224,7 +226,7 @@ private:
   isAlone(std::size_t part)
   {
     return !(around(part).before > 0.0) &&
-           around(part).behind <= min_things * parts_[part].area;
+           around(part).behind <= max_stray_behind * parts_[part].area;
   }
 
   bool

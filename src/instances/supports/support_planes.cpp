@@ -6,6 +6,7 @@
 
 #include "common/parallel.h"
 #include "common/quiet.h"
+#include "common/statistics.h"
 #include "instances/extent.h"
 #include "instances/pieces/smooth_pieces.h"
 #include "instances/supports/support_choice.h"
@@ -16,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace pcl::segmentation {
 namespace {
@@ -87,17 +89,16 @@ supportOf(const SupportPart& part,
   return support;
 }
 
-/** How high a wall is above its bottom, in meters, but for its highest nodes. */
+/** How high a wall is above its bottom, in meters. Nodes are spread over its height, so
+ * that a quantile tells, whatever strays are above. */
 float
 heightOfWall(const SupportPart& wall, const SupportPart& bottom)
 {
+  constexpr double share = 0.95;
   std::vector<float> heights;
   for (const SurfaceNode& node : wall.nodes)
     heights.push_back(heightOf(node, bottom.support.plane) * node.spacing);
-  const auto highest =
-      heights.end() - 1 - static_cast<std::ptrdiff_t>(heights.size() / 20);
-  std::nth_element(heights.begin(), highest, heights.end());
-  return *highest;
+  return quantile(std::move(heights), share) / static_cast<float>(share);
 }
 
 /** The points on top of the walls around a bottom: beside it, and as high as two of the
@@ -125,7 +126,7 @@ rimOf(const SupportPart& bottom,
     });
     const Vector3f foot =
         node.position - height * node.spacing * bottom.support.plane.normal;
-    if (ends_here >= min_walls && !extent.isInside(foot) && isNear(foot, grid, reach))
+    if (ends_here >= min_walls && isNear(foot, grid, reach) && !extent.isInside(foot))
       rim.push_back(i);
   }
   return rim;
@@ -150,6 +151,11 @@ supportPlanes(const InstanceInput& input,
     supports.push_back(supportOf(parts[k], input, unit, is_free));
   for (std::size_t s = 0; s < carriers.size(); ++s) {
     const SupportPart& bottom = parts[carriers[s]];
+    const auto first = carriers.begin(), own = first + static_cast<std::ptrdiff_t>(s);
+    if (std::any_of(first, own, [&](std::size_t k) { // walls come after their bottoms
+          return isWallOf(bottom, parts[k], unit);
+        }))
+      continue;
     std::vector<float> walls;
     for (const std::size_t k : carriers)
       if (isWallOf(parts[k], bottom, unit))

@@ -47,7 +47,6 @@ public:
     const bool is_low = height < 0.0f, is_steep = isSteep(node.normal, part_);
     const bool may_be_beside = is_low && isNear(node.position, places_, side_reach_);
     const bool is_near = isNear(node.position, nodes_, around_spacings * node.spacing);
-    // What is low and inside is noise: nobody sees through a support.
     const bool is_inside =
         (may_be_beside || is_near) && extent_.isInside(node.position);
     const bool is_beside = may_be_beside && !is_inside;
