@@ -336,8 +336,10 @@ private:
       return;
     if (wanted_.normals || wanted_.inad_radius > 0.0)
       throw InputError(noteOfResolution(resolution) +
-                       "; -normals and -inad are of the points themselves: leave them "
-                       "out, and give another output directory");
+                       ", but -normals and -inad are of the points themselves; leave "
+                       "-normals out, run -inad on its own, and remove " +
+                       tilesOf(arguments_.text("output_dir")) +
+                       " or give another -output_dir");
     if (team_.isFirst())
       logLine(arguments_.text("output_dir") +
               ": note: " + noteOfResolution(resolution));

@@ -133,8 +133,9 @@ HeaderLines::words(const std::string& keyword, std::size_t count) const
   const Words* const found = find(keyword);
   if (!found)
     fail(path_, "the header has no " + keyword + " line", "a complete PCD header");
-  const bool fits = count == 1 ? !found->empty() : found->size() == count;
-  if (!fits)
+  const bool has_remark = count == 1 && found->size() > 1 &&
+                          (keyword == "DATA" || !parseValue<double>((*found)[1]));
+  if (found->size() != count && !has_remark)
     fail(path_,
          keyword + " has " + std::to_string(found->size()) + " values",
          std::to_string(count));
@@ -399,8 +400,9 @@ formatBy(const HeaderLines& lines, const std::string& path)
   const std::string_view word = lines.words("DATA", 1).front();
   // As in PCL, text may begin without a new line; what is on this one is lost.
   constexpr std::size_t letters = 5;
-  const bool is_ascii = toLower(word.substr(0, letters)) == nameOf(PCDFormat::ascii);
-  const auto format = is_ascii ? PCDFormat::ascii : formatOf(word);
+  const bool has_number =
+      word.substr(0, letters + 1).find_first_of("+-.0123456789") == letters;
+  const auto format = formatOf(has_number ? word.substr(0, letters) : word);
   if (!format)
     fail(path, "DATA is " + inQuotes(word), "ascii, binary or binary_compressed");
   return *format;
@@ -551,7 +553,7 @@ readBinaryPoints(CloudFile& cloud, std::string_view body)
 std::optional<PointRows>
 rowsOfPcd(const std::string& path, std::string_view head)
 {
-  if (hasOldLineEnds(head))
+  if (withNewLines(head, "data", "data"))
     return std::nullopt;
   const HeaderLines lines(path, head);
   const PCDFormat format = formatBy(lines, path);
@@ -571,8 +573,8 @@ finishPcd(CloudFile& cloud)
 CloudFile
 decodePcd(const std::string& path, std::string_view file)
 {
-  if (hasOldLineEnds(file))
-    return decodePcd(path, withNewLines(file, "DATA", "DATA ascii"));
+  if (const auto text = withNewLines(file, "data", "data"))
+    return decodePcd(path, *text);
   const HeaderLines lines(path, file);
   CloudFile cloud = describedBy(lines, path, true);
   const PCDFormat format = formatBy(lines, path);

@@ -77,8 +77,7 @@ struct Header {
   std::uint32_t columns = 0, rows = 0;
   std::vector<Element> elements;
   std::string format;
-  bool is_in_memory = true;   ///< all of the file
-  bool is_in_element = false; ///< the last line described one
+  bool is_in_memory = true; ///< all of the file
 };
 
 bool
@@ -135,7 +134,7 @@ typeOf(const Words& words, std::size_t at, const Header& header)
          "property " + inQuotes(words.back()) + " of " +
              inQuotes(header.elements.back().name) + " has type " +
              inQuotes(at < words.size() ? words[at] : ""),
-         "char, uchar, short, ushort, int, uint, float or double");
+         "char, uchar, bool, short, ushort, int, uint, float or double");
   return *datatype;
 }
 
@@ -172,8 +171,6 @@ void
 readLine(const Words& words, Header& header)
 {
   const std::string_view keyword = words.front();
-  const bool was_in_element = header.is_in_element;
-  header.is_in_element = keyword == "element" || keyword == "property";
   if (keyword == "comment")
     readViewpoint(words, header.cloud);
   else if (keyword == "element")
@@ -196,7 +193,7 @@ readLine(const Words& words, Header& header)
     else if (value && words[1] == "num_rows")
       header.rows = *value;
   }
-  else if (was_in_element) // elsewhere it is a comment's second line, as PCL sees it
+  else if (!header.elements.empty()) // before, it is a comment's second line, as in PCL
     fail(header.cloud.path,
          "the header has a line " + inQuotes(keyword),
          "format, comment, obj_info, element, property or end_header");
@@ -754,7 +751,7 @@ appendPoints(const CloudFile& cloud, bool is_text, std::string& text)
 std::optional<PointRows>
 rowsOfPly(const std::string& path, std::string_view head)
 {
-  if (hasOldLineEnds(head))
+  if (withNewLines(head, "end_header", "format"))
     return std::nullopt;
   std::string_view rest = head;
   Header header = readHeader(path, rest, false);
@@ -767,8 +764,8 @@ rowsOfPly(const std::string& path, std::string_view head)
 CloudFile
 decodePly(const std::string& path, std::string_view file)
 {
-  if (hasOldLineEnds(file))
-    return decodePly(path, withNewLines(file, "end_header", "format ascii"));
+  if (const auto text = withNewLines(file, "end_header", "format"))
+    return decodePly(path, *text);
   Header header = readHeader(path, file, true);
   if (hasRows(header) && header.format != "ascii")
     readBinaryPoints(header.cloud, file);

@@ -77,24 +77,26 @@ withoutByteOrderMark(std::string_view text)
   return text.substr(0, mark.size()) == mark ? text.substr(mark.size()) : text;
 }
 
-bool
-hasOldLineEnds(std::string_view text)
+std::optional<std::string>
+withNewLines(std::string_view file, std::string_view last, std::string_view format)
 {
-  const std::size_t end = text.find_first_of("\r\n");
-  return end != std::string_view::npos && text[end] == '\r' &&
-         text.substr(end + 1, 1) != "\n";
-}
-
-std::string
-withNewLines(std::string_view file, std::string_view last, std::string_view mark)
-{
+  bool has_text = false;
+  std::size_t begin = 0, end = 0;
+  for (bool is_last = false; !is_last; begin = end + 1) {
+    end = file.find_first_of("\r\n", begin);
+    if (end == std::string_view::npos || file[end] == '\n')
+      return std::nullopt;
+    const auto words = splitWords(file.substr(begin, end - begin));
+    const std::string first = words.empty() ? "" : toLower(words.front());
+    constexpr std::string_view ascii = "ascii";
+    has_text = has_text || (first == format && words.size() > 1 &&
+                            toLower(words[1].substr(0, ascii.size())) == ascii);
+    is_last = first == last;
+  }
   std::string text(file);
-  const std::size_t last_line = text.find('\r' + std::string(last));
-  const std::size_t end = text.find('\r', std::min(last_line, text.size() - 1) + 1);
-  const bool has_text = text.substr(0, end).find(mark) != std::string::npos;
-  const std::size_t size = has_text ? text.size() : std::min(end, text.size() - 1) + 1;
-  std::replace(
-      text.begin(), text.begin() + static_cast<std::ptrdiff_t>(size), '\r', '\n');
+  const auto stop =
+      has_text ? text.end() : text.begin() + static_cast<std::ptrdiff_t>(begin);
+  std::replace(text.begin(), stop, '\r', '\n');
   return text;
 }
 

@@ -85,15 +85,12 @@ std::vector<std::string_view> splitPoint(std::string_view line);
 /** \brief The text after the mark that some editors put before UTF-8. */
 std::string_view withoutByteOrderMark(std::string_view text);
 
-/** \brief Whether lines end with a carriage return alone, as of Rhinoceros. */
-bool hasOldLineEnds(std::string_view text);
-
-/** \brief The file with new lines in their place.
- * \param[in] file a header of lines, and what follows
- * \param[in] last how the last line of the header begins
- * \param[in] mark what the header has if text follows, else it stays as it is */
-std::string
-withNewLines(std::string_view file, std::string_view last, std::string_view mark);
+/** \brief The file with new lines, if those of its header end with carriage returns
+ * alone, as of Rhinoceros. What follows stays as it is unless it is text.
+ * \param[in] last the first word of the header's last line \param[in] format of the
+ * line that says ascii if text follows; both in lower case */
+std::optional<std::string>
+withNewLines(std::string_view file, std::string_view last, std::string_view format);
 
 /** \brief Take the first line, without its end, off the text. */
 std::string_view takeLine(std::string_view& text);

@@ -430,11 +430,11 @@ requireFew(std::uint64_t unknown, std::uint64_t places)
 {
   constexpr double max_unknown = 0.02; // as ShapeFieldEstimation has it
   if (static_cast<double>(unknown) > max_unknown * static_cast<double>(places))
-    throw InputError(std::to_string(unknown) + " of " + std::to_string(places) +
-                     " places got no edge likelihood, as in clouds of very uneven "
-                     "density: pcl_shape_detect samples such a cloud evenly, which "
-                     "cannot be done in tiles, and says why in others; expected at "
-                     "most 2 %");
+    throw InputError(
+        std::to_string(unknown) + " of " + std::to_string(places) +
+        " places got no edge likelihood, as in clouds of very uneven "
+        "density; expected at most 2 %. Use pcl_shape_detect, which samples such "
+        "a cloud evenly, or give a -resolution");
 }
 
 /** \param[in] name of results that begin with the number of their tile */

@@ -140,6 +140,18 @@ TEST(PrimitiveModel, FitsExactSurfaces)
   EXPECT_LT(can.residual, 1e-3f);
 }
 
+TEST(PrimitiveModel, APlaneIsNotTiltedByTheFootOfAWall)
+{
+  Surface bottom = floorPatch(0, 0, 0, 20, 20);
+  bottom.append(
+      pcl::test::patch({9.5, 0, 0.02}, Eigen::Vector3d::UnitY(), {0, 0, 0.02}, 20, 20));
+  PrimitiveSample sample = sampleOf(bottom);
+  sample.tolerance = 0.4;
+  EXPECT_GT(std::abs(fitTo(sample, PrimitiveType::Plane).coefficients[0]), 0.005f);
+  sample.min_cosine = 0.8f;
+  EXPECT_LT(std::abs(fitTo(sample, PrimitiveType::Plane).coefficients[0]), 1e-5f);
+}
+
 TEST(PrimitiveModel, NoSphereIsLargerThanItsPoints)
 {
   Surface flat = floorPatch(0, 0, 0, 20, 20);

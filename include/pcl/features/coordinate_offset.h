@@ -134,9 +134,9 @@ shareX(const DoubleXYZ& points, std::size_t most)
   return false;
 }
 
-/** \brief The finite points. Of a place where more than one and more than a percent of
- * them are, as the 0,0,0 or -9999 that stands for no return, one; sorted, if there is
- * such a place. */
+/** \brief The finite points, without those of places where more than one and more than
+ * a percent of them are, as the 0,0,0 or -9999 that stands for no return; sorted, if
+ * there is such a place. All of them if no others are left. */
 inline DoubleXYZ
 withoutFillers(DoubleXYZ points)
 {
@@ -153,10 +153,10 @@ withoutFillers(DoubleXYZ points)
     const auto next = std::find_if(
         place, points.end(), [&](const auto& other) { return other != *place; });
     const bool are_fillers = static_cast<std::size_t>(next - place) > most;
-    others.insert(others.end(), are_fillers ? next - 1 : place, next);
+    others.insert(others.end(), are_fillers ? next : place, next);
     place = next;
   }
-  return others;
+  return others.empty() ? points : others;
 }
 
 /** \brief The same of points, without the fillers among them. */

@@ -329,10 +329,40 @@ TEST_F(Readers, LinesThatEndWithACarriageReturnAlone) // as of Rhinoceros
     EXPECT_THROW(decodePcd("cut.pcd", cut), InputError);
   for (const char* const cut : {"ply\r", "ply\rformat ascii 1.0\rend_header"})
     EXPECT_THROW(decodePly("cut.ply", cut), InputError);
-  // A carriage return in the data is no line end.
+}
+
+TEST_F(Readers, ACarriageReturnInTheDataIsNoLineEnd)
+{
+  const auto old = [](std::string text) {
+    std::replace(text.begin(), text.end(), '\n', '\r');
+    return text;
+  };
   const std::string bytes(two_points.size() * sizeof(float), '\r');
-  EXPECT_EQ(decodePly("data.ply", old(binary_ply + body) + bytes).blob.data,
-            std::vector<std::uint8_t>(bytes.size(), '\r'));
+  const std::vector<std::uint8_t> data(bytes.size(), '\r');
+  const std::string body = "element vertex 2\n" + xyz_properties + "end_header\n";
+  EXPECT_EQ(decodePly("data.ply", old(binary_ply + body) + bytes).blob.data, data);
+  const std::string ply = old(binary_ply + "comment format ascii 1.0\n" + body);
+  EXPECT_EQ(decodePly("comment.ply", ply + bytes).blob.data, data);
+  const std::string head = pcdHead("F F F");
+  for (const std::string& file : {old(head + "data binary\n"),
+                                  old(head + "  DATA  binary\n"),
+                                  old("# DATA ascii\n" + head + "DATA binary\n"),
+                                  "# a\r b\n" + head + "DATA binary\n"})
+    EXPECT_EQ(decodePcd("data.pcd", file + bytes).blob.data, data) << file;
+  for (const char* const line : {"DATA ASCII\n", "DATA  ascii\n"})
+    expectTwoPoints(decodePcd("text.pcd", old(head + line + two_rows)));
+}
+
+TEST_F(Readers, WhatIsNoRemarkIsRefused)
+{
+  std::string head = pcdHead("F F F");
+  EXPECT_THROW(decodePcd("a.pcd", head + "DATA asciibinary\n" + two_rows), InputError);
+  head.insert(head.find('\n', head.find("WIDTH")), " 000");
+  EXPECT_THROW(decodePcd("a.pcd", head + "DATA ascii\n" + two_rows), InputError);
+  EXPECT_THROW(decodePly("a.ply",
+                         "ply\nformat ascii 1.0\nelement vertex 2\n" + xyz_properties +
+                             "comment a\npropertx float a\nend_header\n" + two_rows),
+               InputError);
 }
 
 TEST_F(Readers, PlyCommentsOfSeveralLines)

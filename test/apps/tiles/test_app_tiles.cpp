@@ -280,7 +280,7 @@ TEST_F(Tiles, TakeTheResolutionThatStepsNeed)
     const double resolution = parameter("resolution");
     EXPECT_GT(resolution, 1.5 * spacing);
     Words options = wanted;
-    options.insert(options.end(), {"-tile", tile});
+    options.insert(options.end(), {"-tile", tile, "-processes", "2"});
     expectSuccessOrWarnings(tiles({file}, options));
     EXPECT_EQ(resolution, parameter("resolution"));
     EXPECT_EQ(differences(readFile(path("out/cloud.pcd")), expected), 0U);
