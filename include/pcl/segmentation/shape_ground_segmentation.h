@@ -23,7 +23,7 @@ namespace pcl {
 /** \brief What counts as ground. \ingroup segmentation */
 struct GroundParameters {
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ(); ///< roughly; of any length but 0
-  float max_slope = 0.35f;    ///< of the ground, radians: 20 degrees
+  float max_slope = 0.35f;                       ///< of the ground, radians: 20 degrees
   float max_step = 0.2f;      ///< that ground continues over, meters: a high curb
   float threshold = 0.5f;     ///< the likelihood from which a point is ground
   float sensor_height = 0.0f; ///< above the ground, meters; 0 unknown
