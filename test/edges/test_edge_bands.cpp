@@ -40,7 +40,7 @@ edgePointsOf(const ShapeField& field, float bands)
 // Strays in the shadow of an object are sparse, the table beside them is not.
 TEST(EdgeBands, ReachAsFarAsThePointsInThemAreDense)
 {
-  const auto cloud = cloudOf(cameraScene(802, scene::Noise::TimeOfFlight));
+  const auto cloud = cloudOf(cameraScene(805, scene::Noise::Structured));
   const EdgePoints points = edgePointsOf(edgeFieldOf(cloud), 2.1f);
   EXPECT_GT(points.all, 1000);
   EXPECT_EQ(0, points.far);
